@@ -1,0 +1,3 @@
+//! Named mechanisms, each with the figure it stands for.
+
+pub mod mixer;

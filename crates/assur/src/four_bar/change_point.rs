@@ -1,0 +1,39 @@
+//! Where the two motions of a change point linkage cross.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{Assembly, FourBar, Pose};
+
+/// A crank angle at which all links lie in one line and two smooth motions
+/// cross: the pose is common to both, the derivatives are not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChangePoint {
+    /// φ₁.
+    pub crank: f64,
+    /// How each branch goes on, in the order of [`Assembly::ALL`].
+    pub continuations: [Pose<3>; 2],
+}
+
+impl FourBar {
+    /// The change points within the [cycle](FourBar::cycle)'s axis. A deltoid's
+    /// φ₁ = 0, where the pose is undetermined, is not among them.
+    pub fn change_points(&self) -> Vec<ChangePoint> {
+        let cycle = self.cycle();
+        let [start, end] = cycle.axis();
+        let at_pi = self.changes_at_pi().then_some([PI, 3.0 * PI]);
+        let at_zero = self.changes_at_zero().then_some([0.0, TAU]);
+        let mut cranks: Vec<f64> = at_pi.into_iter().chain(at_zero).flatten().collect();
+        cranks.retain(|crank| (start..end).contains(crank));
+        cranks.sort_by(f64::total_cmp);
+        cranks
+            .into_iter()
+            .filter_map(|crank| {
+                let [first, second] = Assembly::ALL.map(|assembly| self.pose(assembly, crank).ok());
+                Some(ChangePoint {
+                    crank,
+                    continuations: [first?, second?],
+                })
+            })
+            .collect()
+    }
+}

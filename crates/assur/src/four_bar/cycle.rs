@@ -1,0 +1,122 @@
+//! Over which crank angles a four-bar moves.
+
+use std::f64::consts::{PI, TAU};
+
+use super::FourBar;
+
+/// The crank angles of a motion: one period of it where the crank turns fully,
+/// else the arcs on which the loop can be closed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cycle {
+    /// Whole turns after which the motion repeats: 1, or 2 at a change point
+    /// that carries one assembly over into the other; none where the crank
+    /// cannot turn fully.
+    turns: Option<u8>,
+    arcs: Vec<[f64; 2]>,
+}
+
+impl Cycle {
+    /// True where the crank turns fully.
+    pub fn is_full(&self) -> bool {
+        self.turns.is_some()
+    }
+
+    /// The arcs of crank angle, ascending, ends included.
+    pub fn arcs(&self) -> &[[f64; 2]] {
+        &self.arcs
+    }
+
+    /// The stretch of crank angle to show: the period, or the turn that holds
+    /// every arc in one piece, from 0 or from −π.
+    pub fn axis(&self) -> [f64; 2] {
+        match self.turns {
+            Some(turns) => [0.0, TAU * f64::from(turns)],
+            None if self.arcs[0][0] < 0.0 => [-PI, PI],
+            None => [0.0, TAU],
+        }
+    }
+
+    /// `crank` brought into the axis by whole periods.
+    pub fn wrap(&self, crank: f64) -> f64 {
+        let [start, end] = self.axis();
+        if (start..=end).contains(&crank) {
+            crank
+        } else {
+            start + (crank - start).rem_euclid(end - start)
+        }
+    }
+
+    /// True where the loop can be closed at `crank` (wrapped).
+    pub fn contains(&self, crank: f64) -> bool {
+        let crank = self.wrap(crank);
+        self.arcs.iter().any(|[from, to]| (*from..=*to).contains(&crank))
+    }
+
+    /// The crank moved by `step`: over the end of a full cycle to its start; at
+    /// the end of an arc it turns back. Returns the angle, and −1 where an odd
+    /// number of turnings has reversed the sense, else 1.
+    ///
+    /// From an angle outside every arc it starts at the nearest end of one.
+    pub fn advance(&self, crank: f64, step: f64) -> (f64, f64) {
+        if !(crank + step).is_finite() {
+            return (self.arcs[0][0], 1.0);
+        }
+        if self.is_full() {
+            return (self.wrap(crank + step), 1.0);
+        }
+        let crank = self.wrap(crank);
+        let [from, to] = self.nearest_arc(crank);
+        let width = to - from;
+        // Unfold the to and fro into a straight line of period 2 width: there on
+        // its first half, back on its second.
+        let travelled = (crank.clamp(from, to) - from + step).rem_euclid(2.0 * width);
+        if travelled <= width {
+            ((from + travelled).min(to), 1.0)
+        } else {
+            ((to - (travelled - width)).max(from), -1.0)
+        }
+    }
+
+    fn nearest_arc(&self, crank: f64) -> [f64; 2] {
+        let distance = |[from, to]: [f64; 2]| (from - crank).max(crank - to).max(0.0);
+        self.arcs
+            .iter()
+            .copied()
+            .reduce(|best, arc| if distance(arc) < distance(best) { arc } else { best })
+            .unwrap_or([0.0, TAU])
+    }
+}
+
+impl FourBar {
+    /// The crank angles over which the linkage moves.
+    ///
+    /// It can be closed where P ≥ 0 and Q ≥ 0, so where cos²(φ₁/2) and
+    /// sin²(φ₁/2) each exceed a bound: the ends are dead points.
+    pub fn cycle(&self) -> Cycle {
+        let least_cos = (-self.p0 / self.weight()).max(0.0);
+        let least_sin = (-self.q0 / self.weight()).max(0.0);
+        // Angles from both squares: no acos that loses digits near 0 and π.
+        let low = 2.0 * least_sin.sqrt().atan2((1.0 - least_sin).max(0.0).sqrt());
+        let high = 2.0 * (1.0 - least_cos).max(0.0).sqrt().atan2(least_cos.sqrt());
+        let crosses = u8::from(self.changes_at_pi()) + u8::from(self.changes_at_zero());
+        let turns = if crosses == 1 { 2 } else { 1 };
+        let (turns, arcs) = match (least_sin > 0.0, least_cos > 0.0) {
+            (false, false) => (Some(turns), vec![[0.0, TAU * f64::from(turns)]]),
+            (false, true) => (None, vec![[-high, high]]),
+            (true, false) => (None, vec![[low, TAU - low]]),
+            (true, true) => (None, vec![[low, high], [TAU - high, TAU - low]]),
+        };
+        Cycle { turns, arcs }
+    }
+
+    /// The dead points: crank angles at the ends of the arcs, where coupler and
+    /// rocker are in line and the crank must turn back. None where it turns fully.
+    pub fn dead_points(&self) -> Vec<f64> {
+        let cycle = self.cycle();
+        if cycle.is_full() {
+            Vec::new()
+        } else {
+            cycle.arcs.into_iter().flatten().collect()
+        }
+    }
+}

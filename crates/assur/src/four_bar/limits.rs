@@ -1,0 +1,140 @@
+//! Limit positions of the rocker, its swing and the time ratio.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{Assembly, FourBar};
+
+/// A limit position: the rocker stands still (φ₃′ = 0) with crank and coupler in
+/// line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// φ₁ within the cycle's axis.
+    pub crank: f64,
+    /// φ₃ there.
+    pub rocker: f64,
+}
+
+/// What the rocker does over the whole motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Swing {
+    /// It turns fully.
+    Turns,
+    /// It swings between two angles.
+    Between {
+        /// Least φ₃.
+        min: f64,
+        /// Greatest φ₃.
+        max: f64,
+    },
+}
+
+impl Swing {
+    /// The stroke max − min; none where the rocker turns.
+    pub fn stroke(self) -> Option<f64> {
+        match self {
+            Self::Turns => None,
+            Self::Between { min, max } => Some(max - min),
+        }
+    }
+
+    /// The swing of what turns `ratio` times as far.
+    pub fn scaled(self, ratio: f64) -> Self {
+        match self {
+            Self::Turns => Self::Turns,
+            Self::Between { min, max } => Self::Between {
+                min: (min * ratio).min(max * ratio),
+                max: (min * ratio).max(max * ratio),
+            },
+        }
+    }
+}
+
+impl FourBar {
+    /// The limit positions of this assembly in ascending crank angle, in closed
+    /// form from the triangles with sides l₄, l₃ and l₂ ± l₁.
+    pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
+        let cycle = self.cycle();
+        let [start, end] = cycle.axis();
+        let mut limits = Vec::new();
+        for (crank, side) in self.in_line() {
+            // Where a cycle takes two turns the position belongs to one of them.
+            let mut turned = start + (crank - start).rem_euclid(TAU);
+            while turned < end {
+                if cycle.contains(turned) && self.side(assembly, turned) == side {
+                    if let Ok(pose) = self.pose::<1>(assembly, turned) {
+                        limits.push(Limit {
+                            crank: turned,
+                            rocker: pose.rocker.value(),
+                        });
+                    }
+                }
+                turned += TAU;
+            }
+        }
+        limits.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+        limits
+    }
+
+    /// Crank angles with crank and coupler in line, each with the side of BD on
+    /// which C then lies. Where all four links are in line the rocker does not
+    /// rest (a change point), and no limit is listed.
+    fn in_line(&self) -> Vec<(f64, f64)> {
+        let [l1, l2, l3, l4] = self.lengths;
+        let mut found = Vec::new();
+        // Crank angle from the direction of C, and the side of BD with C above
+        // the frame: outstretched, then folded.
+        let folded = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
+        for (reach, (turn, side)) in [(l1 + l2, (0.0, 1.0)), ((l2 - l1).abs(), folded)] {
+            // Triangle A, C, D with sides reach, l₃ and l₄, angle at A.
+            let zero = super::tolerance(&self.lengths);
+            let (inner, outer) = (reach - (l4 - l3).abs(), l3 + l4 - reach);
+            if reach <= zero || inner <= zero || outer <= zero {
+                continue;
+            }
+            let area = (inner * outer * (reach + (l4 - l3).abs()) * (l3 + l4 + reach)).sqrt();
+            let at_a = area.atan2(reach * reach + (l4 - l3) * (l4 + l3));
+            found.push((at_a + turn, side));
+            found.push((-at_a + turn, -side));
+        }
+        found
+    }
+
+    /// The rocker's swing over the whole motion of this assembly: between limit
+    /// positions, or the ends of the arcs where the crank cannot turn.
+    pub fn swing(&self, assembly: Assembly) -> Swing {
+        let cycle = self.cycle();
+        let rocker = |crank| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
+        if let (true, [start, end]) = (cycle.is_full(), cycle.axis()) {
+            // Any angle will do that is not a deltoid's undetermined one.
+            let (before, after) = (rocker(start + 1.0), rocker(end + 1.0));
+            if before.zip(after).is_some_and(|(a, b)| (b - a).abs() > PI) {
+                return Swing::Turns;
+            }
+        }
+        let change_points = self.change_points();
+        let rests = self.limits(assembly).into_iter().map(|limit| limit.rocker);
+        let [min, max] = rests
+            .chain(self.dead_points().into_iter().filter_map(rocker))
+            .chain(change_points.iter().filter_map(|point| rocker(point.crank)))
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], angle| {
+                [min.min(angle), max.max(angle)]
+            });
+        Swing::Between { min, max }
+    }
+
+    /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed;
+    /// none where the crank does not turn fully or the rocker does not swing
+    /// once per turn.
+    pub fn time_ratio(&self, assembly: Assembly) -> Option<f64> {
+        let cycle = self.cycle();
+        let [start, end] = cycle.axis();
+        match self.limits(assembly)[..] {
+            [first, second] if cycle.is_full() && end - start < 1.5 * TAU => {
+                let one = second.crank - first.crank;
+                let other = end - start - one;
+                Some(one.max(other) / one.min(other))
+            }
+            _ => None,
+        }
+    }
+}

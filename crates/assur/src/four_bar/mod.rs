@@ -1,0 +1,190 @@
+//! The four-bar linkage, in closed form.
+//!
+//! A = (0, 0) and D = (l₄, 0) on the frame; crank AB at φ₁, coupler BC at φ₂,
+//! rocker DC at φ₃, all from +x. The diagonal BD = l₅ cuts the loop into two
+//! triangles, and everything hangs on two factors of the area of BCD:
+//!
+//! 16 S² = P Q,  P = (l₂ + l₃)² − l₅²,  Q = l₅² − (l₂ − l₃)²,
+//!
+//! which with half the crank angle need no subtraction of nearly equal squares:
+//!
+//! P = k₁ Σ + 4 l₁ l₄ cos²(φ₁/2),  Q = k₂ k₃ + 4 l₁ l₄ sin²(φ₁/2),
+//!
+//! k₁ = l₂ + l₃ − l₁ − l₄, k₂ = l₃ + l₄ − l₁ − l₂, k₃ = l₂ + l₄ − l₁ − l₃, Σ the
+//! sum of all lengths. Where a k vanishes (a change point of Grashof), √P or √Q
+//! is a plain cosine or sine that changes its sign at the change point: taking
+//! it with that sign is what keeps a motion on its smooth branch.
+
+mod change_point;
+mod cycle;
+mod grashof;
+mod limits;
+mod pose;
+mod transmission;
+
+pub use change_point::ChangePoint;
+pub use cycle::Cycle;
+pub use grashof::Grashof;
+pub use limits::{Limit, Swing};
+pub use pose::{Offset, Pose, Unsolved};
+
+use crate::{Dimension, Fault, Invalid};
+
+/// A link of the four-bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// AB, the input, length l₁.
+    Crank,
+    /// BC, length l₂.
+    Coupler,
+    /// DC, the output, length l₃.
+    Rocker,
+    /// AD, fixed, length l₄.
+    Frame,
+}
+
+/// Which of the two ways of closing the loop: σ = +1 or −1, C to the left or to
+/// the right of the diagonal from B to D. (At a change point linkage the letter
+/// names the branch by where it is just after φ₁ = 0.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Assembly {
+    /// The paper's assembly 1, σ = +1.
+    First,
+    /// The paper's assembly 2, σ = −1.
+    Second,
+}
+
+impl Assembly {
+    /// Both, in order.
+    pub const ALL: [Self; 2] = [Self::First, Self::Second];
+
+    /// σ.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::First => 1.0,
+            Self::Second => -1.0,
+        }
+    }
+}
+
+/// A four-bar linkage that can move. Only [`FourBar::new`] makes one, so its
+/// lengths are always sound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourBar {
+    lengths: [f64; 4],
+    /// k₁ Σ, exactly zero at a change point with φ₁ = π.
+    p0: f64,
+    /// k₂ k₃, exactly zero at a change point with φ₁ = 0.
+    q0: f64,
+    /// l₄ − l₁ and l₂ − l₃, both zero where the diagonal can vanish (deltoid).
+    frame_less_crank: f64,
+    coupler_less_rocker: f64,
+}
+
+impl FourBar {
+    /// Shortest and longest link, in any unit.
+    const LENGTH: (f64, f64) = (1e-9, 1e9);
+    /// The shortest link may be this small beside the longest.
+    const RATIO: f64 = 1e-9;
+
+    /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in
+    /// the same unit.
+    ///
+    /// # Errors
+    /// Every reason at once: a length that is not finite, not positive, out of
+    /// range (10⁻⁹ … 10⁹ and at least 10⁻⁹ of the longest), or not shorter than
+    /// the other three together.
+    pub fn new(lengths: [f64; 4]) -> Result<Self, Vec<Invalid>> {
+        let longest = lengths
+            .into_iter()
+            .filter(|length| length.is_finite() && *length <= Self::LENGTH.1)
+            .fold(0.0, f64::max);
+        let range = (Self::LENGTH.0.max(longest * Self::RATIO), Self::LENGTH.1);
+        let mut reasons: Vec<Invalid> = Dimension::LENGTHS
+            .into_iter()
+            .zip(lengths)
+            .filter_map(|(link, length)| Invalid::check_positive(link, length, range).err())
+            .collect();
+        if reasons.is_empty() {
+            let sum: f64 = lengths.into_iter().sum();
+            for (dimension, length) in Dimension::LENGTHS.into_iter().zip(lengths) {
+                let by = length - (sum - length);
+                if by >= -tolerance(&lengths) {
+                    let fault = Fault::TooLong { by: by.max(0.0) };
+                    reasons.push(Invalid { dimension, fault });
+                }
+            }
+        }
+        if reasons.is_empty() {
+            Ok(Self::of_sound(lengths))
+        } else {
+            Err(reasons)
+        }
+    }
+
+    fn of_sound(lengths: [f64; 4]) -> Self {
+        let [l1, l2, l3, l4] = lengths;
+        // A difference of lengths within rounding of zero is meant to be zero.
+        let tolerance = tolerance(&lengths);
+        let snap = |k: f64| if k.abs() <= tolerance { 0.0 } else { k };
+        let k1 = snap((l2 - l1) + (l3 - l4));
+        let k2 = snap((l3 - l1) + (l4 - l2));
+        let k3 = snap((l2 - l1) + (l4 - l3));
+        let (mut frame_less_crank, mut coupler_less_rocker) = (l4 - l1, l2 - l3);
+        if snap(frame_less_crank) == 0.0 && snap(coupler_less_rocker) == 0.0 {
+            (frame_less_crank, coupler_less_rocker) = (0.0, 0.0);
+        }
+        Self {
+            lengths,
+            p0: k1 * (l1 + l2 + l3 + l4),
+            q0: k2 * k3,
+            frame_less_crank,
+            coupler_less_rocker,
+        }
+    }
+
+    /// l₁ … l₄.
+    pub fn lengths(&self) -> [f64; 4] {
+        self.lengths
+    }
+
+    /// The length of a link.
+    pub fn length(&self, link: Link) -> f64 {
+        self.lengths[link as usize]
+    }
+
+    /// 4 l₁ l₄, the weight of cos² and sin² of the half angle in P and Q.
+    fn weight(&self) -> f64 {
+        4.0 * self.lengths[0] * self.lengths[3]
+    }
+
+    /// True where coupler and rocker fold over the frame at φ₁ = π: a change
+    /// point there, P = 0.
+    fn changes_at_pi(&self) -> bool {
+        self.p0 == 0.0
+    }
+
+    /// True where they stretch or fold along the frame at φ₁ = 0: a change
+    /// point there, Q = 0.
+    fn changes_at_zero(&self) -> bool {
+        self.q0 == 0.0
+    }
+
+    /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B comes
+    /// to D at φ₁ = 0.
+    fn is_deltoid(&self) -> bool {
+        self.frame_less_crank == 0.0 && self.coupler_less_rocker == 0.0
+    }
+}
+
+impl Dimension {
+    /// The lengths, in the order of l₁ … l₄.
+    const LENGTHS: [Self; 4] = [Self::Crank, Self::Coupler, Self::Rocker, Self::Frame];
+}
+
+/// 8 ε (s + l): sums of lengths closer than this are taken as equal.
+fn tolerance(lengths: &[f64; 4]) -> f64 {
+    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    8.0 * f64::EPSILON * (shortest + longest)
+}

@@ -1,0 +1,283 @@
+//! The pose of a four-bar at one crank angle, with derivatives to any order.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+
+use super::{Assembly, FourBar, Link, tolerance};
+use crate::{Jet, JetPoint, Point};
+
+/// The angles of all moving links at one crank angle, with `N − 1` derivatives
+/// by it. Continuous along a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose<const N: usize> {
+    /// φ₁, the input.
+    pub crank: Jet<N>,
+    /// φ₂.
+    pub coupler: Jet<N>,
+    /// φ₃.
+    pub rocker: Jet<N>,
+}
+
+/// A place on a link, in lengths of that link: `along` from its first joint (A,
+/// B or D) towards its second, `across` to the left of that direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Offset {
+    /// 0 at the first joint, 1 at the second.
+    pub along: f64,
+    /// 0 on the line of the joints.
+    pub across: f64,
+}
+
+impl Offset {
+    /// Half-way between the joints: a uniform bar's centre of mass.
+    pub const MIDDLE: Self = Self {
+        along: 0.5,
+        across: 0.0,
+    };
+}
+
+/// Why there is no pose at a crank angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unsolved {
+    /// The crank angle is NaN or infinite.
+    NotAnAngle,
+    /// B and D are farther apart than coupler and rocker reach together.
+    Apart {
+        /// Crank angle.
+        crank: f64,
+        /// By this length.
+        by: f64,
+    },
+    /// B and D are too close: the longer of coupler and rocker exceeds the other
+    /// and the diagonal together.
+    Inside {
+        /// Crank angle.
+        crank: f64,
+        /// By this length.
+        by: f64,
+        /// Coupler or rocker.
+        longer: Link,
+    },
+    /// B lies on D: coupler and rocker may point anywhere, together.
+    Undetermined {
+        /// Crank angle.
+        crank: f64,
+    },
+    /// Coupler and rocker are in line: the pose exists, its derivatives by the
+    /// crank angle are unbounded. Only asked-for derivatives meet this.
+    DeadPoint {
+        /// Crank angle.
+        crank: f64,
+    },
+}
+
+impl fmt::Display for Unsolved {
+    /// For the programmer's log; the words for people live in string tables.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self:?}")
+    }
+}
+
+impl std::error::Error for Unsolved {}
+
+/// What all positions and derivatives come from: the half-angle form of the
+/// diagonal and of the area of BCD.
+pub(super) struct Diagonal<const N: usize> {
+    /// l₅².
+    square: Jet<N>,
+    /// φ₅, from B to D.
+    angle: Jet<N>,
+    /// √P and √Q with their signs; their product is 4S.
+    pub(super) root_p: Jet<N>,
+    pub(super) root_q: Jet<N>,
+}
+
+impl FourBar {
+    /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with
+    /// `N − 1` derivatives: `pose::<1>` for positions, `pose::<3>` for φ′ and φ″.
+    ///
+    /// φ = φ₅ + σ atan2(4S, dot product), mixer (3)–(7) with the quadrant kept,
+    /// differentiated as it stands: unlike (10)–(13), which divide by
+    /// sin(φ₃ − φ₂), that stays exact through a change point.
+    ///
+    /// # Errors
+    /// [`Unsolved`] with the angle and the reason.
+    pub fn pose<const N: usize>(
+        &self,
+        assembly: Assembly,
+        crank: f64,
+    ) -> Result<Pose<N>, Unsolved> {
+        let crank = crank + 0.0; // −0 would carry its sign into a change point
+        let Diagonal {
+            square,
+            angle,
+            root_p,
+            root_q,
+        } = self.diagonal::<N>(crank)?;
+        let sigma = assembly.sign();
+        let [_, l2, l3, _] = self.lengths;
+        let area = root_p * root_q * sigma;
+        let difference = self.coupler_less_rocker * (l2 + l3);
+        // The interior angles of BCD at B and D, with the sign of the area.
+        let at_b = area.atan2(square + difference);
+        let at_d = area.atan2(square + -difference);
+        let [coupler_turns, rocker_turns] = self.turns(assembly, crank);
+        let pose = Pose {
+            crank: Jet::linear(crank, 1.0),
+            coupler: angle + at_b + coupler_turns,
+            rocker: angle + -at_d + (rocker_turns + sigma * PI),
+        };
+        if pose.coupler.is_finite() && pose.rocker.is_finite() {
+            Ok(pose)
+        } else {
+            Err(Unsolved::DeadPoint { crank })
+        }
+    }
+
+    /// The joints A, B, C, D of a pose.
+    pub fn joints<const N: usize>(&self, pose: &Pose<N>) -> [JetPoint<N>; 4] {
+        let [l1, _, l3, l4] = self.lengths;
+        let a = JetPoint::fixed(Point::origin());
+        let d = JetPoint::fixed(Point::new(l4, 0.0));
+        let b = a.offset(pose.crank, l1, 0.0);
+        let c = d.offset(pose.rocker, l3, 0.0);
+        [a, b, c, d]
+    }
+
+    /// A point carried by a link, as its centre of mass: mixer (14)–(25) for any
+    /// place on the link.
+    pub fn carried<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        link: Link,
+        offset: Offset,
+    ) -> JetPoint<N> {
+        let [a, b, _, d] = self.joints(pose);
+        let (start, angle) = match link {
+            Link::Crank => (a, pose.crank),
+            Link::Coupler => (b, pose.coupler),
+            Link::Rocker => (d, pose.rocker),
+            Link::Frame => (a, Jet::constant(0.0)),
+        };
+        let length = self.length(link);
+        start.offset(angle, offset.along * length, offset.across * length)
+    }
+
+    pub(super) fn diagonal<const N: usize>(&self, crank: f64) -> Result<Diagonal<N>, Unsolved> {
+        if !crank.is_finite() {
+            return Err(Unsolved::NotAnAngle);
+        }
+        let [l1, _, _, l4] = self.lengths;
+        let (sin, cos) = Jet::<N>::linear(0.5 * crank, 0.5).sin_cos();
+        let apart = self.frame_less_crank;
+        let square = sin.square() * self.weight() + apart * apart;
+        let (diagonal, [_, l2, l3, _]) = (square.value().sqrt(), self.lengths);
+        let root_p = self.root(cos, self.p0, l2 + l3 + diagonal);
+        let root_q = self.root(sin, self.q0, (l2 - l3).abs() + diagonal);
+        let root_p = root_p.map_err(|fold| match fold {
+            Fold::At => Unsolved::DeadPoint { crank },
+            Fold::Beyond => Unsolved::Apart {
+                crank,
+                by: diagonal - (l2 + l3),
+            },
+        })?;
+        let root_q = root_q.map_err(|fold| match fold {
+            Fold::At => Unsolved::DeadPoint { crank },
+            Fold::Beyond => Unsolved::Inside {
+                crank,
+                by: (l2 - l3).abs() - diagonal,
+                longer: if l2 > l3 { Link::Coupler } else { Link::Rocker },
+            },
+        })?;
+        if self.is_deltoid() && diagonal <= tolerance(&self.lengths) {
+            return Err(Unsolved::Undetermined { crank });
+        }
+        // φ₅ without a jump: by the frame's side where the crank is the shorter,
+        // else carried around with the crank.
+        let y = sin * cos * 2.0;
+        let angle = if apart >= 0.0 {
+            (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
+        } else {
+            let turned = (y * l4).atan2(sin.square() * (2.0 * l4) + -apart);
+            Jet::linear(crank, 1.0) + turned + PI
+        };
+        Ok(Diagonal {
+            square,
+            angle,
+            root_p,
+            root_q,
+        })
+    }
+
+    /// The smooth square root of P or Q, `constant + weight half²`. `reach` is
+    /// the sum of the two lengths whose difference the factor also holds: a gap
+    /// in length times `reach` is a gap in the factor.
+    fn root<const N: usize>(
+        &self,
+        half: Jet<N>,
+        constant: f64,
+        reach: f64,
+    ) -> Result<Jet<N>, Fold> {
+        if constant == 0.0 {
+            return Ok(half * self.weight().sqrt());
+        }
+        let factor = half.square() * self.weight() + constant;
+        let rounding = tolerance(&self.lengths) * reach;
+        if factor.value() < -rounding {
+            Err(Fold::Beyond)
+        } else if factor.value() > rounding {
+            Ok(factor.sqrt())
+        } else if N == 1 {
+            Ok(Jet::constant(factor.value().max(0.0).sqrt()))
+        } else {
+            Err(Fold::At)
+        }
+    }
+
+    /// Whole turns that the principal values of the interior angles lose. Only
+    /// where the area changes its sign at φ₁ = 0 can an interior angle pass π:
+    /// the one at the end of the shorter of coupler and rocker (of a deltoid,
+    /// both angles turn by π as the diagonal does). The number of passes follows
+    /// from the crank's turns, so no history is needed.
+    fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
+        if !self.changes_at_zero() {
+            return [0.0; 2];
+        }
+        let turns = crank / TAU;
+        let mut whole = turns.floor();
+        // Next to a whole turn, rounding must not part the count from the sine.
+        if (whole.rem_euclid(2.0) == 0.0) != ((0.5 * crank).sin() >= 0.0) {
+            whole += if turns - whole < 0.5 { -1.0 } else { 1.0 };
+        }
+        let passes = assembly.sign()
+            * if self.changes_at_pi() {
+                -whole
+            } else {
+                whole.rem_euclid(2.0)
+            };
+        let [_, l2, l3, _] = self.lengths;
+        if self.is_deltoid() {
+            [PI * (whole + passes), PI * (whole - passes)]
+        } else if l3 > l2 {
+            [TAU * passes, 0.0]
+        } else {
+            [0.0, -TAU * passes]
+        }
+    }
+
+    /// The sign of the area of BCD on this branch at this crank angle: +1 with C
+    /// to the left of BD, −1 to the right, 0 in line.
+    pub(super) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
+        let (sin, cos) = (0.5 * crank).sin_cos();
+        let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };
+        assembly.sign() * sign(cos, self.changes_at_pi()) * sign(sin, self.changes_at_zero())
+    }
+}
+
+/// How a factor of the area fails to have a smooth root.
+enum Fold {
+    /// It is zero within rounding.
+    At,
+    /// It is negative: the triangle does not close.
+    Beyond,
+}

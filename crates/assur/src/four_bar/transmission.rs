@@ -1,0 +1,35 @@
+//! The transmission angle.
+
+use std::f64::consts::PI;
+
+use super::FourBar;
+use crate::Unsolved;
+
+impl FourBar {
+    /// The transmission angle μ between the lines of coupler and rocker, 0 … π/2
+    /// (both assemblies alike): how well the coupler drives the rocker. Zero at a
+    /// dead point.
+    ///
+    /// # Errors
+    /// [`Unsolved`] where the loop cannot be closed.
+    pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
+        // The interior angle at C is twice atan2(√Q, √P).
+        let diagonal = self.diagonal::<1>(crank)?;
+        let (root_p, root_q) = (diagonal.root_p.value(), diagonal.root_q.value());
+        let interior = 2.0 * root_q.abs().atan2(root_p.abs());
+        Ok(interior.min(PI - interior))
+    }
+
+    /// The least transmission angle of the motion and where it occurs.
+    pub fn worst_transmission(&self) -> (f64, f64) {
+        // μ falls away on either side of 90°, and the diagonal is monotonic from
+        // 0 to π: the worst is at one of these or at the end of an arc.
+        let cycle = self.cycle();
+        let ends = cycle.arcs().iter().flatten().copied();
+        ends.chain([0.0, PI])
+            .filter(|crank| cycle.contains(*crank))
+            .filter_map(|crank| Some((self.transmission_angle(crank).ok()?, crank)))
+            .reduce(|worst, next| if next.0 < worst.0 { next } else { worst })
+            .unwrap_or((0.0, 0.0))
+    }
+}

@@ -1,0 +1,293 @@
+//! A pair of meshing wheels, the first (driver) turning with a given angle.
+
+use std::f64::consts::PI;
+
+use crate::{Dimension, Fault, Invalid, Jet, Vector};
+
+/// Fewest and most teeth a wheel may have: below 3 there is no wheel, above
+/// 1000 no screen shows the teeth.
+pub const TEETH: (f64, f64) = (3.0, 1000.0);
+
+/// Least and greatest module, in the unit of the lengths.
+const MODULE: (f64, f64) = (1e-9, 1e9);
+
+/// How two wheels engage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mesh {
+    /// Outer teeth on both: the sense of rotation is reversed.
+    External,
+    /// The larger wheel is a ring with inner teeth: the sense is kept.
+    Internal,
+    /// The mixer paper's (26), φ₅ = +u φ₃, with outer teeth on both. A pair of
+    /// such wheels would reverse the sense; the sign is that of a train with an
+    /// idler between them, and so it is drawn.
+    AsPrinted,
+}
+
+/// A gear pair: u = z₄/z₅ from whole teeth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GearPair {
+    driver: u32,
+    driven: u32,
+    mesh: Mesh,
+    module: f64,
+    centre_line: f64,
+}
+
+/// A wheel in its place: teeth, centre seen from the driver's centre, and what
+/// turns it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wheel {
+    /// Number of teeth.
+    pub teeth: u32,
+    /// Inner teeth (a ring) or outer ones.
+    pub ring: bool,
+    /// Centre, from the centre of the driving wheel.
+    pub centre: Vector,
+    /// Its angle is `ratio` times the driver's plus `mounting`.
+    pub ratio: f64,
+    /// The angle at which it is mounted so that teeth meet gaps. A tooth (of a
+    /// ring: an inward tooth) of every wheel is centred on its zero direction.
+    pub mounting: f64,
+}
+
+impl GearPair {
+    /// A pair from numbers as a person gives them.
+    ///
+    /// `teeth`: driver's (z₄), driven wheel's (z₅). `module` in the unit of the
+    /// lengths. `centre_line`: direction from the driver's centre to the driven
+    /// one's, radians.
+    ///
+    /// # Errors
+    /// Every reason at once: teeth that are not whole, positive and within
+    /// [`TEETH`]; a module not positive; anything not finite; equal teeth in
+    /// internal mesh.
+    pub fn new(
+        teeth: [f64; 2],
+        mesh: Mesh,
+        module: f64,
+        centre_line: f64,
+    ) -> Result<Self, Vec<Invalid>> {
+        let mut reasons = Vec::new();
+        let driver = count(Dimension::DriverTeeth, teeth[0]).map_err(|e| reasons.push(e));
+        let driven = count(Dimension::DrivenTeeth, teeth[1]).map_err(|e| reasons.push(e));
+        if let Err(e) = Invalid::check_positive(Dimension::Module, module, MODULE) {
+            reasons.push(e);
+        }
+        if !centre_line.is_finite() {
+            reasons.push(Invalid {
+                dimension: Dimension::CentreLine,
+                fault: Fault::NotFinite,
+            });
+        }
+        match (driver, driven) {
+            (Ok(driver), Ok(driven)) if driver == driven && mesh == Mesh::Internal => {
+                reasons.push(Invalid {
+                    dimension: Dimension::DrivenTeeth,
+                    fault: Fault::Concentric,
+                });
+                Err(reasons)
+            }
+            (Ok(driver), Ok(driven)) if reasons.is_empty() => Ok(Self {
+                driver,
+                driven,
+                mesh,
+                module,
+                centre_line,
+            }),
+            _ => Err(reasons),
+        }
+    }
+
+    /// How the wheels engage.
+    pub fn mesh(&self) -> Mesh {
+        self.mesh
+    }
+
+    /// The module, in the unit of the lengths.
+    pub fn module(&self) -> f64 {
+        self.module
+    }
+
+    /// The signed transmission ratio dφ₅/dφ₃: −u in external mesh, +u in
+    /// internal mesh and as printed.
+    pub fn ratio(&self) -> f64 {
+        let u = f64::from(self.driver) / f64::from(self.driven);
+        match self.mesh {
+            Mesh::External => -u,
+            Mesh::Internal | Mesh::AsPrinted => u,
+        }
+    }
+
+    /// The driven wheel's angle and derivatives from the driver's (mixer (26)
+    /// with the sign of the mesh).
+    pub fn driven<const N: usize>(&self, driver: Jet<N>) -> Jet<N> {
+        driver * self.ratio()
+    }
+
+    /// Pitch radius of a wheel of this pair's module.
+    pub fn pitch_radius(&self, teeth: u32) -> f64 {
+        0.5 * self.module * f64::from(teeth)
+    }
+
+    /// The driving wheel, mounted with a tooth along its zero direction.
+    pub fn driver_wheel(&self) -> Wheel {
+        Wheel {
+            teeth: self.driver,
+            ring: self.mesh == Mesh::Internal && self.driver > self.driven,
+            centre: Vector::zeros(),
+            ratio: 1.0,
+            mounting: 0.0,
+        }
+    }
+
+    /// The driven wheel (z₅), mounted in mesh.
+    pub fn driven_wheel(&self) -> Wheel {
+        match self.idler() {
+            Some(idler) => self.outer(&idler, self.driven),
+            None if self.mesh == Mesh::Internal => self.inner(),
+            None => self.outer(&self.driver_wheel(), self.driven),
+        }
+    }
+
+    /// The idler that makes the sign as printed true; none in a real pair.
+    pub fn idler(&self) -> Option<Wheel> {
+        // Any number of teeth keeps the ratio; a small wheel keeps the drawing compact.
+        let teeth = (self.driver.min(self.driven) / 2).max(12);
+        (self.mesh == Mesh::AsPrinted).then(|| self.outer(&self.driver_wheel(), teeth))
+    }
+
+    /// A wheel of `teeth` outer teeth beyond `previous` on the centre line.
+    fn outer(&self, previous: &Wheel, teeth: u32) -> Wheel {
+        let step = f64::from(previous.teeth) / f64::from(teeth);
+        let distance = self.pitch_radius(previous.teeth) + self.pitch_radius(teeth);
+        // A tooth of the one meets a gap of the other where they touch.
+        let mounting = self.centre_line * (1.0 + step) + PI
+            - PI / f64::from(teeth)
+            - step * previous.mounting;
+        Wheel {
+            teeth,
+            ring: false,
+            centre: previous.centre + self.along(distance),
+            ratio: -step * previous.ratio,
+            mounting,
+        }
+    }
+
+    /// The driven wheel in internal mesh; the larger of the two is the ring.
+    fn inner(&self) -> Wheel {
+        let step = f64::from(self.driver) / f64::from(self.driven);
+        let ring = self.driven > self.driver;
+        let contact = self.centre_line + if ring { PI } else { 0.0 };
+        let distance = (self.pitch_radius(self.driver) - self.pitch_radius(self.driven)).abs();
+        Wheel {
+            teeth: self.driven,
+            ring,
+            centre: self.along(distance),
+            ratio: step,
+            mounting: contact * (1.0 - step) + PI / f64::from(self.driven),
+        }
+    }
+
+    fn along(&self, distance: f64) -> Vector {
+        let (sin, cos) = self.centre_line.sin_cos();
+        Vector::new(distance * cos, distance * sin)
+    }
+}
+
+/// A number of teeth, or why it is none.
+fn count(dimension: Dimension, value: f64) -> Result<u32, Invalid> {
+    if value > 0.0 && value.is_finite() && value.fract() != 0.0 {
+        let fault = Fault::NotWhole { value };
+        return Err(Invalid { dimension, fault });
+    }
+    Invalid::check_positive(dimension, value, TEETH).map(|z| z as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair(z4: f64, z5: f64, mesh: Mesh, line: f64) -> GearPair {
+        GearPair::new([z4, z5], mesh, 0.02, line).unwrap()
+    }
+
+    /// Where two wheels touch, a tooth's middle stands against a gap's: their
+    /// phases in pitches add up (outer) or differ (inner) by a half, at every
+    /// driver angle.
+    #[test]
+    fn teeth_meet_gaps() {
+        for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+            for (z4, z5) in [(36.0, 18.0), (18.0, 36.0), (31.0, 17.0), (12.0, 85.0)] {
+                for line in [-2.0, 0.0, 0.6, 3.0] {
+                    let gears = pair(z4, z5, mesh, line);
+                    let chain: Vec<Wheel> = [gears.driver_wheel()]
+                        .into_iter()
+                        .chain(gears.idler())
+                        .chain([gears.driven_wheel()])
+                        .collect();
+                    for link in chain.windows(2) {
+                        for driver in [0.0, 0.123, -4.0] {
+                            check_phases(&gears, &link[0], &link[1], driver, line);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn check_phases(gears: &GearPair, a: &Wheel, b: &Wheel, driver: f64, line: f64) {
+        let phase = |wheel: &Wheel, contact: f64| {
+            let angle = wheel.ratio * driver + wheel.mounting;
+            (contact - angle) * f64::from(wheel.teeth) / (2.0 * PI)
+        };
+        let (ra, rb) = (gears.pitch_radius(a.teeth), gears.pitch_radius(b.teeth));
+        let distance = (b.centre - a.centre).norm();
+        let sum = if a.ring || b.ring {
+            assert!((distance - (ra - rb).abs()).abs() < 1e-15);
+            let contact = if b.ring { line + PI } else { line };
+            phase(a, contact) - phase(b, contact)
+        } else {
+            assert!((distance - (ra + rb)).abs() < 1e-15);
+            phase(a, line) + phase(b, line + PI)
+        };
+        assert!(((sum - 0.5) - (sum - 0.5).round()).abs() < 1e-12, "{sum}");
+    }
+
+    #[test]
+    fn senses() {
+        assert_eq!(pair(36.0, 18.0, Mesh::External, 0.0).ratio(), -2.0);
+        assert_eq!(pair(36.0, 18.0, Mesh::Internal, 0.0).ratio(), 2.0);
+        assert_eq!(pair(18.0, 36.0, Mesh::AsPrinted, 0.0).ratio(), 0.5);
+        for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+            let gears = pair(36.0, 18.0, mesh, 0.4);
+            assert!((gears.driven_wheel().ratio - gears.ratio()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn bad_teeth_are_named() {
+        use Dimension::*;
+        let reasons = |teeth, mesh, module, line| {
+            let made: Result<GearPair, _> = GearPair::new(teeth, mesh, module, line);
+            made.unwrap_err()
+        };
+        for (value, fault) in [
+            (0.0, Fault::NotPositive { value: 0.0 }),
+            (-3.0, Fault::NotPositive { value: -3.0 }),
+            (1.5, Fault::NotWhole { value: 1.5 }),
+            (f64::NAN, Fault::NotFinite),
+            (f64::INFINITY, Fault::NotFinite),
+            (2.0, Fault::OutOfRange { value: 2.0, min: 3.0, max: 1000.0 }),
+            (1e9, Fault::OutOfRange { value: 1e9, min: 3.0, max: 1000.0 }),
+        ] {
+            let expected = vec![Invalid { dimension: DrivenTeeth, fault }];
+            assert_eq!(reasons([36.0, value], Mesh::External, 1.0, 0.0), expected);
+        }
+        let all = reasons([0.0, 1.5], Mesh::Internal, -1.0, f64::NAN);
+        let named: Vec<Dimension> = all.iter().map(|reason| reason.dimension).collect();
+        assert_eq!(named, [DriverTeeth, DrivenTeeth, Module, CentreLine]);
+        let concentric = reasons([20.0, 20.0], Mesh::Internal, 1.0, 0.0);
+        assert_eq!(concentric[0].fault, Fault::Concentric);
+    }
+}

@@ -1,0 +1,50 @@
+//! Points and vectors of the plane. nalgebra keeps the two apart: a sum of two
+//! points does not compile.
+
+use crate::Jet;
+
+/// A place in the plane.
+pub type Point = nalgebra::Point2<f64>;
+
+/// A displacement in the plane.
+pub type Vector = nalgebra::Vector2<f64>;
+
+/// A moving point: both coordinates with their derivatives by the input angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JetPoint<const N: usize> {
+    /// Abscissa, in the unit of the lengths.
+    pub x: Jet<N>,
+    /// Ordinate, in the unit of the lengths.
+    pub y: Jet<N>,
+}
+
+impl<const N: usize> JetPoint<N> {
+    /// The point that stays at `place`.
+    pub fn fixed(place: Point) -> Self {
+        Self {
+            x: Jet::constant(place.x),
+            y: Jet::constant(place.y),
+        }
+    }
+
+    /// Where the point is.
+    pub fn place(&self) -> Point {
+        Point::new(self.x.value(), self.y.value())
+    }
+
+    /// Its `order`-th derivative by the input angle: the analogue of velocity
+    /// for 1, of acceleration for 2. Zero beyond the orders carried.
+    pub fn derivative(&self, order: usize) -> Vector {
+        Vector::new(self.x.derivative(order), self.y.derivative(order))
+    }
+
+    /// The point at `along` in the direction `angle` and `across` to the left
+    /// of it, both seen from this point.
+    pub fn offset(&self, angle: Jet<N>, along: f64, across: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self {
+            x: self.x + cos * along - sin * across,
+            y: self.y + sin * along + cos * across,
+        }
+    }
+}

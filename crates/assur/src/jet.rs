@@ -1,0 +1,202 @@
+//! A value together with its derivatives by the input angle.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A truncated Taylor series in the input angle: a value and `N − 1`
+/// derivatives, carried exactly (no differencing) through every operation.
+///
+/// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and
+/// acceleration. Stored are the Taylor coefficients cₖ = f⁽ᵏ⁾/k!, for which the
+/// recurrences of the elementary functions are shortest (Griewank and Walther,
+/// *Evaluating Derivatives*, ch. 13).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet<const N: usize>([f64; N]);
+
+impl<const N: usize> Jet<N> {
+    /// A value that does not depend on the input.
+    pub fn constant(value: f64) -> Self {
+        Self(std::array::from_fn(|k| if k == 0 { value } else { 0.0 }))
+    }
+
+    /// A value that grows with the input at the given `rate`; the input itself
+    /// has rate 1.
+    pub fn linear(value: f64, rate: f64) -> Self {
+        Self(std::array::from_fn(|k| match k {
+            0 => value,
+            1 => rate,
+            _ => 0.0,
+        }))
+    }
+
+    /// The value.
+    pub fn value(&self) -> f64 {
+        self.derivative(0)
+    }
+
+    /// The `order`-th derivative by the input; zero beyond the orders carried.
+    pub fn derivative(&self, order: usize) -> f64 {
+        let factorial: f64 = (2..=order).map(|k| k as f64).product();
+        self.0.get(order).copied().unwrap_or(0.0) * factorial
+    }
+
+    /// True where the value and all derivatives are finite.
+    pub fn is_finite(&self) -> bool {
+        self.0.iter().all(|c| c.is_finite())
+    }
+
+    /// The square. Products of unequal factors are [`Mul`].
+    pub fn square(self) -> Self {
+        self * self
+    }
+
+    /// The square root; the value must be positive for finite derivatives.
+    pub fn sqrt(self) -> Self {
+        let c = self.0;
+        let mut root = [0.0; N];
+        for k in 0..N {
+            root[k] = if k == 0 {
+                c[0].sqrt()
+            } else {
+                let inner: f64 = (1..k).map(|i| root[i] * root[k - i]).sum();
+                (c[k] - inner) / (2.0 * root[0])
+            };
+        }
+        Self(root)
+    }
+
+    /// Sine and cosine.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let a = self.0;
+        let (mut sin, mut cos) = ([0.0; N], [0.0; N]);
+        for k in 0..N {
+            if k == 0 {
+                (sin[0], cos[0]) = a[0].sin_cos();
+                continue;
+            }
+            let (mut s, mut c) = (0.0, 0.0);
+            for i in 1..=k {
+                let rate = i as f64 * a[i];
+                s += rate * cos[k - i];
+                c -= rate * sin[k - i];
+            }
+            (sin[k], cos[k]) = (s / k as f64, c / k as f64);
+        }
+        (Self(sin), Self(cos))
+    }
+
+    /// The angle of the vector (`x`, `self`), its value in [−π, π]. The vector
+    /// must not vanish for finite derivatives.
+    pub fn atan2(self, x: Self) -> Self {
+        let (y, x) = (self.0, x.0);
+        let mut angle = [0.0; N];
+        // θ′ (x² + y²) = x y′ − y x′, solved coefficient by coefficient.
+        let norm = (Self(x).square() + Self(y).square()).0;
+        for k in 0..N {
+            if k == 0 {
+                angle[0] = y[0].atan2(x[0]);
+                continue;
+            }
+            let mut rate = 0.0;
+            for i in 1..=k {
+                let i_rate = i as f64;
+                rate += i_rate * (x[k - i] * y[i] - y[k - i] * x[i]);
+                if i < k {
+                    rate -= i_rate * angle[i] * norm[k - i];
+                }
+            }
+            angle[k] = rate / (k as f64 * norm[0]);
+        }
+        Self(angle)
+    }
+}
+
+impl<const N: usize> Add for Jet<N> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl<const N: usize> Sub for Jet<N> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] - other.0[k]))
+    }
+}
+
+impl<const N: usize> Neg for Jet<N> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|c| -c))
+    }
+}
+
+impl<const N: usize> Mul for Jet<N> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| {
+            (0..=k).map(|i| self.0[i] * other.0[k - i]).sum()
+        }))
+    }
+}
+
+impl<const N: usize> Add<f64> for Jet<N> {
+    type Output = Self;
+    fn add(mut self, shift: f64) -> Self {
+        self.0[0] += shift;
+        self
+    }
+}
+
+impl<const N: usize> Mul<f64> for Jet<N> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|c| c * factor))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Jet;
+
+    /// Derivatives of e^{iωt} and of its argument and modulus are known to any
+    /// order: they check every operation at once.
+    #[test]
+    fn turning_vector() {
+        let (t, omega) = (0.7_f64, 3.0_f64);
+        let angle = Jet::<6>::linear(omega * t, omega);
+        let (sin, cos) = angle.sin_cos();
+        for order in 0..6 {
+            let turned = omega * t + order as f64 * std::f64::consts::FRAC_PI_2;
+            let scale = omega.powi(order as i32);
+            assert!((sin.derivative(order) - scale * turned.sin()).abs() < 1e-13 * scale);
+            assert!((cos.derivative(order) - scale * turned.cos()).abs() < 1e-13 * scale);
+        }
+        let back = sin.atan2(cos);
+        let modulus = ((sin * 5.0).square() + (cos * 5.0).square()).sqrt();
+        assert!((back.value() - omega * t).abs() < 1e-15);
+        assert!((back.derivative(1) - omega).abs() < 1e-14);
+        assert!((modulus.value() - 5.0).abs() < 1e-14);
+        for order in 1..6 {
+            let bound = 1e-12 * omega.powi(order as i32);
+            assert!(order == 1 || back.derivative(order).abs() < bound);
+            assert!(modulus.derivative(order).abs() < bound);
+        }
+    }
+
+    /// √(1 + t) has the derivatives of the binomial series.
+    #[test]
+    fn square_root() {
+        let root = Jet::<5>::linear(4.0, 1.0).sqrt();
+        let expected = [2.0, 0.25, -1.0 / 32.0, 3.0 / 256.0, -15.0 / 2048.0];
+        for (order, value) in expected.into_iter().enumerate() {
+            assert!((root.derivative(order) - value).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn orders_not_carried_are_zero() {
+        assert_eq!(Jet::<1>::linear(2.0, 1.0).derivative(1), 0.0);
+        assert_eq!(Jet::<2>::constant(2.0).derivative(7), 0.0);
+    }
+}

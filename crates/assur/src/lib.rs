@@ -1,0 +1,37 @@
+//! The engine of Assur: positions of planar mechanisms with exact derivatives.
+//!
+//! Conventions, everywhere in this crate: x to the right, y up, angles
+//! counter-clockwise in radians, lengths in any one unit. The input is the
+//! crank angle φ₁; a derivative is by φ₁ (an *analogue*: φ′ of the velocity,
+//! φ″ of the acceleration), never by time. Angles are continuous along a
+//! motion, never folded into (−π, π].
+//!
+//! The crate is pure: no serialisation, screen, clock, I/O or randomness. Bad
+//! input is an [`Invalid`] that names the dimension at fault; an angle at which
+//! there is no pose is an [`Unsolved`] that says why. Nothing panics and no NaN
+//! leaves.
+//!
+//! ```
+//! use assur::{Assembly, FourBar};
+//!
+//! let linkage = FourBar::new([0.37, 0.85, 0.55, 0.85])?; // l₁ … l₄, fig. 4a
+//! let pose = linkage.pose::<3>(Assembly::First, 1.0)?;
+//! let (rocker, analogue) = (pose.rocker.value(), pose.rocker.derivative(1));
+//! # assert!((rocker - 1.299).abs() < 1e-3 && analogue > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod catalog;
+mod four_bar;
+pub mod gears;
+mod geometry;
+mod invalid;
+mod jet;
+pub mod motion;
+
+pub use four_bar::{
+    Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
+};
+pub use geometry::{JetPoint, Point, Vector};
+pub use invalid::{Dimension, Fault, Invalid};
+pub use jet::Jet;

@@ -1,0 +1,182 @@
+//! Extrema of a derivative over a motion, refined to rounding.
+
+use std::f64::consts::PI;
+
+use crate::{Assembly, Cycle, FourBar, Jet, Pose};
+
+/// Which derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// φ′, the analogue of angular velocity.
+    First = 1,
+    /// φ″, the analogue of angular acceleration.
+    Second = 2,
+}
+
+/// Maximum or minimum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A local maximum.
+    Max,
+    /// A local minimum.
+    Min,
+}
+
+/// A local extremum of an angle's derivative by the crank angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremum {
+    /// Maximum or minimum.
+    pub kind: Kind,
+    /// φ₁.
+    pub crank: f64,
+    /// The extreme value.
+    pub value: f64,
+}
+
+/// Samples a turn; between two of them an extremum is found by the signs of two
+/// more derivatives.
+const GRID: usize = 360;
+/// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
+/// vanishing diagonal, and only there, a motion changes within any small angle.
+const GRADES: i32 = 40;
+/// A derivative that varies by less than this beside its size is constant.
+const CONSTANT: f64 = 1e-9;
+
+/// The local extrema of the `order`-th derivative (1: φ′, 2: φ″) of an angle of
+/// the linkage over its cycle, in ascending crank angle; `angle` picks the link.
+///
+/// Each is a root of the next derivative, found by safeguarded Newton steps with
+/// the exact one after that. None for a derivative that is constant.
+pub fn extrema(
+    linkage: &FourBar,
+    assembly: Assembly,
+    order: Order,
+    angle: impl Fn(&Pose<5>) -> Jet<5>,
+) -> Vec<Extremum> {
+    let order = order as usize;
+    // Value, slope and curvature of the derivative asked for.
+    let sample = |crank: f64| -> Option<Sample> {
+        let jet = angle(&linkage.pose(assembly, crank).ok()?);
+        let [value, slope, bend] = [order, order + 1, order + 2].map(|k| jet.derivative(k));
+        Some(Sample { crank, value, slope, bend })
+    };
+    let cycle = linkage.cycle();
+    let mut found: Vec<Sample> = Vec::new();
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for stretch in stretches(&cycle) {
+        let samples: Vec<Option<Sample>> = stretch.into_iter().map(sample).collect();
+        for value in samples.iter().flatten().map(|sample| sample.value) {
+            (least, most) = (least.min(value), most.max(value));
+        }
+        for pair in samples.windows(2) {
+            if let [Some(a), Some(b)] = pair {
+                found.extend(roots(&sample, *a, *b));
+            }
+        }
+    }
+    if most - least <= CONSTANT * least.abs().max(most.abs()).max(1.0) {
+        return Vec::new();
+    }
+    let kind = |sample: &Sample| if sample.bend < 0.0 { Kind::Max } else { Kind::Min };
+    let full = cycle.is_full();
+    let end = cycle.axis()[1];
+    found.retain(|sample| sample.bend != 0.0 && !(full && sample.crank >= end));
+    found
+        .iter()
+        .map(|sample| Extremum {
+            kind: kind(sample),
+            crank: sample.crank,
+            value: sample.value,
+        })
+        .collect()
+}
+
+#[derive(Clone, Copy)]
+struct Sample {
+    crank: f64,
+    value: f64,
+    slope: f64,
+    bend: f64,
+}
+
+/// The grid of each arc: even, and graded towards multiples of π.
+fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
+    let cell = 2.0 * PI / GRID as f64;
+    let graded = |[from, to]: &[f64; 2]| {
+        let count = ((to - from) / cell).ceil();
+        let mut cranks: Vec<f64> = (0..=count as usize)
+            .map(|i| from + (to - from) * (i as f64 / count))
+            .collect();
+        for half_turn in [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0] {
+            for grade in 0..GRADES {
+                let step = cell * 0.5_f64.powi(grade);
+                cranks.extend([half_turn * PI - step, half_turn * PI + step]);
+            }
+        }
+        cranks.retain(|crank| (from..=to).contains(&crank));
+        cranks.sort_by(f64::total_cmp);
+        cranks
+    };
+    cycle.arcs().iter().map(graded).collect()
+}
+
+/// Roots of the slope between two neighbouring samples: none, one where it
+/// changes its sign, two where it turns within the cell and passes zero there
+/// and back.
+fn roots(sample: &impl Fn(f64) -> Option<Sample>, a: Sample, b: Sample) -> Vec<Sample> {
+    if a.slope == 0.0 || a.slope * b.slope < 0.0 {
+        return bracketed(sample, a, b, |s| s.slope, |s| s.bend)
+            .into_iter()
+            .collect();
+    }
+    let towards_zero = a.slope * a.bend < 0.0 && b.slope * b.bend > 0.0;
+    if !towards_zero {
+        return Vec::new();
+    }
+    let turn = bracketed(sample, a, b, |s| s.bend, |_| f64::NAN);
+    match turn {
+        Some(turn) if turn.slope * a.slope < 0.0 => [(a, turn), (turn, b)]
+            .into_iter()
+            .filter_map(|(a, b)| bracketed(sample, a, b, |s| s.slope, |s| s.bend))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The sample where `f` vanishes between `a` and `b`, at which its signs differ:
+/// Newton steps with `slope` while they stay inside, every third a halving.
+fn bracketed(
+    sample: &impl Fn(f64) -> Option<Sample>,
+    a: Sample,
+    b: Sample,
+    f: impl Fn(&Sample) -> f64,
+    slope: impl Fn(&Sample) -> f64,
+) -> Option<Sample> {
+    let (mut low, mut high) = (a, b);
+    let mut best = if f(&a).abs() < f(&b).abs() { a } else { b };
+    for step in 0..180 {
+        let inside = |crank: &f64| *crank > low.crank && *crank < high.crank;
+        let middle = 0.5 * (low.crank + high.crank);
+        let newton = best.crank - f(&best) / slope(&best);
+        let crank = [newton, middle]
+            .into_iter()
+            .skip(usize::from(step % 3 == 2))
+            .find(inside);
+        // Nothing lies between two neighbouring numbers: the root is found.
+        let Some(next) = crank.map(sample) else { break };
+        let next = next?;
+        if f(&next) * f(&low) > 0.0 {
+            low = next;
+        } else {
+            high = next;
+        }
+        let moved = (next.crank - best.crank).abs();
+        if f(&next).abs() < f(&best).abs() {
+            best = next;
+        }
+        if f(&best) == 0.0 || moved <= f64::EPSILON * next.crank.abs() {
+            break;
+        }
+    }
+    Some(best)
+}

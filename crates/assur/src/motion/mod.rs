@@ -1,0 +1,5 @@
+//! What is read off a whole motion rather than one pose.
+
+mod extrema;
+
+pub use extrema::{Extremum, Kind, Order, extrema};

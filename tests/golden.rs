@@ -1,0 +1,52 @@
+//! The engine against tables computed in 40-digit arithmetic, on both targets.
+
+use assur::{Assembly, FourBar, JetPoint, Link, Offset};
+use assur_tests::{Row, Table, angle_between, assert_near};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+/// Position, first and second derivative. Doubles carry the angles of this
+/// linkage to about 1e-15; what is above that is room for other libraries' sin
+/// and atan2.
+const TOLERANCE: [f64; 3] = [1e-12, 1e-11, 1e-10];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn mixer() {
+    let table = Table::parse(include_str!("data/mixer.csv"));
+    let mut rows = 0;
+    for row in table.rows() {
+        check(&row);
+        rows += 1;
+    }
+    // Two cases, two assemblies, every 5° of a turn.
+    assert_eq!(rows, 2 * 2 * 72);
+}
+
+fn check(row: &Row<'_>) {
+    let rocker = if row.get("case") == 1.0 { 0.55 } else { 1.0 };
+    let linkage = FourBar::new([0.37, 0.85, rocker, 0.85]).unwrap();
+    let assembly = if row.get("assembly") == 1.0 {
+        Assembly::First
+    } else {
+        Assembly::Second
+    };
+    let degrees = row.get("phi1_deg");
+    let pose = linkage.pose::<3>(assembly, degrees.to_radians()).unwrap();
+    for (angle, name) in [(pose.coupler, "phi2"), (pose.rocker, "phi3")] {
+        let what = format!("{name} at {degrees}°");
+        assert!(angle_between(angle.value(), row.get(name)) <= TOLERANCE[0], "{what}");
+        assert_near(angle.derivative(1), row.get(&format!("d{name}")), TOLERANCE[1], &what);
+        assert_near(angle.derivative(2), row.get(&format!("dd{name}")), TOLERANCE[2], &what);
+    }
+    for (link, name) in [(Link::Crank, "c1"), (Link::Coupler, "c2"), (Link::Rocker, "c3")] {
+        let centre: JetPoint<3> = linkage.carried(&pose, link, Offset::MIDDLE);
+        for (order, prefix) in ["", "d", "dd"].into_iter().enumerate() {
+            let what = format!("{prefix}{name} at {degrees}°");
+            let found = centre.derivative(order);
+            let [x, y] = ["x", "y"].map(|axis| row.get(&format!("{name}_{prefix}{axis}")));
+            assert_near(found.x, x, TOLERANCE[order], &what);
+            assert_near(found.y, y, TOLERANCE[order], &what);
+        }
+    }
+}

@@ -1,0 +1,2 @@
+//! Properties that hold for every four-bar, drawn near degenerate on purpose.
+#![cfg(not(target_family = "wasm"))]
