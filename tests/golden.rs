@@ -35,11 +35,28 @@ fn check(row: &Row<'_>) {
     let pose = linkage.pose::<3>(assembly, degrees.to_radians()).unwrap();
     for (angle, name) in [(pose.coupler, "phi2"), (pose.rocker, "phi3")] {
         let what = format!("{name} at {degrees}°");
-        assert!(angle_between(angle.value(), row.get(name)) <= TOLERANCE[0], "{what}");
-        assert_near(angle.derivative(1), row.get(&format!("d{name}")), TOLERANCE[1], &what);
-        assert_near(angle.derivative(2), row.get(&format!("dd{name}")), TOLERANCE[2], &what);
+        assert!(
+            angle_between(angle.value(), row.get(name)) <= TOLERANCE[0],
+            "{what}"
+        );
+        assert_near(
+            angle.derivative(1),
+            row.get(&format!("d{name}")),
+            TOLERANCE[1],
+            &what,
+        );
+        assert_near(
+            angle.derivative(2),
+            row.get(&format!("dd{name}")),
+            TOLERANCE[2],
+            &what,
+        );
     }
-    for (link, name) in [(Link::Crank, "c1"), (Link::Coupler, "c2"), (Link::Rocker, "c3")] {
+    for (link, name) in [
+        (Link::Crank, "c1"),
+        (Link::Coupler, "c2"),
+        (Link::Rocker, "c3"),
+    ] {
         let centre: JetPoint<3> = linkage.carried(&pose, link, Offset::MIDDLE);
         for (order, prefix) in ["", "d", "dd"].into_iter().enumerate() {
             let what = format!("{prefix}{name} at {degrees}°");

@@ -25,7 +25,11 @@ impl Table {
         let mut lines = text.lines();
         let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
         let rows: Vec<Vec<f64>> = lines
-            .map(|line| line.split(',').filter_map(|cell| cell.parse().ok()).collect())
+            .map(|line| {
+                line.split(',')
+                    .filter_map(|cell| cell.parse().ok())
+                    .collect()
+            })
             .collect();
         assert!(!rows.is_empty() && rows.iter().all(|row| row.len() == header.len()));
         Self { header, rows }

@@ -109,6 +109,11 @@ impl GearPair {
         self.module
     }
 
+    /// Direction from the driver's centre to the driven wheel's, radians.
+    pub fn centre_line(&self) -> f64 {
+        self.centre_line
+    }
+
     /// The signed transmission ratio dφ₅/dφ₃: −u in external mesh, +u in
     /// internal mesh and as printed.
     pub fn ratio(&self) -> f64 {
@@ -162,9 +167,8 @@ impl GearPair {
         let step = f64::from(previous.teeth) / f64::from(teeth);
         let distance = self.pitch_radius(previous.teeth) + self.pitch_radius(teeth);
         // A tooth of the one meets a gap of the other where they touch.
-        let mounting = self.centre_line * (1.0 + step) + PI
-            - PI / f64::from(teeth)
-            - step * previous.mounting;
+        let mounting =
+            self.centre_line * (1.0 + step) + PI - PI / f64::from(teeth) - step * previous.mounting;
         Wheel {
             teeth,
             ring: false,
@@ -278,10 +282,27 @@ mod tests {
             (1.5, Fault::NotWhole { value: 1.5 }),
             (f64::NAN, Fault::NotFinite),
             (f64::INFINITY, Fault::NotFinite),
-            (2.0, Fault::OutOfRange { value: 2.0, min: 3.0, max: 1000.0 }),
-            (1e9, Fault::OutOfRange { value: 1e9, min: 3.0, max: 1000.0 }),
+            (
+                2.0,
+                Fault::OutOfRange {
+                    value: 2.0,
+                    min: 3.0,
+                    max: 1000.0,
+                },
+            ),
+            (
+                1e9,
+                Fault::OutOfRange {
+                    value: 1e9,
+                    min: 3.0,
+                    max: 1000.0,
+                },
+            ),
         ] {
-            let expected = vec![Invalid { dimension: DrivenTeeth, fault }];
+            let expected = vec![Invalid {
+                dimension: DrivenTeeth,
+                fault,
+            }];
             assert_eq!(reasons([36.0, value], Mesh::External, 1.0, 0.0), expected);
         }
         let all = reasons([0.0, 1.5], Mesh::Internal, -1.0, f64::NAN);

@@ -36,6 +36,11 @@ impl Cycle {
         }
     }
 
+    /// A crank angle far from the ends: the middle of the first arc.
+    pub fn home(&self) -> f64 {
+        0.5 * (self.arcs[0][0] + self.arcs[0][1])
+    }
+
     /// `crank` brought into the axis by whole periods.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
@@ -49,7 +54,9 @@ impl Cycle {
     /// True where the loop can be closed at `crank` (wrapped).
     pub fn contains(&self, crank: f64) -> bool {
         let crank = self.wrap(crank);
-        self.arcs.iter().any(|[from, to]| (*from..=*to).contains(&crank))
+        self.arcs
+            .iter()
+            .any(|[from, to]| (*from..=*to).contains(&crank))
     }
 
     /// The crank moved by `step`: over the end of a full cycle to its start; at
@@ -82,7 +89,13 @@ impl Cycle {
         self.arcs
             .iter()
             .copied()
-            .reduce(|best, arc| if distance(arc) < distance(best) { arc } else { best })
+            .reduce(|best, arc| {
+                if distance(arc) < distance(best) {
+                    arc
+                } else {
+                    best
+                }
+            })
             .unwrap_or([0.0, TAU])
     }
 }

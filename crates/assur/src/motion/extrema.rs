@@ -33,6 +33,23 @@ pub struct Extremum {
     pub value: f64,
 }
 
+impl Extremum {
+    /// The extremum of what turns `ratio` times as fast: a negative ratio makes a
+    /// minimum of a maximum.
+    pub fn scaled(self, ratio: f64) -> Self {
+        let kind = match (self.kind, ratio < 0.0) {
+            (kind, false) => kind,
+            (Kind::Max, true) => Kind::Min,
+            (Kind::Min, true) => Kind::Max,
+        };
+        Self {
+            kind,
+            crank: self.crank,
+            value: self.value * ratio,
+        }
+    }
+}
+
 /// Samples a turn; between two of them an extremum is found by the signs of two
 /// more derivatives.
 const GRID: usize = 360;
@@ -58,7 +75,12 @@ pub fn extrema(
     let sample = |crank: f64| -> Option<Sample> {
         let jet = angle(&linkage.pose(assembly, crank).ok()?);
         let [value, slope, bend] = [order, order + 1, order + 2].map(|k| jet.derivative(k));
-        Some(Sample { crank, value, slope, bend })
+        Some(Sample {
+            crank,
+            value,
+            slope,
+            bend,
+        })
     };
     let cycle = linkage.cycle();
     let mut found: Vec<Sample> = Vec::new();
@@ -77,7 +99,13 @@ pub fn extrema(
     if most - least <= CONSTANT * least.abs().max(most.abs()).max(1.0) {
         return Vec::new();
     }
-    let kind = |sample: &Sample| if sample.bend < 0.0 { Kind::Max } else { Kind::Min };
+    let kind = |sample: &Sample| {
+        if sample.bend < 0.0 {
+            Kind::Max
+        } else {
+            Kind::Min
+        }
+    };
     let full = cycle.is_full();
     let end = cycle.axis()[1];
     found.retain(|sample| sample.bend != 0.0 && !(full && sample.crank >= end));

@@ -1,0 +1,120 @@
+//! Where the axes carry labels: round numbers, as many as there is room for.
+
+use super::curves::Range;
+
+/// A label's value (degrees where the axis is an angle) and its place along the
+/// axis, pixels from the left or upper edge of the plot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tick {
+    /// What to write.
+    pub value: f64,
+    /// Where.
+    pub at: f64,
+}
+
+/// Steps between labels of angles, degrees.
+const ANGLES: [f64; 12] = [
+    1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
+];
+
+/// Labels of the crank angle, radians, about 50 pixels apart.
+pub(super) fn crank([start, end]: [f64; 2], width: f64) -> Vec<Tick> {
+    let (from, to) = (start.to_degrees(), end.to_degrees());
+    let step = angle_step((to - from) * 50.0 / width, 30.0);
+    multiples(step, from, to)
+        .map(|value| Tick {
+            value,
+            at: (value - from) / (to - from) * width,
+        })
+        .collect()
+}
+
+/// Labels of the values, about 36 pixels apart; of angles in degrees.
+pub(super) fn values(range: Range, angle: bool, height: f64) -> Vec<Tick> {
+    let degrees = |value: f64| if angle { value.to_degrees() } else { value };
+    let (from, to) = (degrees(range.min), degrees(range.max));
+    let least = (to - from) * 36.0 / height;
+    let step = if angle {
+        angle_step(least, 1.0)
+    } else {
+        round_step(least)
+    };
+    multiples(step, from, to)
+        .map(|value| Tick {
+            value,
+            at: (to - value) / (to - from) * height,
+        })
+        .collect()
+}
+
+/// The first step for angles that is wide enough; beyond a turn in whole turns.
+fn angle_step(least: f64, finest: f64) -> f64 {
+    if least < 1.0 && finest <= least {
+        return round_step(least);
+    }
+    let listed = ANGLES.into_iter().find(|step| *step >= least.max(finest));
+    listed.unwrap_or_else(|| 360.0 * (least / 360.0).ceil())
+}
+
+/// 1, 2 or 5 times a power of ten, wide enough.
+fn round_step(least: f64) -> f64 {
+    let power = 10.0_f64.powf(least.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|step| step * power >= least);
+    step.unwrap_or(10.0) * power
+}
+
+/// The multiples of `step` within rounding of the range, at most a hundred.
+fn multiples(step: f64, from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let slack = 1e-9 * step;
+    let first = ((from - slack) / step).ceil();
+    (0..100)
+        .map(move |i| (first + f64::from(i)) * step + 0.0)
+        .take_while(move |value| *value <= to + slack)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn written(ticks: &[Tick]) -> Vec<f64> {
+        ticks.iter().map(|tick| tick.value).collect()
+    }
+
+    #[test]
+    fn crank_angles_are_the_usual_ones() {
+        let wide = crank([0.0, TAU], 330.0);
+        assert_eq!(
+            written(&wide),
+            [0.0, 60.0, 120.0, 180.0, 240.0, 300.0, 360.0]
+        );
+        assert_eq!(wide[6].at, 330.0);
+        assert_eq!(
+            written(&crank([0.0, TAU], 160.0)),
+            [0.0, 120.0, 240.0, 360.0]
+        );
+        assert_eq!(crank([0.0, 2.0 * TAU], 330.0).len(), 7);
+    }
+
+    #[test]
+    fn values_are_round_and_fit() {
+        let range = Range {
+            min: -1.3,
+            max: 2.2,
+        };
+        let ticks = values(range, false, 150.0);
+        assert_eq!(written(&ticks), [-1.0, 0.0, 1.0, 2.0]);
+        for scale in [1e-9, 1e-3, 1.0, 1e5, 1e12] {
+            let range = Range {
+                min: -1.3 * scale,
+                max: 2.2 * scale,
+            };
+            let count = values(range, false, 150.0).len();
+            assert!((2..=5).contains(&count), "{count} at {scale}");
+            let count = values(range, true, 150.0).len();
+            assert!((1..=5).contains(&count), "{count} at {scale}");
+        }
+    }
+}

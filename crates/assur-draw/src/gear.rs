@@ -1,0 +1,197 @@
+//! Outlines of toothed wheels that mesh: involute teeth (pressure angle 20°) of
+//! standard proportions, shortened where the mate would be cut into.
+
+use std::f64::consts::PI;
+
+use assur::Point;
+
+/// cos and tan of the pressure angle come from this.
+const PRESSURE_ANGLE: f64 = 20.0 * PI / 180.0;
+/// In modules: tooth height above and depth below the pitch circle.
+const ADDENDUM: f64 = 1.0;
+const DEDENDUM: f64 = 1.25;
+/// In modules: how much thinner a tooth is than its gap, for both to be seen.
+const BACKLASH: f64 = 0.06;
+/// Points along a flank.
+const FLANK: usize = 7;
+
+/// A wheel's teeth, in the unit of the module.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Teeth {
+    count: f64,
+    ring: bool,
+    /// Where a tooth ends: above the pitch circle, of a ring below it.
+    tip: f64,
+}
+
+impl Teeth {
+    /// The teeth of a wheel that meshes with all of `mates` (teeth, ring).
+    pub(crate) fn new(count: u32, ring: bool, mates: &[(u32, bool)]) -> Self {
+        let z = f64::from(count);
+        let pitch = 0.5 * z;
+        let standard = if ring {
+            pitch - ADDENDUM
+        } else {
+            pitch + ADDENDUM
+        };
+        let tip = mates.iter().fold(standard, |tip, &(mate, mate_ring)| {
+            let mate = f64::from(mate);
+            let distance = if ring || mate_ring {
+                0.5 * (z - mate).abs()
+            } else {
+                0.5 * (z + mate)
+            };
+            let base = pitch * PRESSURE_ANGLE.cos();
+            // Beyond this radius the tip would touch the mate below its base
+            // circle, where it has no involute.
+            let limit = base.hypot(distance * PRESSURE_ANGLE.sin());
+            match (ring, mate_ring) {
+                (false, false) => tip.min(limit),
+                (true, _) => tip.max(limit),
+                // With few teeth between them, tips foul away from the contact.
+                (false, true) => tip.min(pitch + ADDENDUM * ((mate - z) / 12.0).min(1.0)),
+            }
+        });
+        Self {
+            count: z,
+            ring,
+            tip,
+        }
+    }
+
+    /// The pitch radius, in modules.
+    pub(crate) fn pitch_radius(self) -> f64 {
+        0.5 * self.count
+    }
+
+    /// Radius of the bottom of the gaps, in modules.
+    pub(crate) fn root_radius(self) -> f64 {
+        let depth = if self.ring { DEDENDUM } else { -DEDENDUM };
+        self.pitch_radius() + depth
+    }
+
+    /// The closed toothed line for a module, counter-clockwise, a tooth (of a
+    /// ring: an inward one) centred on the direction of x.
+    pub(crate) fn outline(self, module: f64) -> Vec<Point> {
+        let pitch_angle = 2.0 * PI / self.count;
+        let flank = self.flank();
+        let one = |index: usize| {
+            let centre = index as f64 * pitch_angle;
+            let rising = flank.iter().map(move |&(r, half)| (r, centre - half));
+            let falling = flank.iter().rev().map(move |&(r, half)| (r, centre + half));
+            rising.chain(falling)
+        };
+        (0..self.count as usize)
+            .flat_map(one)
+            .map(|(r, angle)| Point::new(module * r * angle.cos(), module * r * angle.sin()))
+            .collect()
+    }
+
+    /// A flank from root to tip: radius and half the tooth's angle there.
+    fn flank(self) -> Vec<(f64, f64)> {
+        let pitch = self.pitch_radius();
+        let base = pitch * PRESSURE_ANGLE.cos();
+        let half_at_pitch = PI / (2.0 * self.count) - 0.5 * BACKLASH / pitch;
+        let involute = |angle: f64| angle.tan() - angle;
+        let half_at = |r: f64| {
+            // Below the base circle there is no involute: the flank is radial.
+            let turned = involute(PRESSURE_ANGLE) - involute((base / r).min(1.0).acos());
+            let half = if self.ring {
+                half_at_pitch - turned
+            } else {
+                half_at_pitch + turned
+            };
+            half.max(0.0)
+        };
+        (0..FLANK)
+            .map(|i| {
+                let t = i as f64 / (FLANK - 1) as f64;
+                let r = self.root_radius() + (self.tip - self.root_radius()) * t;
+                (r, half_at(r))
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use assur::gears::{GearPair, Mesh, Wheel};
+
+    /// How far `point` is from the polygon's line, negative inside.
+    fn distance(point: Point, polygon: &[Point]) -> f64 {
+        let (mut inside, mut nearest) = (false, f64::INFINITY);
+        for (i, a) in polygon.iter().enumerate() {
+            let b = polygon[(i + 1) % polygon.len()];
+            let edge = b - a;
+            if (a.y > point.y) != (b.y > point.y)
+                && point.x < a.x + (point.y - a.y) * edge.x / edge.y
+            {
+                inside = !inside;
+            }
+            let t = ((point - a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+            nearest = nearest.min((point - (a + edge * t)).norm());
+        }
+        if inside { -nearest } else { nearest }
+    }
+
+    impl Teeth {
+        fn outer(self) -> f64 {
+            self.tip.max(self.root_radius())
+        }
+    }
+
+    fn placed(wheel: &Wheel, teeth: Teeth, driver: f64) -> Vec<Point> {
+        let (sin, cos) = (wheel.ratio * driver + wheel.mounting).sin_cos();
+        let turned = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+        let outline = teeth.outline(1.0).into_iter();
+        outline.map(|p| turned(p) + wheel.centre).collect()
+    }
+
+    /// At every angle no tooth cuts into the other wheel by more than a fiftieth
+    /// of a module, and tips reach well into each other's gaps.
+    #[test]
+    fn wheels_mesh_at_every_angle() {
+        for (z4, z5, mesh) in [
+            (36.0, 18.0, Mesh::External),
+            (18.0, 36.0, Mesh::External),
+            (8.0, 60.0, Mesh::External),
+            (12.0, 12.0, Mesh::External),
+            (36.0, 18.0, Mesh::Internal),
+            (18.0, 36.0, Mesh::Internal),
+            (60.0, 54.0, Mesh::Internal),
+            (20.0, 90.0, Mesh::Internal),
+        ] {
+            let gears = GearPair::new([z4, z5], mesh, 1.0, 0.5).unwrap();
+            let wheels = [gears.driver_wheel(), gears.driven_wheel()];
+            let mate = |wheel: &Wheel| [(wheel.teeth, wheel.ring)];
+            let teeth =
+                [0, 1].map(|i| Teeth::new(wheels[i].teeth, wheels[i].ring, &mate(&wheels[1 - i])));
+            for step in 0..12 {
+                let driver = f64::from(step) * 0.0573;
+                let outlines = [0, 1].map(|i| placed(&wheels[i], teeth[i], driver));
+                for (i, j) in [(0, 1), (1, 0)] {
+                    // A ring is solid outside its toothed line, a wheel inside; a
+                    // ring's own points are compared with the wheel as they are.
+                    let sense = if wheels[j].ring { -1.0 } else { 1.0 };
+                    let depth = |p: &Point| -sense * distance(*p, &outlines[j]);
+                    let near =
+                        |p: &&Point| (*p - wheels[j].centre).coords.norm() < teeth[j].outer();
+                    let met = outlines[i].iter().filter(near);
+                    let deepest = met.map(depth).fold(0.0, f64::max);
+                    assert!(deepest < 0.02, "{z4}:{z5} {mesh:?} at {driver}: {deepest}");
+                }
+            }
+            let apart = wheels[1].centre.norm();
+            let overlap = match (wheels[0].ring, wheels[1].ring) {
+                (true, _) => teeth[1].tip + apart - teeth[0].tip,
+                (_, true) => teeth[0].tip + apart - teeth[1].tip,
+                _ => teeth[0].tip + teeth[1].tip - apart,
+            };
+            assert!(
+                overlap > 0.8,
+                "{z4}:{z5} {mesh:?}: tips overlap by {overlap}"
+            );
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! Drawings of mechanisms and charts of their motion, in numbers: a mechanism
+//! becomes a flat display list in model coordinates that any painter can paint,
+//! a chart is drawn by plotters on any of its backends. No text is drawn here,
+//! only said where it stands.
+
+pub mod chart;
+mod gear;
+mod list;
+mod mixer;
+mod parts;
+
+pub use list::{LABELS, List, ROLES};
+pub use mixer::Scene;

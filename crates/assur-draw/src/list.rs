@@ -1,0 +1,156 @@
+//! The display list: records of numbers that a painter follows in order.
+//!
+//! | record | meaning |
+//! |---|---|
+//! | `0, body` | what follows is in the coordinates of that body (0: the frame) |
+//! | `1, role, look, loops, n₁, x, y, …, n₂, …` | closed polygons, filled by the even-odd rule |
+//! | `2, role, look, n, x, y, …` | an open polyline |
+//! | `3, role, look, x, y, r` | a circle |
+//! | `4, role, label, x, y, dx, dy` | a label whose middle stands off the point by (dx, dy) text heights |
+//!
+//! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
+
+use assur::Point;
+
+/// What is drawn; the painter has a colour for each, the same in drawing and
+/// plots. (`Paper` is the background.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    Ink,
+    Secondary,
+    Line,
+    Crank,
+    Coupler,
+    Rocker,
+    Wheel4,
+    Wheel5,
+    Idler,
+    Paper,
+}
+
+/// The names of the roles in the order of their numbers.
+pub const ROLES: [&str; 10] = [
+    "ink",
+    "secondary",
+    "line",
+    "crank",
+    "coupler",
+    "rocker",
+    "wheel4",
+    "wheel5",
+    "idler",
+    "paper",
+];
+
+/// How it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Look {
+    /// Filled.
+    Solid,
+    /// Filled faintly, with an outline.
+    Pale,
+    /// A dashed line.
+    Dashed = 3,
+    /// A hair line.
+    Thin,
+    /// Filled with paper, with an outline.
+    Hollow,
+    /// Filled half-strongly.
+    Soft,
+}
+
+/// A label: a name of a point, the same in every language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Label {
+    A,
+    B,
+    C,
+    D,
+    Four,
+    Five,
+    Phi1,
+}
+
+/// The names of the labels in the order of their numbers; `phi1` stands for the
+/// crank angle, which the painter writes with its value.
+pub const LABELS: [&str; 7] = ["A", "B", "C", "D", "4", "5", "phi1"];
+
+/// A display list under construction.
+#[derive(Clone, Debug, Default)]
+pub struct List(Vec<f32>);
+
+impl List {
+    /// The records, one after the other.
+    pub fn numbers(&self) -> &[f32] {
+        &self.0
+    }
+
+    pub(crate) fn body(&mut self, body: usize) {
+        self.0.extend([0.0, body as f32]);
+    }
+
+    pub(crate) fn polygons(&mut self, role: Role, look: Look, loops: &[Vec<Point>]) {
+        self.head(1, role, look);
+        self.0.push(loops.len() as f32);
+        for points in loops {
+            self.points(points);
+        }
+    }
+
+    pub(crate) fn polyline(&mut self, role: Role, look: Look, points: &[Point]) {
+        self.head(2, role, look);
+        self.points(points);
+    }
+
+    pub(crate) fn circle(&mut self, role: Role, look: Look, centre: Point, radius: f64) {
+        self.head(3, role, look);
+        self.0
+            .extend([centre.x, centre.y, radius].map(|x| x as f32));
+    }
+
+    pub(crate) fn label(&mut self, role: Role, label: Label, at: Point, off: [f64; 2]) {
+        self.0.extend([4.0, role as u8 as f32, label as u8 as f32]);
+        self.0
+            .extend([at.x, at.y, off[0], off[1]].map(|x| x as f32));
+    }
+
+    fn head(&mut self, record: u8, role: Role, look: Look) {
+        self.0
+            .extend([record, role as u8, look as u8].map(f32::from));
+    }
+
+    fn points(&mut self, points: &[Point]) {
+        self.0.push(points.len() as f32);
+        self.0
+            .extend(points.iter().flat_map(|p| [p.x as f32, p.y as f32]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_follow_the_numbers() {
+        assert_eq!(ROLES[Role::Paper as usize], "paper");
+        assert_eq!(ROLES[Role::Wheel5 as usize], "wheel5");
+        assert_eq!(LABELS[Label::Phi1 as usize], "phi1");
+        assert_eq!(Look::Soft as u8, 6);
+    }
+
+    #[test]
+    fn records() {
+        let mut list = List::default();
+        list.body(2);
+        list.circle(Role::Crank, Look::Hollow, Point::new(1.0, 2.0), 0.5);
+        list.label(Role::Ink, Label::B, Point::new(3.0, 4.0), [0.0, 1.0]);
+        list.polygons(Role::Ink, Look::Solid, &[vec![Point::new(5.0, 6.0)]]);
+        let expected = [
+            [0.0, 2.0].as_slice(),
+            &[3.0, 3.0, 5.0, 1.0, 2.0, 0.5],
+            &[4.0, 0.0, 1.0, 3.0, 4.0, 0.0, 1.0],
+            &[1.0, 0.0, 0.0, 1.0, 1.0, 5.0, 6.0],
+        ];
+        assert_eq!(list.numbers(), expected.concat());
+    }
+}

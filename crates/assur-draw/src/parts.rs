@@ -1,0 +1,75 @@
+//! The textbook's symbols, in the coordinates of the body they belong to.
+
+use std::f64::consts::{PI, TAU};
+
+use assur::Point;
+
+use crate::list::{List, Look, Role};
+
+/// Points on a half circle of a rounded end.
+const ARC: usize = 10;
+
+/// A bar with round ends between two places.
+pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_width: f64) {
+    list.polygons(role, Look::Solid, &[capsule(from, to, half_width)]);
+    // A lighter line along the middle keeps bars apart where they cross.
+    let inset = 0.38 * half_width;
+    list.polygons(Role::Paper, Look::Soft, &[capsule(from, to, inset)]);
+}
+
+/// A hinge: the small circle of the textbooks.
+pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
+    list.circle(Role::Ink, Look::Hollow, at, radius);
+}
+
+/// A fixed support: a triangle under the hinge on a hatched line.
+pub(crate) fn support(list: &mut List, at: Point, size: f64) {
+    let point = |x: f64, y: f64| at + assur::Vector::new(x * size, y * size);
+    let triangle = vec![point(0.0, 0.0), point(-1.5, -2.6), point(1.5, -2.6)];
+    list.polygons(Role::Secondary, Look::Pale, &[triangle]);
+    list.polyline(
+        Role::Secondary,
+        Look::Thin,
+        &[point(-2.3, -2.6), point(2.3, -2.6)],
+    );
+    for i in 0..6 {
+        let x = -1.8 + 0.8 * f64::from(i);
+        let hatch = [point(x, -2.6), point(x - 0.6, -3.3)];
+        list.polyline(Role::Secondary, Look::Thin, &hatch);
+    }
+}
+
+/// Stirrer blades: `count` of them, even around the shaft.
+pub(crate) fn blades(list: &mut List, role: Role, count: usize, length: f64, half_width: f64) {
+    for index in 0..count {
+        let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
+        let tip = Point::new(length * cos, length * sin);
+        list.polygons(
+            role,
+            Look::Soft,
+            &[capsule(Point::origin(), tip, half_width)],
+        );
+    }
+}
+
+/// Points around a circle, counter-clockwise from x.
+pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
+    (0..count)
+        .map(|i| TAU * i as f64 / count as f64)
+        .map(|angle| Point::new(radius * angle.cos(), radius * angle.sin()))
+        .collect()
+}
+
+fn capsule(from: Point, to: Point, half_width: f64) -> Vec<Point> {
+    let along = to - from;
+    let direction = along.y.atan2(along.x);
+    let end = |centre: Point, start: f64| {
+        (0..=ARC).map(move |i| {
+            let angle = start + PI * i as f64 / ARC as f64;
+            centre + assur::Vector::new(angle.cos(), angle.sin()) * half_width
+        })
+    };
+    end(to, direction - PI / 2.0)
+        .chain(end(from, direction + PI / 2.0))
+        .collect()
+}

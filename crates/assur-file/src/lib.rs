@@ -1,0 +1,11 @@
+//! The saved form: twins of the engine's types with serde, so that files and
+//! addresses never freeze the engine. All checking of input from outside
+//! happens here and in the constructors of `assur`, once.
+
+mod mixer;
+mod problem;
+mod state;
+
+pub use mixer::MixerDocument;
+pub use problem::Problem;
+pub use state::{Lesson, State, View};

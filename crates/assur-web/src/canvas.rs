@@ -1,0 +1,130 @@
+//! A canvas as a drawing backend of plotters.
+//!
+//! plotters-canvas draws in whole pixels of the backing store, which makes steps
+//! of a curve at a pixel ratio of 1; this one draws in sixteenths of a pixel of
+//! the reader ([`FINE`]) and leaves the ratio to the canvas's own transform.
+
+use std::convert::Infallible;
+
+use assur_draw::chart::FINE;
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind,
+};
+use web_sys::CanvasRenderingContext2d;
+
+type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+
+/// A canvas of a width and height in pixels of the reader.
+pub(crate) struct Canvas<'a> {
+    context: &'a CanvasRenderingContext2d,
+    size: (u32, u32),
+}
+
+impl<'a> Canvas<'a> {
+    /// Draws on `context`, whose transform maps pixels of the reader to the
+    /// backing store.
+    pub(crate) fn new(context: &'a CanvasRenderingContext2d, size: (u32, u32)) -> Self {
+        Self { context, size }
+    }
+
+    fn trace(&self, path: impl IntoIterator<Item = BackendCoord>) {
+        self.context.begin_path();
+        for (index, (x, y)) in path.into_iter().enumerate() {
+            let (x, y) = (pixels(x), pixels(y));
+            if index == 0 {
+                self.context.move_to(x, y);
+            } else {
+                self.context.line_to(x, y);
+            }
+        }
+    }
+
+    fn stroke(&self, style: &impl BackendStyle) {
+        self.context.set_stroke_style_str(&css(style.color()));
+        self.context
+            .set_line_width(f64::from(style.stroke_width()) / f64::from(FINE));
+        self.context.stroke();
+    }
+
+    fn fill(&self, color: BackendColor) {
+        self.context.set_fill_style_str(&css(color));
+        self.context.fill();
+    }
+}
+
+impl DrawingBackend for Canvas<'_> {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        let fine = FINE.unsigned_abs();
+        (self.size.0 * fine, self.size.1 * fine)
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
+        self.context.set_fill_style_str(&css(color));
+        let side = pixels(1);
+        self.context
+            .fill_rect(pixels(point.0), pixels(point.1), side, side);
+        Ok(())
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        self.trace(path);
+        self.stroke(style);
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        self.trace(path);
+        self.fill(style.color());
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        let radius = f64::from(radius) / f64::from(FINE);
+        self.context.begin_path();
+        let (x, y) = (pixels(center.0), pixels(center.1));
+        let full = std::f64::consts::TAU;
+        // The canvas refuses negative radii only, and this one is none.
+        if self.context.arc(x, y, radius, 0.0, full).is_err() {
+            return Ok(());
+        }
+        if fill {
+            self.fill(style.color());
+        } else {
+            self.stroke(style);
+        }
+        Ok(())
+    }
+}
+
+fn pixels(fine: i32) -> f64 {
+    f64::from(fine) / f64::from(FINE)
+}
+
+fn css(color: BackendColor) -> String {
+    let (r, g, b) = color.rgb;
+    format!("rgba({r},{g},{b},{})", color.alpha)
+}

@@ -1,0 +1,111 @@
+//! JavaScript's values to the engine's and back.
+
+use assur_draw::ROLES;
+use assur_draw::chart::{Palette, Panel, Tick};
+use assur_file::Problem;
+use plotters::style::RGBColor;
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::JsValue;
+
+/// Any value of ours as a plain JavaScript object.
+pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
+    let plain = serde_wasm_bindgen::Serializer::json_compatible();
+    // Only maps with odd keys fail, and nothing here holds a map.
+    value.serialize(&plain).unwrap_or(JsValue::NULL)
+}
+
+/// Problems as what is thrown: an array of `{code, …}`.
+pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
+    let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
+    to_js(&problems)
+}
+
+/// What the page asks of a chart, sizes in pixels of the reader.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ChartRequest {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    palette: [[u8; 3]; ROLES.len()],
+}
+
+impl ChartRequest {
+    pub(crate) fn read(value: JsValue) -> Result<Self, Problem> {
+        serde_wasm_bindgen::from_value(value).map_err(|error| Problem::BadState {
+            path: "chart".to_owned(),
+            detail: error.to_string(),
+        })
+    }
+
+    pub(crate) fn palette(&self) -> Palette {
+        self.palette.map(|[r, g, b]| RGBColor(r, g, b))
+    }
+}
+
+/// Where the page writes the chart's text.
+#[derive(Serialize)]
+pub(crate) struct ChartLayout {
+    panels: Vec<PanelLayout>,
+}
+
+#[derive(Serialize)]
+struct PanelLayout {
+    order: usize,
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    x0: f64,
+    x1: f64,
+    y0: f64,
+    y1: f64,
+    xticks: Vec<TickLayout>,
+    yticks: Vec<TickLayout>,
+    series: [Series; 2],
+}
+
+#[derive(Serialize)]
+struct TickLayout {
+    value: f64,
+    at: f64,
+}
+
+#[derive(Serialize)]
+struct Series {
+    name: &'static str,
+    role: &'static str,
+}
+
+impl From<Vec<Panel>> for ChartLayout {
+    fn from(panels: Vec<Panel>) -> Self {
+        let panels = panels.into_iter().map(PanelLayout::from).collect();
+        Self { panels }
+    }
+}
+
+impl From<Panel> for PanelLayout {
+    fn from(panel: Panel) -> Self {
+        let ticks = |ticks: Vec<Tick>| ticks.into_iter().map(TickLayout::from).collect();
+        let series = |name| Series { name, role: name };
+        Self {
+            order: panel.order,
+            left: panel.left,
+            top: panel.top,
+            width: panel.width,
+            height: panel.height,
+            x0: panel.x[0],
+            x1: panel.x[1],
+            y0: panel.y[0],
+            y1: panel.y[1],
+            xticks: ticks(panel.x_ticks),
+            yticks: ticks(panel.y_ticks),
+            series: [series("rocker"), series("wheel5")],
+        }
+    }
+}
+
+impl From<Tick> for TickLayout {
+    fn from(Tick { value, at }: Tick) -> Self {
+        Self { value, at }
+    }
+}

@@ -1,0 +1,9 @@
+//! The engine in the browser. This crate converts between JavaScript's values
+//! and the engine's and computes nothing.
+
+mod canvas;
+mod convert;
+mod simulator;
+mod summary;
+
+pub use simulator::{Simulator, label_names, presets, readout_names, role_names, version};

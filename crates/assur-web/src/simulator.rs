@@ -1,0 +1,203 @@
+//! The one object the page talks to.
+
+use assur::catalog::mixer::{Case, Mixer};
+use assur::{Cycle, Pose};
+use assur_draw::chart::Chart;
+use assur_draw::{LABELS, ROLES, Scene};
+use assur_file::{MixerDocument, Problem, State};
+use plotters::prelude::IntoDrawingArea;
+use serde::Serialize;
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+use web_sys::CanvasRenderingContext2d;
+
+use crate::canvas::Canvas;
+use crate::convert::{ChartLayout, ChartRequest, thrown, to_js};
+use crate::summary::Summary;
+
+/// A mechanism and all that is drawn of it. Angles are radians. What fails
+/// throws an array of problems, `{code, …}`, and changes nothing.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Simulator {
+    loaded: Option<Loaded>,
+}
+
+struct Loaded {
+    mixer: Mixer,
+    cycle: Cycle,
+    scene: Scene,
+    chart: Chart,
+}
+
+#[wasm_bindgen]
+impl Simulator {
+    /// A simulator without a mechanism: the first call is `set`.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the page's state and returns the summary of its motion.
+    ///
+    /// # Errors
+    /// Every problem of the state; the mechanism set before stays.
+    pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
+        let source = serde_wasm_bindgen::Deserializer::from(state);
+        let state = State::read(source).map_err(|problem| thrown([problem]))?;
+        let mixer = match (state.check(), state.document.mixer()) {
+            (Ok(()), Ok(mixer)) => mixer,
+            (checked, mixer) => {
+                let problems = [checked.err(), mixer.err()];
+                return Err(thrown(problems.into_iter().flatten().flatten()));
+            }
+        };
+        let scene = Scene::new(&mixer, state.view.traces);
+        let summary = Summary::new(&mixer, scene.bounds());
+        self.loaded = Some(Loaded {
+            mixer,
+            cycle: mixer.linkage.cycle(),
+            chart: Chart::new(&mixer),
+            scene,
+        });
+        Ok(to_js(&summary))
+    }
+
+    /// The display list of everything rigid, grouped by body.
+    ///
+    /// # Errors
+    /// Before the first `set`.
+    pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
+        Ok(self.loaded()?.scene.rigid().numbers().to_vec())
+    }
+
+    /// The bodies' poses `n, x, y, θ, …` at a crank angle and the display list of
+    /// what changes its shape.
+    ///
+    /// # Errors
+    /// Why there is no pose.
+    pub fn frame(&self, phi: f64) -> Result<Vec<f32>, JsValue> {
+        let frame = self.loaded()?.scene.frame(phi);
+        frame.map_err(|unsolved| thrown([unsolved]))
+    }
+
+    /// The values named by `readoutNames` at a crank angle.
+    ///
+    /// # Errors
+    /// Why there are none: no pose, or derivatives unbounded.
+    pub fn readouts(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
+        let Loaded { mixer, .. } = self.loaded()?;
+        let pose: Pose<3> = mixer
+            .linkage
+            .pose(mixer.assembly, phi)
+            .map_err(|unsolved| thrown([unsolved]))?;
+        let transmission = mixer
+            .linkage
+            .transmission_angle(phi)
+            .map_err(|unsolved| thrown([unsolved]))?;
+        let wheel5 = mixer.gears.driven(pose.rocker);
+        let angles = [pose.coupler, pose.rocker, wheel5];
+        let values = angles
+            .iter()
+            .flat_map(|angle| [0, 1, 2].map(|k| angle.derivative(k)));
+        Ok([phi]
+            .into_iter()
+            .chain(values)
+            .chain([transmission])
+            .collect())
+    }
+
+    /// The crank angle moved by `delta`, and −1 where it turned back at the end
+    /// of what it can turn through, else 1.
+    ///
+    /// # Errors
+    /// Before the first `set`.
+    pub fn advance(&self, phi: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
+        let (phi, sense) = self.loaded()?.cycle.advance(phi, delta);
+        Ok(vec![phi, sense])
+    }
+
+    /// Draws the plots with plotters on a canvas whose transform maps pixels of
+    /// the reader to its backing store; `request` is `{width, height, palette}`.
+    /// Returns where the page writes their text.
+    ///
+    /// # Errors
+    /// A request of the wrong form; before the first `set`.
+    pub fn chart(
+        &self,
+        context: &CanvasRenderingContext2d,
+        request: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let loaded = self.loaded()?;
+        let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
+        let canvas = Canvas::new(context, (request.width, request.height));
+        let drawn = loaded
+            .chart
+            .draw(&canvas.into_drawing_area(), &request.palette());
+        let panels = drawn.map_err(|error| {
+            thrown([Problem::BadState {
+                path: "chart".to_owned(),
+                detail: error.to_string(),
+            }])
+        })?;
+        Ok(to_js(&ChartLayout::from(panels)))
+    }
+
+    fn loaded(&self) -> Result<&Loaded, JsValue> {
+        self.loaded.as_ref().ok_or_else(|| {
+            thrown([Problem::BadState {
+                path: String::new(),
+                detail: "no state has been set".to_owned(),
+            }])
+        })
+    }
+}
+
+/// The names of the values of `readouts`, in order: angles are followed by their
+/// first (d) and second (dd) derivative by the crank angle.
+#[wasm_bindgen(js_name = readoutNames)]
+pub fn readout_names() -> Vec<String> {
+    let angles = ["coupler", "rocker", "wheel5"];
+    let values = angles
+        .iter()
+        .flat_map(|name| ["", "d", "dd"].map(|d| format!("{d}{name}")));
+    let first = ["phi1".to_owned()];
+    let last = ["transmission".to_owned()];
+    first.into_iter().chain(values).chain(last).collect()
+}
+
+/// The names of the roles of display lists and palettes, in order.
+#[wasm_bindgen(js_name = roleNames)]
+pub fn role_names() -> Vec<String> {
+    ROLES.map(str::to_owned).to_vec()
+}
+
+/// The names of the labels of display lists, in order.
+#[wasm_bindgen(js_name = labelNames)]
+pub fn label_names() -> Vec<String> {
+    LABELS.map(str::to_owned).to_vec()
+}
+
+/// The presets of the lesson: `{id, document}` for each case of the figure.
+#[wasm_bindgen]
+pub fn presets() -> JsValue {
+    #[derive(Serialize)]
+    struct Preset {
+        id: &'static str,
+        document: MixerDocument,
+    }
+    let preset = |case: Case| Preset {
+        id: match case {
+            Case::A => "a",
+            Case::B => "b",
+            Case::C => "c",
+        },
+        document: MixerDocument::new(&case.dimensions()),
+    };
+    to_js(&Case::ALL.map(preset))
+}
+
+/// The version of Assur.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}

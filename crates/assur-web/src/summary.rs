@@ -1,0 +1,145 @@
+//! What the page shows of a whole motion, under the names it knows.
+
+use assur::catalog::mixer::Mixer;
+use assur::motion::{Extremum, Kind, Order, extrema};
+use assur::{Grashof, Swing};
+use serde::Serialize;
+
+#[derive(Serialize)]
+pub(crate) struct Summary {
+    grashof: &'static str,
+    cycle: CycleSummary,
+    home: f64,
+    swing: Swings,
+    limits: Vec<LimitSummary>,
+    time_ratio: Option<f64>,
+    transmission: Transmission,
+    ratio: f64,
+    dead_points: Vec<f64>,
+    change_points: Vec<f64>,
+    extrema: Vec<ExtremumSummary>,
+    bounds: [f64; 4],
+}
+
+#[derive(Serialize)]
+struct CycleSummary {
+    start: f64,
+    end: f64,
+    full: bool,
+    arcs: Vec<[f64; 2]>,
+}
+
+/// None where the wheel turns fully.
+#[derive(Serialize)]
+struct Swings {
+    rocker: Option<Between>,
+    wheel5: Option<Between>,
+}
+
+#[derive(Serialize)]
+struct Between {
+    min: f64,
+    max: f64,
+    stroke: f64,
+}
+
+#[derive(Serialize)]
+struct LimitSummary {
+    phi: f64,
+    rocker: f64,
+}
+
+#[derive(Serialize)]
+struct Transmission {
+    min: f64,
+    phi: f64,
+}
+
+#[derive(Serialize)]
+struct ExtremumSummary {
+    series: &'static str,
+    order: u8,
+    kind: &'static str,
+    phi: f64,
+    value: f64,
+}
+
+impl Summary {
+    pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
+        let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
+        let cycle = linkage.cycle();
+        let [start, end] = cycle.axis();
+        let swing = linkage.swing(assembly);
+        let ratio = mixer.gears.ratio();
+        let (min, phi) = linkage.worst_transmission();
+        let limit = |limit: assur::Limit| LimitSummary {
+            phi: limit.crank,
+            rocker: limit.rocker,
+        };
+        Self {
+            grashof: grashof(linkage.grashof()),
+            home: cycle.home(),
+            swing: Swings {
+                rocker: between(swing),
+                wheel5: between(swing.scaled(ratio)),
+            },
+            limits: linkage.limits(assembly).into_iter().map(limit).collect(),
+            time_ratio: linkage.time_ratio(assembly),
+            transmission: Transmission { min, phi },
+            ratio,
+            dead_points: linkage.dead_points(),
+            change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
+            extrema: all_extrema(mixer),
+            bounds,
+            cycle: CycleSummary {
+                start,
+                end,
+                full: cycle.is_full(),
+                arcs: cycle.arcs().to_vec(),
+            },
+        }
+    }
+}
+
+fn all_extrema(mixer: &Mixer) -> Vec<ExtremumSummary> {
+    let ratio = mixer.gears.ratio();
+    let mut all = Vec::new();
+    for order in [Order::First, Order::Second] {
+        let found = extrema(&mixer.linkage, mixer.assembly, order, |pose| pose.rocker);
+        let summary = |series, extremum: Extremum| ExtremumSummary {
+            series,
+            order: order as u8,
+            kind: match extremum.kind {
+                Kind::Max => "max",
+                Kind::Min => "min",
+            },
+            phi: extremum.crank,
+            value: extremum.value,
+        };
+        all.extend(found.iter().map(|e| summary("rocker", *e)));
+        all.extend(found.iter().map(|e| summary("wheel5", e.scaled(ratio))));
+    }
+    all
+}
+
+fn between(swing: Swing) -> Option<Between> {
+    match swing {
+        Swing::Turns => None,
+        Swing::Between { min, max } => Some(Between {
+            min,
+            max,
+            stroke: swing.stroke()?,
+        }),
+    }
+}
+
+fn grashof(class: Grashof) -> &'static str {
+    match class {
+        Grashof::CrankRocker => "crank_rocker",
+        Grashof::RockerCrank => "rocker_crank",
+        Grashof::DoubleCrank => "double_crank",
+        Grashof::DoubleRocker => "double_rocker",
+        Grashof::TripleRocker => "triple_rocker",
+        Grashof::ChangePoint => "change_point",
+    }
+}
