@@ -133,7 +133,8 @@ fn draw_panel<B: DrawingBackend>(
     let (left, top) = (fine(panel.left), fine(panel.top));
     let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
     let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
-    let plot = area.apply_coord_spec(Plot::new(x0..x1, y0..y1, (left..right, top..bottom)));
+    // y grows upwards: its pixels run from the bottom to the top.
+    let plot = area.apply_coord_spec(Plot::new(x0..x1, y0..y1, (left..right, bottom..top)));
     let line = |points: Vec<(f64, f64)>, colour: &RGBColor, width: f64| {
         let style = colour.stroke_width((width * f64::from(FINE)) as u32);
         plot.draw(&PathElement::new(points, style))

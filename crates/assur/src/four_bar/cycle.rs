@@ -106,14 +106,14 @@ impl FourBar {
     /// It can be closed where P ≥ 0 and Q ≥ 0, so where cos²(φ₁/2) and
     /// sin²(φ₁/2) each exceed a bound: the ends are dead points.
     pub fn cycle(&self) -> Cycle {
-        let least_cos = (-self.p0 / self.weight()).max(0.0);
-        let least_sin = (-self.q0 / self.weight()).max(0.0);
-        // Angles from both squares: no acos that loses digits near 0 and π.
-        let low = 2.0 * least_sin.sqrt().atan2((1.0 - least_sin).max(0.0).sqrt());
-        let high = 2.0 * (1.0 - least_cos).max(0.0).sqrt().atan2(least_cos.sqrt());
+        // At the ends of an arc tan²(φ₁/2) is the ratio of a factor's values at 0
+        // and π, with the sign turned: no acos that loses digits near 0 and π.
+        let ([p_pi, p_zero], [q_zero, q_pi]) = (self.p_ends(), self.q_ends());
+        let high = 2.0 * p_zero.sqrt().atan2((-p_pi).max(0.0).sqrt());
+        let low = 2.0 * (-q_zero).max(0.0).sqrt().atan2(q_pi.sqrt());
         let crosses = u8::from(self.changes_at_pi()) + u8::from(self.changes_at_zero());
         let turns = if crosses == 1 { 2 } else { 1 };
-        let (turns, arcs) = match (least_sin > 0.0, least_cos > 0.0) {
+        let (turns, arcs) = match (q_zero < 0.0, p_pi < 0.0) {
             (false, false) => (Some(turns), vec![[0.0, TAU * f64::from(turns)]]),
             (false, true) => (None, vec![[-high, high]]),
             (true, false) => (None, vec![[low, TAU - low]]),

@@ -80,21 +80,25 @@ impl FourBar {
     /// rest (a change point), and no limit is listed.
     fn in_line(&self) -> Vec<(f64, f64)> {
         let [l1, l2, l3, l4] = self.lengths;
+        let ([k1, k2, k3], [s1, s2, s3, s4]) = (self.k, self.slack);
+        let perimeter = self.perimeter();
+        // Triangle A, C, D with sides l₁ ± l₂, l₃ and l₄, outstretched and folded:
+        // squared length of AC, 16 times its squared area.
+        let apart = (l4 - l3) * (l4 + l3);
+        let outstretched = k2 * perimeter * s3 * s4;
+        let folded = k1 * k3 * s1 * s2;
+        // Crank angle from the direction of C, and the side of BD with C above.
+        let beyond = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
         let mut found = Vec::new();
-        // Crank angle from the direction of C, and the side of BD with C above
-        // the frame: outstretched, then folded.
-        let folded = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
-        for (reach, (turn, side)) in [(l1 + l2, (0.0, 1.0)), ((l2 - l1).abs(), folded)] {
-            // Triangle A, C, D with sides reach, l₃ and l₄, angle at A.
-            let zero = super::tolerance(&self.lengths);
-            let (inner, outer) = (reach - (l4 - l3).abs(), l3 + l4 - reach);
-            if reach <= zero || inner <= zero || outer <= zero {
-                continue;
+        for (reach, area, (turn, side)) in [
+            (l1 + l2, outstretched, (0.0, 1.0)),
+            (l2 - l1, folded, beyond),
+        ] {
+            if area > 0.0 {
+                let at_a = area.sqrt().atan2(reach * reach + apart);
+                found.push((at_a + turn, side));
+                found.push((-at_a + turn, -side));
             }
-            let area = (inner * outer * (reach + (l4 - l3).abs()) * (l3 + l4 + reach)).sqrt();
-            let at_a = area.atan2(reach * reach + (l4 - l3) * (l4 + l3));
-            found.push((at_a + turn, side));
-            found.push((-at_a + turn, -side));
         }
         found
     }

@@ -11,7 +11,12 @@
 //! P = k₁ Σ + 4 l₁ l₄ cos²(φ₁/2),  Q = k₂ k₃ + 4 l₁ l₄ sin²(φ₁/2),
 //!
 //! k₁ = l₂ + l₃ − l₁ − l₄, k₂ = l₃ + l₄ − l₁ − l₂, k₃ = l₂ + l₄ − l₁ − l₃, Σ the
-//! sum of all lengths. Where a k vanishes (a change point of Grashof), √P or √Q
+//! sum of all lengths. With sᵢ = Σ − 2 lᵢ the same factors are
+//!
+//! P = s₁ s₄ − 4 l₁ l₄ sin²(φ₁/2),  Q = s₂ s₃ − 4 l₁ l₄ cos²(φ₁/2),
+//!
+//! and the one with the smaller of sine and cosine is free of cancellation.
+//! Where a k vanishes (a change point of Grashof), √P or √Q
 //! is a plain cosine or sine that changes its sign at the change point: taking
 //! it with that sign is what keeps a motion on its smooth branch.
 
@@ -72,10 +77,10 @@ impl Assembly {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBar {
     lengths: [f64; 4],
-    /// k₁ Σ, exactly zero at a change point with φ₁ = π.
-    p0: f64,
-    /// k₂ k₃, exactly zero at a change point with φ₁ = 0.
-    q0: f64,
+    /// k₁, k₂, k₃, each exactly zero at a change point.
+    k: [f64; 3],
+    /// s₁ … s₄: by how much each link is shorter than the others together.
+    slack: [f64; 4],
     /// l₄ − l₁ and l₂ − l₃, both zero where the diagonal can vanish (deltoid).
     frame_less_crank: f64,
     coupler_less_rocker: f64,
@@ -106,11 +111,10 @@ impl FourBar {
             .filter_map(|(link, length)| Invalid::check_positive(link, length, range).err())
             .collect();
         if reasons.is_empty() {
-            let sum: f64 = lengths.into_iter().sum();
-            for (dimension, length) in Dimension::LENGTHS.into_iter().zip(lengths) {
-                let by = length - (sum - length);
-                if by >= -tolerance(&lengths) {
-                    let fault = Fault::TooLong { by: by.max(0.0) };
+            for (dimension, slack) in Dimension::LENGTHS.into_iter().zip(slacks(lengths)) {
+                if slack <= tolerance(&lengths) {
+                    let by = (-slack).max(0.0);
+                    let fault = Fault::TooLong { by };
                     reasons.push(Invalid { dimension, fault });
                 }
             }
@@ -127,17 +131,15 @@ impl FourBar {
         // A difference of lengths within rounding of zero is meant to be zero.
         let tolerance = tolerance(&lengths);
         let snap = |k: f64| if k.abs() <= tolerance { 0.0 } else { k };
-        let k1 = snap((l2 - l1) + (l3 - l4));
-        let k2 = snap((l3 - l1) + (l4 - l2));
-        let k3 = snap((l2 - l1) + (l4 - l3));
+        let k = [[l2, l3, -l1, -l4], [l3, l4, -l1, -l2], [l2, l4, -l1, -l3]];
         let (mut frame_less_crank, mut coupler_less_rocker) = (l4 - l1, l2 - l3);
         if snap(frame_less_crank) == 0.0 && snap(coupler_less_rocker) == 0.0 {
             (frame_less_crank, coupler_less_rocker) = (0.0, 0.0);
         }
         Self {
             lengths,
-            p0: k1 * (l1 + l2 + l3 + l4),
-            q0: k2 * k3,
+            k: k.map(|terms| snap(sum(terms))),
+            slack: slacks(lengths),
             frame_less_crank,
             coupler_less_rocker,
         }
@@ -153,6 +155,21 @@ impl FourBar {
         self.lengths[link as usize]
     }
 
+    /// Σ.
+    fn perimeter(&self) -> f64 {
+        self.lengths.into_iter().sum()
+    }
+
+    /// P less its cosine, and P at φ₁ = 0.
+    fn p_ends(&self) -> [f64; 2] {
+        [self.k[0] * self.perimeter(), self.slack[0] * self.slack[3]]
+    }
+
+    /// Q less its sine, and Q at φ₁ = π.
+    fn q_ends(&self) -> [f64; 2] {
+        [self.k[1] * self.k[2], self.slack[1] * self.slack[2]]
+    }
+
     /// 4 l₁ l₄, the weight of cos² and sin² of the half angle in P and Q.
     fn weight(&self) -> f64 {
         4.0 * self.lengths[0] * self.lengths[3]
@@ -161,13 +178,13 @@ impl FourBar {
     /// True where coupler and rocker fold over the frame at φ₁ = π: a change
     /// point there, P = 0.
     fn changes_at_pi(&self) -> bool {
-        self.p0 == 0.0
+        self.k[0] == 0.0
     }
 
     /// True where they stretch or fold along the frame at φ₁ = 0: a change
     /// point there, Q = 0.
     fn changes_at_zero(&self) -> bool {
-        self.q0 == 0.0
+        self.k[1] == 0.0 || self.k[2] == 0.0
     }
 
     /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B comes
@@ -187,4 +204,27 @@ fn tolerance(lengths: &[f64; 4]) -> f64 {
     let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
     8.0 * f64::EPSILON * (shortest + longest)
+}
+
+/// Σ − 2 lᵢ for every length.
+fn slacks(lengths: [f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|link| {
+        let mut terms = lengths;
+        terms[link] = -terms[link];
+        sum(terms)
+    })
+}
+
+/// A sum as if in twice the precision (Ogita, Rump and Oishi, *Accurate sum and
+/// dot product*, 2005): what is left of lengths that nearly cancel decides how a
+/// linkage moves.
+fn sum(terms: [f64; 4]) -> f64 {
+    let (mut high, mut low) = (0.0, 0.0);
+    for term in terms {
+        let next = high + term;
+        let back = next - high;
+        low += (high - (next - back)) + (term - back);
+        high = next;
+    }
+    high + low
 }

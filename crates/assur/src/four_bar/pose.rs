@@ -1,6 +1,6 @@
 //! The pose of a four-bar at one crank angle, with derivatives to any order.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt;
 
 use super::{Assembly, FourBar, Link, tolerance};
@@ -80,18 +80,6 @@ impl fmt::Display for Unsolved {
 
 impl std::error::Error for Unsolved {}
 
-/// What all positions and derivatives come from: the half-angle form of the
-/// diagonal and of the area of BCD.
-pub(super) struct Diagonal<const N: usize> {
-    /// l₅².
-    square: Jet<N>,
-    /// φ₅, from B to D.
-    angle: Jet<N>,
-    /// √P and √Q with their signs; their product is 4S.
-    pub(super) root_p: Jet<N>,
-    pub(super) root_q: Jet<N>,
-}
-
 impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with
     /// `N − 1` derivatives: `pose::<1>` for positions, `pose::<3>` for φ′ and φ″.
@@ -108,24 +96,15 @@ impl FourBar {
         crank: f64,
     ) -> Result<Pose<N>, Unsolved> {
         let crank = crank + 0.0; // −0 would carry its sign into a change point
-        let Diagonal {
-            square,
-            angle,
-            root_p,
-            root_q,
-        } = self.diagonal::<N>(crank)?;
-        let sigma = assembly.sign();
-        let [_, l2, l3, _] = self.lengths;
-        let area = root_p * root_q * sigma;
-        let difference = self.coupler_less_rocker * (l2 + l3);
-        // The interior angles of BCD at B and D, with the sign of the area.
-        let at_b = area.atan2(square + difference);
-        let at_d = area.atan2(square + -difference);
-        let [coupler_turns, rocker_turns] = self.turns(assembly, crank);
+        let [diagonal, at_b, at_d] = if self.is_deltoid() {
+            self.deltoid_angles(assembly, crank)?
+        } else {
+            self.triangle_angles(assembly, crank)?
+        };
         let pose = Pose {
             crank: Jet::linear(crank, 1.0),
-            coupler: angle + at_b + coupler_turns,
-            rocker: angle + -at_d + (rocker_turns + sigma * PI),
+            coupler: diagonal + at_b,
+            rocker: diagonal + -at_d + assembly.sign() * PI,
         };
         if pose.coupler.is_finite() && pose.rocker.is_finite() {
             Ok(pose)
@@ -163,17 +142,68 @@ impl FourBar {
         start.offset(angle, offset.along * length, offset.across * length)
     }
 
-    pub(super) fn diagonal<const N: usize>(&self, crank: f64) -> Result<Diagonal<N>, Unsolved> {
+    /// φ₅ and the interior angles of BCD at B and D, with the sign of its area.
+    fn triangle_angles<const N: usize>(
+        &self,
+        assembly: Assembly,
+        crank: f64,
+    ) -> Result<[Jet<N>; 3], Unsolved> {
+        let [root_p, root_q] = self.area_roots(crank)?;
+        let [l1, l2, l3, l4] = self.lengths;
+        let (sin, cos) = Jet::<N>::linear(0.5 * crank, 0.5).sin_cos();
+        let apart = self.frame_less_crank;
+        // φ₅ without a jump: by the frame's side where the crank is the shorter,
+        // else carried around with the crank.
+        let y = sin * cos * 2.0;
+        let diagonal = if apart >= 0.0 {
+            (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
+        } else {
+            let turned = (y * l4).atan2(sin.square() * (2.0 * l4) + -apart);
+            Jet::linear(crank, 1.0) + turned + PI
+        };
+        let square = sin.square() * self.weight() + apart * apart;
+        let area = root_p * root_q * assembly.sign();
+        let difference = self.coupler_less_rocker * (l2 + l3);
+        let [turns_b, turns_d] = self.turns(assembly, crank);
+        let at_b = area.atan2(square + difference) + turns_b;
+        let at_d = area.atan2(square + -difference) + turns_d;
+        Ok([diagonal, at_b, at_d])
+    }
+
+    /// The same for a deltoid, where l₅ = √Q divides out: signed like the root,
+    /// it lets the motion pass smoothly beside the crank angle at which B is on D.
+    fn deltoid_angles<const N: usize>(
+        &self,
+        assembly: Assembly,
+        crank: f64,
+    ) -> Result<[Jet<N>; 3], Unsolved> {
+        let [root_p, root_q] = self.area_roots(crank)?;
+        if root_q.value().abs() <= tolerance(&self.lengths) {
+            return Err(Unsolved::Undetermined { crank });
+        }
+        let half = Jet::linear(0.5 * crank, 0.5);
+        let interior = if self.changes_at_pi() {
+            // All lengths equal: √P and √Q are cosine and sine of half the crank.
+            -half + FRAC_PI_2
+        } else {
+            root_p.atan2(root_q)
+        };
+        let interior = interior * assembly.sign();
+        Ok([half + -FRAC_PI_2, interior, interior])
+    }
+
+    /// √P and √Q with the signs that keep a motion smooth; their product is 4S.
+    pub(super) fn area_roots<const N: usize>(&self, crank: f64) -> Result<[Jet<N>; 2], Unsolved> {
         if !crank.is_finite() {
             return Err(Unsolved::NotAnAngle);
         }
-        let [l1, _, _, l4] = self.lengths;
-        let (sin, cos) = Jet::<N>::linear(0.5 * crank, 0.5).sin_cos();
-        let apart = self.frame_less_crank;
-        let square = sin.square() * self.weight() + apart * apart;
-        let (diagonal, [_, l2, l3, _]) = (square.value().sqrt(), self.lengths);
-        let root_p = self.root(cos, self.p0, l2 + l3 + diagonal);
-        let root_q = self.root(sin, self.q0, (l2 - l3).abs() + diagonal);
+        let (sin, cos) = Jet::linear(0.5 * crank, 0.5).sin_cos();
+        let [_, l2, l3, _] = self.lengths;
+        let half: Jet<N> = sin;
+        let square = half.value() * half.value() * self.weight();
+        let diagonal = (square + self.frame_less_crank * self.frame_less_crank).sqrt();
+        let root_p = self.root([cos, sin], self.p_ends(), l2 + l3 + diagonal);
+        let root_q = self.root([sin, cos], self.q_ends(), (l2 - l3).abs() + diagonal);
         let root_p = root_p.map_err(|fold| match fold {
             Fold::At => Unsolved::DeadPoint { crank },
             Fold::Beyond => Unsolved::Apart {
@@ -189,39 +219,27 @@ impl FourBar {
                 longer: if l2 > l3 { Link::Coupler } else { Link::Rocker },
             },
         })?;
-        if self.is_deltoid() && diagonal <= tolerance(&self.lengths) {
-            return Err(Unsolved::Undetermined { crank });
-        }
-        // φ₅ without a jump: by the frame's side where the crank is the shorter,
-        // else carried around with the crank.
-        let y = sin * cos * 2.0;
-        let angle = if apart >= 0.0 {
-            (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
-        } else {
-            let turned = (y * l4).atan2(sin.square() * (2.0 * l4) + -apart);
-            Jet::linear(crank, 1.0) + turned + PI
-        };
-        Ok(Diagonal {
-            square,
-            angle,
-            root_p,
-            root_q,
-        })
+        Ok([root_p, root_q])
     }
 
-    /// The smooth square root of P or Q, `constant + weight half²`. `reach` is
-    /// the sum of the two lengths whose difference the factor also holds: a gap
-    /// in length times `reach` is a gap in the factor.
+    /// The smooth square root of P or Q: of `ends[0] + weight half²`, which is
+    /// `ends[1] − weight other²`. `reach` is the sum of the two lengths whose
+    /// difference the factor also holds: a gap in length times `reach` is a gap
+    /// in the factor.
     fn root<const N: usize>(
         &self,
-        half: Jet<N>,
-        constant: f64,
+        [half, other]: [Jet<N>; 2],
+        ends: [f64; 2],
         reach: f64,
     ) -> Result<Jet<N>, Fold> {
-        if constant == 0.0 {
+        if ends[0] == 0.0 {
             return Ok(half * self.weight().sqrt());
         }
-        let factor = half.square() * self.weight() + constant;
+        let factor = if half.value().abs() < other.value().abs() {
+            half.square() * self.weight() + ends[0]
+        } else {
+            other.square() * -self.weight() + ends[1]
+        };
         let rounding = tolerance(&self.lengths) * reach;
         if factor.value() < -rounding {
             Err(Fold::Beyond)
@@ -234,11 +252,10 @@ impl FourBar {
         }
     }
 
-    /// Whole turns that the principal values of the interior angles lose. Only
-    /// where the area changes its sign at φ₁ = 0 can an interior angle pass π:
-    /// the one at the end of the shorter of coupler and rocker (of a deltoid,
-    /// both angles turn by π as the diagonal does). The number of passes follows
-    /// from the crank's turns, so no history is needed.
+    /// Whole turns that the principal values of the interior angles at B and D
+    /// lose. Only where the area changes its sign at φ₁ = 0 can one of them pass
+    /// π: that at the end of the shorter of coupler and rocker. The number of
+    /// passes follows from the crank's turns, so no history is needed.
     fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
         if !self.changes_at_zero() {
             return [0.0; 2];
@@ -249,19 +266,16 @@ impl FourBar {
         if (whole.rem_euclid(2.0) == 0.0) != ((0.5 * crank).sin() >= 0.0) {
             whole += if turns - whole < 0.5 { -1.0 } else { 1.0 };
         }
-        let passes = assembly.sign()
-            * if self.changes_at_pi() {
-                -whole
-            } else {
-                whole.rem_euclid(2.0)
-            };
-        let [_, l2, l3, _] = self.lengths;
-        if self.is_deltoid() {
-            [PI * (whole + passes), PI * (whole - passes)]
-        } else if l3 > l2 {
-            [TAU * passes, 0.0]
+        let passes = if self.changes_at_pi() {
+            -whole
         } else {
-            [0.0, -TAU * passes]
+            whole.rem_euclid(2.0)
+        };
+        let passed = assembly.sign() * TAU * passes;
+        if self.coupler_less_rocker < 0.0 {
+            [passed, 0.0]
+        } else {
+            [0.0, passed]
         }
     }
 

@@ -14,8 +14,7 @@ impl FourBar {
     /// [`Unsolved`] where the loop cannot be closed.
     pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
         // The interior angle at C is twice atan2(√Q, √P).
-        let diagonal = self.diagonal::<1>(crank)?;
-        let (root_p, root_q) = (diagonal.root_p.value(), diagonal.root_q.value());
+        let [root_p, root_q] = self.area_roots::<1>(crank)?.map(|root| root.value());
         let interior = 2.0 * root_q.abs().atan2(root_p.abs());
         Ok(interior.min(PI - interior))
     }

@@ -83,12 +83,19 @@ pub fn extrema(
         })
     };
     let cycle = linkage.cycle();
+    let [start, end] = cycle.axis();
     let mut found: Vec<Sample> = Vec::new();
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for stretch in stretches(&cycle) {
         let samples: Vec<Option<Sample>> = stretch.into_iter().map(sample).collect();
         for value in samples.iter().flatten().map(|sample| sample.value) {
             (least, most) = (least.min(value), most.max(value));
+        }
+        // A full cycle closes: from its last sample to its first.
+        if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..]) {
+            if last.slope * first.slope < 0.0 {
+                found.push(*first);
+            }
         }
         for pair in samples.windows(2) {
             if let [Some(a), Some(b)] = pair {
@@ -106,17 +113,21 @@ pub fn extrema(
             Kind::Min
         }
     };
-    let full = cycle.is_full();
-    let end = cycle.axis()[1];
-    found.retain(|sample| sample.bend != 0.0 && !(full && sample.crank >= end));
-    found
+    let mut extrema: Vec<Extremum> = found
         .iter()
+        .filter(|sample| sample.bend != 0.0)
         .map(|sample| Extremum {
             kind: kind(sample),
-            crank: sample.crank,
+            crank: if sample.crank >= end {
+                start
+            } else {
+                sample.crank
+            },
             value: sample.value,
         })
-        .collect()
+        .collect();
+    extrema.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+    extrema
 }
 
 #[derive(Clone, Copy)]

@@ -1,0 +1,240 @@
+//! The simulator through the border, in a real browser: what the page gives and
+//! gets are JavaScript's values.
+#![cfg(target_family = "wasm")]
+
+use assur_web::{Simulator, presets, readout_names};
+use js_sys::{Array, JSON, Reflect};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const STATE: &str = r#"{"format":1,"lesson":"mixer",
+    "document":{"l1":0.37,"l2":0.85,"l3":0.55,"l4":0.85,"z4":36,"z5":18,
+        "mesh":"external","module":0.0165,"centre_line_deg":-40,"assembly":1},
+    "view":{"phi_deg":62,"playing":true,"direction":1,"speed":1,"traces":true,"lang":"en"}}"#;
+
+fn state() -> JsValue {
+    JSON::parse(STATE).unwrap()
+}
+
+fn get(object: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(object.clone(), |object, key| {
+        Reflect::get(&object, &key.into()).unwrap()
+    })
+}
+
+fn number(object: &JsValue, path: &str) -> f64 {
+    get(object, path).as_f64().unwrap()
+}
+
+fn put(object: &JsValue, path: &str, key: &str, value: JsValue) {
+    Reflect::set(&get(object, path), &key.into(), &value).unwrap();
+}
+
+/// Codes and fields of what was thrown.
+fn thrown(problems: JsValue) -> Vec<(String, String)> {
+    let text = |problem: &JsValue, key: &str| get(problem, key).as_string().unwrap_or_default();
+    let problems: Array = problems.unchecked_into();
+    problems
+        .iter()
+        .map(|p| (text(&p, "code"), text(&p, "field")))
+        .collect()
+}
+
+fn simulator() -> Simulator {
+    let mut simulator = Simulator::new();
+    simulator.set(state()).unwrap();
+    simulator
+}
+
+#[wasm_bindgen_test]
+fn summary_reads_as_the_papers_conclusions() {
+    let mut simulator = Simulator::new();
+    for (preset, rocker, wheel5) in [
+        (0, 87.904_535_205_78, 175.809_070_41),
+        (1, 53.451_734_436_43, 106.903_468_87),
+        (2, 87.904_535_205_78, 43.952_267_60),
+    ] {
+        let state = state();
+        let document = get(&presets(), &format!("{preset}.document"));
+        Reflect::set(&state, &"document".into(), &document).unwrap();
+        let summary = simulator.set(state).unwrap();
+        let stroke = |name: &str| number(&summary, &format!("swing.{name}.stroke")).to_degrees();
+        assert!(
+            (stroke("rocker") - rocker).abs() < 1e-9,
+            "{}",
+            stroke("rocker")
+        );
+        assert!(
+            (stroke("wheel5") - wheel5).abs() < 1e-7,
+            "{}",
+            stroke("wheel5")
+        );
+        assert_eq!(
+            get(&summary, "grashof").as_string().unwrap(),
+            "crank_rocker"
+        );
+    }
+}
+
+#[wasm_bindgen_test]
+fn readouts_carry_their_names() {
+    let simulator = simulator();
+    let names = readout_names();
+    let values = simulator.readouts(0.0).unwrap();
+    assert_eq!(names.len(), values.len());
+    let value = |name: &str| values[names.iter().position(|n| n == name).unwrap()];
+    // The first row of the golden table, −u for external mesh.
+    assert!((value("rocker") - 1.203_502_674_167_423_5).abs() < 1e-12);
+    assert!((value("drocker") + 0.770_833_333_333_333_3).abs() < 1e-12);
+    assert!((value("ddcoupler") - 0.525_194_435_249_167_6).abs() < 1e-12);
+    assert!((value("dwheel5") - 2.0 * 0.770_833_333_333_333_3).abs() < 1e-12);
+}
+
+#[wasm_bindgen_test]
+fn bad_input_names_the_field_and_changes_nothing() {
+    let mut simulator = simulator();
+    let before = simulator.frame(1.0).unwrap();
+    let number = JsValue::from_f64;
+    for (field, value, code) in [
+        ("l1", number(f64::NAN), "not_a_number"),
+        ("l2", number(f64::INFINITY), "not_a_number"),
+        ("l3", number(0.0), "not_positive"),
+        ("l4", number(-0.85), "not_positive"),
+        ("l4", number(1e300), "out_of_range"),
+        ("l4", number(5.0), "too_long"),
+        ("z4", number(0.0), "not_positive"),
+        ("z5", number(-3.0), "not_positive"),
+        ("z5", number(1.5), "not_whole"),
+        ("z5", number(1e9), "out_of_range"),
+        ("mesh", "worm".into(), "unknown_choice"),
+        ("assembly", number(3.0), "unknown_choice"),
+        ("module", number(0.0), "not_positive"),
+        ("centre_line_deg", number(f64::NAN), "not_a_number"),
+    ] {
+        let state = state();
+        put(&state, "document", field, value);
+        let problems = thrown(simulator.set(state).unwrap_err());
+        assert_eq!(problems, [(code.to_owned(), field.to_owned())]);
+        assert_eq!(simulator.frame(1.0).unwrap(), before);
+    }
+}
+
+#[wasm_bindgen_test]
+fn broken_states_are_refused_with_a_path() {
+    let mut simulator = simulator();
+    let before = simulator.frame(1.0).unwrap();
+    let path = |problems: JsValue| get(&problems, "0.path").as_string().unwrap();
+    for (at, key, value, expected) in [
+        ("document", "l2", "long".into(), "document.l2"),
+        ("document", "l2", JsValue::NULL, "document.l2"),
+        ("document", "z4", Array::new().into(), "document.z4"),
+        ("document", "z9", 1.into(), "document.z9"),
+        ("view", "traces", 7.into(), "view.traces"),
+    ] {
+        let state = state();
+        put(&state, at, key, value);
+        assert_eq!(path(simulator.set(state).unwrap_err()), expected);
+    }
+    for nothing in [
+        JsValue::NULL,
+        JsValue::UNDEFINED,
+        3.into(),
+        "text".into(),
+        Array::new().into(),
+    ] {
+        let problems = thrown(simulator.set(nothing).unwrap_err());
+        assert_eq!(problems[0].0, "bad_state");
+    }
+    assert_eq!(simulator.frame(1.0).unwrap(), before);
+}
+
+#[wasm_bindgen_test]
+fn angles_without_a_pose_are_thrown() {
+    let mut simulator = simulator();
+    let state = state();
+    put(&state, "document", "l1", 0.6.into());
+    put(&state, "document", "l3", 0.3.into());
+    let summary = simulator.set(state).unwrap();
+    assert_eq!(get(&summary, "cycle.full").as_bool(), Some(false));
+    assert_eq!(thrown(simulator.frame(3.1).unwrap_err())[0].0, "apart");
+    assert_eq!(
+        thrown(simulator.frame(f64::NAN).unwrap_err())[0].0,
+        "not_a_number"
+    );
+    let end = number(&summary, "dead_points.0");
+    assert!(simulator.frame(end).is_ok());
+    assert_eq!(
+        thrown(simulator.readouts(end).unwrap_err())[0].0,
+        "dead_point"
+    );
+    let home = number(&summary, "home");
+    let [phi, _] = simulator.advance(home, 100.0).unwrap()[..] else {
+        panic!("two numbers")
+    };
+    assert!(simulator.frame(phi).is_ok());
+}
+
+#[wasm_bindgen_test]
+fn nothing_is_set_before_set() {
+    let simulator = Simulator::new();
+    assert_eq!(thrown(simulator.frame(0.0).unwrap_err())[0].0, "bad_state");
+    assert_eq!(
+        thrown(simulator.readouts(0.0).unwrap_err())[0].0,
+        "bad_state"
+    );
+    assert_eq!(thrown(simulator.scene().unwrap_err())[0].0, "bad_state");
+    assert_eq!(
+        thrown(simulator.advance(0.0, 1.0).unwrap_err())[0].0,
+        "bad_state"
+    );
+}
+
+/// plotters' curves stand where the layout says: the pixel under φ₃ at 60° is
+/// drawn in the rocker's colour.
+#[wasm_bindgen_test]
+fn chart_draws_where_its_layout_says() {
+    let simulator = simulator();
+    let document = web_sys::window().unwrap().document().unwrap();
+    let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
+    canvas.set_width(800);
+    canvas.set_height(1200);
+    let context = canvas.get_context("2d").unwrap().unwrap();
+    let context: CanvasRenderingContext2d = context.unchecked_into();
+    context.scale(2.0, 2.0).unwrap();
+    let grey = "[200,200,200]";
+    let palette: Vec<&str> = assur_web::role_names()
+        .iter()
+        .map(|name| if name == "rocker" { "[1,2,250]" } else { grey })
+        .collect();
+    let request = format!(
+        r#"{{"width":400,"height":600,"palette":[{}]}}"#,
+        palette.join(",")
+    );
+    let layout = simulator
+        .chart(&context, JSON::parse(&request).unwrap())
+        .unwrap();
+
+    let crank = 60.0_f64.to_radians();
+    let values = simulator.readouts(crank).unwrap();
+    for (panel, name) in ["rocker", "drocker", "ddrocker"].into_iter().enumerate() {
+        let panel = get(&layout, &format!("panels.{panel}"));
+        let of = |key: &str| number(&panel, key);
+        let value = values[readout_names().iter().position(|n| n == name).unwrap()];
+        let x = of("left") + of("width") * (crank - of("x0")) / (of("x1") - of("x0"));
+        let y = of("top") + of("height") * (of("y1") - value) / (of("y1") - of("y0"));
+        let data = context
+            .get_image_data(2.0 * x - 1.0, 2.0 * y - 1.0, 3.0, 3.0)
+            .unwrap()
+            .data();
+        let blue = data
+            .chunks(4)
+            .filter(|pixel| pixel[2] > 230 && pixel[0] < 40)
+            .count();
+        assert!(blue >= 4, "{name}: {blue} pixels of the curve at {x}, {y}");
+    }
+    let bad = simulator.chart(&context, JSON::parse(r#"{"width":-4}"#).unwrap());
+    assert_eq!(thrown(bad.unwrap_err())[0].0, "bad_state");
+}

@@ -1,0 +1,109 @@
+//! `cargo xtask`: everything around the code that is not the code: fetching the tools, building and
+//! serving the page, running every test, writing the one-file page.
+//!
+//! Whatever a command needs and does not find it installs first, each step announced on one line.
+//! Tools go under the target directory, so nobody's own are overwritten.
+
+mod browser;
+mod bundle;
+mod media;
+mod server;
+mod site;
+mod step;
+mod tally;
+mod test;
+mod tools;
+mod words;
+mod workspace;
+
+use std::net::SocketAddr;
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+use crate::workspace::Workspace;
+
+/// Sets up, builds, serves and tests Assur.
+#[derive(Parser)]
+#[command(
+    name = "xtask",
+    bin_name = "cargo xtask",
+    version,
+    arg_required_else_help = true
+)]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Builds the page and serves it on this machine
+    ///
+    /// Installs the wasm32 target and wasm-bindgen if they are missing, builds the release, serves
+    /// it on 127.0.0.1 without caching, prints the address and opens it where there is a display.
+    /// Stops with Ctrl-C.
+    Serve {
+        /// Port to begin with; the next free one is used if it is taken
+        #[arg(long, default_value_t = 8080)]
+        port: u16,
+        /// Only print the address, open no browser
+        #[arg(long)]
+        no_open: bool,
+    },
+    /// Runs everything: format, lint, documentation, native tests, wasm tests, tests of the page
+    ///
+    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack and (on
+    /// Debian, as root) Chromium with its driver. The environment variables CHROME and CHROMEDRIVER
+    /// name another browser. The last line says how many checks passed and failed; the exit code is
+    /// 1 if any failed.
+    Test,
+    /// Builds the page into one file, dist/assur.html, that opens by double-click
+    Bundle,
+    /// Builds the page into the folder `site` of the target directory
+    Build,
+}
+
+fn main() -> ExitCode {
+    match perform(&Arguments::parse().task) {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn perform(task: &Task) -> Result<ExitCode> {
+    let workspace = Workspace::locate()?;
+    match *task {
+        Task::Serve { port, no_open } => serve(&workspace, port, !no_open)?,
+        Task::Test => return test::run(&workspace),
+        Task::Bundle => {
+            site::set_up_and_build(&workspace)?;
+            bundle::write(&workspace)?;
+        }
+        Task::Build => site::set_up_and_build(&workspace)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
+    site::set_up_and_build(workspace)?;
+    let listener = server::listen(port)?;
+    let (address, workers) = server::start(listener, &workspace.site())?;
+    println!("The page is at {} (Ctrl-C stops it)", url(address));
+    if open && browser::display_present() {
+        // The address is on the screen already, so a browser that does not come up stops nothing.
+        if let Err(error) = open::that_detached(url(address)) {
+            eprintln!("No browser could be opened ({error}); open the address by hand.");
+        }
+    }
+    workers.wait()
+}
+
+/// The address as a person types it.
+fn url(address: SocketAddr) -> String {
+    format!("http://{address}/")
+}

@@ -1,0 +1,119 @@
+//! The built page: `www/` with its places for words filled in, `lang/`, and the release build of the
+//! wasm side in `pkg/`.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use anyhow::{Context, Result};
+
+use crate::step::{announce, run};
+use crate::tools::{self, WASM};
+use crate::words::Words;
+use crate::workspace::{VERSION, Workspace};
+
+/// Installs what the build needs, then builds.
+pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
+    tools::wasm_target(workspace)?;
+    tools::wasm_bindgen(workspace)?;
+    build(workspace)
+}
+
+/// Builds beside the old site and puts the new one in its place only when it is whole, so nothing
+/// stale survives and a failed build leaves the old one alone.
+pub(crate) fn build(workspace: &Workspace) -> Result<()> {
+    let (site, fresh) = (workspace.site(), workspace.target().join("site.new"));
+    announce("page", "building the release");
+    let wasm = compile(workspace)?;
+
+    remove(&fresh)?;
+    let root = workspace.root();
+    copy(&root.join("www"), &fresh)?;
+    copy(&root.join("lang"), &fresh.join("lang"))?;
+    fill_words(&fresh)?;
+    // The names of functions only make the file longer.
+    let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
+    bindgen
+        .args(["--target", "web", "--no-typescript"])
+        .args(["--remove-name-section", "--remove-producers-section"])
+        .arg("--out-dir")
+        .arg(fresh.join("pkg"))
+        .arg(wasm);
+    run(&mut bindgen, "writing the bindings")?;
+
+    remove(&site)?;
+    fs::rename(&fresh, &site)
+        .with_context(|| format!("the new page cannot be moved to {}", site.display()))?;
+    announce("page", &format!("built in {}", site.display()));
+    Ok(())
+}
+
+/// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.
+fn compile(workspace: &Workspace) -> Result<PathBuf> {
+    // In a file of their own, the flags add to those of the user and the command stays short.
+    let flags = workspace.target().join("wasm-flags.toml");
+    let list = serde_json::to_string(&path_remapping(workspace)).context("the build flags")?;
+    fs::write(&flags, format!("[target.{WASM}]\nrustflags = {list}\n"))
+        .with_context(|| format!("{} cannot be written", flags.display()))?;
+
+    let mut cargo = workspace.cargo(["build", "--release", "--package", "assur-web"]);
+    cargo.args(["--target", WASM, "--config"]).arg(flags);
+    run(&mut cargo, "building the wasm side")?;
+    Ok(workspace
+        .target()
+        .join(WASM)
+        .join("release")
+        .join("assur_web.wasm"))
+}
+
+/// Messages of panics name source files. These flags shorten them to paths that are the same on
+/// every machine, so that the page tells nothing about the one it was built on.
+fn path_remapping(workspace: &Workspace) -> Vec<String> {
+    let home = env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| env::home_dir().map(|home| home.join(".cargo")));
+    let sources = home.map(|home| home.join("registry").join("src"));
+    let registries = sources.and_then(|sources| fs::read_dir(sources).ok());
+    registries
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| (entry.path(), "crates"))
+        .chain([(workspace.root().to_owned(), "assur")])
+        .map(|(from, to)| format!("--remap-path-prefix={}={to}", from.display()))
+        .collect()
+}
+
+fn fill_words(site: &Path) -> Result<()> {
+    let index = site.join("index.html");
+    let page = fs::read_to_string(&index).context("www/index.html cannot be read")?;
+    let filled = Words::load(&site.join("lang"))?.fill(&page, VERSION)?;
+    fs::write(&index, filled).with_context(|| format!("{} cannot be written", index.display()))
+}
+
+fn remove(directory: &Path) -> Result<()> {
+    if !directory.exists() {
+        return Ok(());
+    }
+    fs::remove_dir_all(directory)
+        .with_context(|| format!("the old {} cannot be removed", directory.display()))
+}
+
+/// Copies a directory with all that is in it, hidden files aside.
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", from.display());
+    fs::create_dir_all(to).with_context(|| format!("{} cannot be made", to.display()))?;
+    for entry in fs::read_dir(from).with_context(unreadable)? {
+        let entry = entry.with_context(unreadable)?;
+        let (path, name) = (entry.path(), entry.file_name());
+        if name.to_string_lossy().starts_with('.') {
+            continue;
+        }
+        if path.is_dir() {
+            copy(&path, &to.join(name))?;
+        } else {
+            fs::copy(&path, to.join(name))
+                .with_context(|| format!("{} cannot be copied", path.display()))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,207 @@
+//! Everything that must hold, run in one go: this is what a push is judged by.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Error, Result, anyhow};
+use serde_json::Value;
+
+use crate::browser::{self, Browser};
+use crate::step::{announce, run as run_step};
+use crate::tally::Tally;
+use crate::tools::{self, WASM};
+use crate::workspace::Workspace;
+use crate::{bundle, server, site};
+
+/// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
+const WASM_TIME: &str = "300";
+
+/// The crates that have tests for the browser: package and directory.
+const WASM_CRATES: [(&str, &str); 2] =
+    [("assur-tests", "tests"), ("assur-web", "crates/assur-web")];
+
+/// What of the set-up is there, each or the reason why not.
+struct SetUp {
+    components: Result<()>,
+    target: Result<()>,
+    bindgen: Result<()>,
+    pack: Result<()>,
+    browser: Result<Browser>,
+}
+
+/// Runs every step even if an earlier one failed, except those that would mean nothing then; they
+/// count as failed.
+pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
+    let ready = SetUp::new(workspace);
+    let mut tally = Tally::default();
+
+    tally.check("format", || {
+        needed(&ready.components)?;
+        run_step(&mut workspace.cargo(["fmt", "--all", "--check"]), "format")
+    });
+    tally.check("lint", || {
+        needed(&ready.components)?;
+        let natively = [
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ];
+        run_step(&mut workspace.cargo(natively), "lint")
+    });
+    tally.check("lint of the wasm side", || {
+        needed(&ready.components)?;
+        needed(&ready.target)?;
+        let mut clippy = workspace.cargo(["clippy", "--tests", "--target", WASM]);
+        clippy.args(
+            WASM_CRATES
+                .iter()
+                .flat_map(|(package, _)| ["--package", package]),
+        );
+        run_step(
+            clippy.args(["--", "-D", "warnings"]),
+            "lint of the wasm side",
+        )
+    });
+    tally.check("documentation", || {
+        let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
+        run_step(doc.env("RUSTDOCFLAGS", "-D warnings"), "documentation")
+    });
+    tally.tests(
+        "native tests",
+        Ok(workspace.cargo(["test", "--workspace", "--tests", "--no-fail-fast"])),
+    );
+    tally.tests(
+        "doc tests",
+        Ok(workspace.cargo(["test", "--workspace", "--doc", "--no-fail-fast"])),
+    );
+    for (package, directory) in WASM_CRATES {
+        tally.tests(
+            &format!("wasm tests of {package} in the browser"),
+            ready.wasm_tests(workspace, directory),
+        );
+    }
+
+    let mut site = Err(anyhow!("the page was not built"));
+    tally.check("page", || {
+        needed(&ready.target)?;
+        needed(&ready.bindgen)?;
+        site::build(workspace)?;
+        site = Ok(());
+        Ok(())
+    });
+    let mut bundled = Err(anyhow!("the one-file page was not written"));
+    tally.check("one-file page", || {
+        needed(&site)?;
+        bundle::write(workspace)?;
+        bundled = Ok(());
+        Ok(())
+    });
+    tally.tests(
+        "page tests in the browser",
+        page_tests(workspace, &ready.browser, &site, &bundled),
+    );
+
+    let passed = tally
+        .summarise(std::io::stdout())
+        .context("the summary cannot be written")?;
+    Ok(if passed {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+impl SetUp {
+    fn new(workspace: &Workspace) -> Self {
+        Self {
+            components: told("rustfmt and clippy", tools::components(workspace)),
+            target: told("wasm target", tools::wasm_target(workspace)),
+            bindgen: told("wasm-bindgen", tools::wasm_bindgen(workspace)),
+            pack: told("wasm-pack", tools::wasm_pack(workspace)),
+            browser: told("browser and driver", browser::find_or_install(workspace)),
+        }
+    }
+
+    /// Tests of one crate by wasm-pack, which may fetch nothing: all it needs is set up here.
+    fn wasm_tests(&self, workspace: &Workspace, directory: &str) -> Result<Command> {
+        for part in [&self.target, &self.bindgen, &self.pack] {
+            needed(part)?;
+        }
+        let browser = needed(&self.browser)?;
+        let mut pack = workspace.command(&tools::path(workspace, "wasm-pack"));
+        pack.args([
+            "test",
+            "--headless",
+            "--chrome",
+            "--mode",
+            "no-install",
+            "--chromedriver",
+        ])
+        .arg(&browser.driver)
+        .arg(directory)
+        .env("PATH", tools::search_path(workspace)?)
+        .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
+        .env(
+            "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
+            capabilities(workspace, directory, browser)?,
+        )
+        .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
+        Ok(pack)
+    }
+}
+
+/// The crate's webdriver.json completed with the browser that was found: the driver by itself might
+/// choose another, or none.
+fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Result<PathBuf> {
+    let source = workspace.root().join(directory).join("webdriver.json");
+    let known = || format!("{} is not as it should be", source.display());
+    let mut value: Value = serde_json::from_str(&fs::read_to_string(&source).with_context(known)?)
+        .with_context(known)?;
+    value
+        .get_mut("goog:chromeOptions")
+        .and_then(Value::as_object_mut)
+        .with_context(known)?
+        .insert("binary".to_owned(), browser.chrome.to_string_lossy().into());
+    let path = workspace.target().join("webdriver.json");
+    fs::write(&path, value.to_string())
+        .with_context(|| format!("{} cannot be written", path.display()))?;
+    Ok(path)
+}
+
+/// Tests of the page as `serve` ships it and as the one file, driven through the browser. They find
+/// what they need in the environment.
+fn page_tests(
+    workspace: &Workspace,
+    browser: &Result<Browser>,
+    site: &Result<()>,
+    bundled: &Result<()>,
+) -> Result<Command> {
+    needed(site)?;
+    needed(bundled)?;
+    let browser = needed(browser)?;
+    // The workers answer until this program ends.
+    let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
+    let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", "page"]);
+    test.env("ASSUR_URL", format!("http://{address}/"))
+        .env("ASSUR_BUNDLE", workspace.bundle())
+        .env("CHROME", &browser.chrome)
+        .env("CHROMEDRIVER", &browser.driver);
+    Ok(test)
+}
+
+/// Says at once what cannot be had; the steps that need it repeat it.
+fn told<T>(what: &str, part: Result<T>) -> Result<T> {
+    if let Err(error) = &part {
+        announce(what, &format!("FAILED. {error:#}"));
+    }
+    part
+}
+
+fn needed<T>(part: &Result<T>) -> Result<&T> {
+    part.as_ref()
+        .map_err(|error: &Error| anyhow!("not run: {error:#}"))
+}

@@ -1,0 +1,113 @@
+//! The tools of the Rust side: each is looked for and, if it is not there, installed.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::Command;
+use std::{env, fs};
+
+use anyhow::{Context, Result};
+
+use crate::step::{announce, output, quiet_output, run};
+use crate::workspace::Workspace;
+
+/// What the browser runs.
+pub(crate) const WASM: &str = "wasm32-unknown-unknown";
+
+const WASM_PACK: &str = "0.15.1";
+
+const THERE: &str = "already there";
+
+/// The standard library for the browser. It is looked for on disk rather than in rustup's list, so a
+/// compiler that came without rustup is as good.
+pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
+    let what = format!("target {WASM}");
+    let mut rustc = workspace.command("rustc");
+    rustc.args(["--print", "target-libdir", "--target", WASM]);
+    let library = PathBuf::from(output(&mut rustc, &what)?.trim());
+    let installed = fs::read_dir(library).is_ok_and(|entries| {
+        entries
+            .flatten()
+            .any(|entry| entry.file_name().to_string_lossy().starts_with("libstd-"))
+    });
+    if installed {
+        announce(&what, THERE);
+        return Ok(());
+    }
+    announce(&what, "installing by rustup");
+    run(
+        workspace.command("rustup").args(["target", "add", WASM]),
+        &what,
+    )
+    .context("the standard library for the browser is missing, add it by rustup")
+}
+
+/// Formatter and linter, which rustup's minimal profile leaves out.
+pub(crate) fn components(workspace: &Workspace) -> Result<()> {
+    for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
+        if quiet_output(&mut workspace.cargo([command, "--version"])).is_some() {
+            announce(component, THERE);
+            continue;
+        }
+        announce(component, "installing by rustup");
+        run(
+            workspace
+                .command("rustup")
+                .args(["component", "add", component]),
+            component,
+        )
+        .with_context(|| format!("{component} is missing, add it by rustup"))?;
+    }
+    Ok(())
+}
+
+/// wasm-bindgen of exactly the version the code is locked to: no other can read its output. Its own
+/// lock file is not used, because the crates it shares with the code must match.
+pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<()> {
+    let version = workspace.locked_version("wasm-bindgen")?;
+    installed(workspace, "wasm-bindgen", "wasm-bindgen-cli", &version, &[])
+}
+
+/// wasm-pack, which runs the tests of the wasm side in a browser.
+pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<()> {
+    installed(
+        workspace,
+        "wasm-pack",
+        "wasm-pack",
+        WASM_PACK,
+        &["--locked"],
+    )
+}
+
+fn installed(
+    workspace: &Workspace,
+    program: &str,
+    package: &str,
+    version: &str,
+    options: &[&str],
+) -> Result<()> {
+    let what = format!("{program} {version}");
+    let answer = quiet_output(Command::new(path(workspace, program)).arg("--version"));
+    if answer.is_some_and(|answer| answer.split_whitespace().nth(1) == Some(version)) {
+        announce(&what, THERE);
+        return Ok(());
+    }
+    announce(&what, "installing by cargo (takes some minutes)");
+    let mut cargo = workspace.cargo(["install", package, "--version", version]);
+    cargo.args(options).arg("--root").arg(workspace.tools());
+    run(&mut cargo, &what)
+}
+
+/// Where an installed tool lies.
+pub(crate) fn path(workspace: &Workspace, program: &str) -> PathBuf {
+    workspace
+        .tools()
+        .join("bin")
+        .join(format!("{program}{}", env::consts::EXE_SUFFIX))
+}
+
+/// PATH with our own tools first, so that tools find each other in the right version.
+pub(crate) fn search_path(workspace: &Workspace) -> Result<OsString> {
+    let others = env::var_os("PATH").unwrap_or_default();
+    let paths = std::iter::once(workspace.tools().join("bin")).chain(env::split_paths(&others));
+    env::join_paths(paths).context("the path of the target directory cannot be put into PATH")
+}
