@@ -1,0 +1,70 @@
+// The plots: curves by the engine, text by us, both on one canvas that is redrawn only when the curves change.
+import { drawMarks, marksOf, sampleCurves } from "assur/chart-marks.js";
+import { drawChartText, setChartFont } from "assur/chart-text.js";
+import { attempt } from "assur/engine.js";
+import { setData } from "assur/dom.js";
+import { Surface } from "assur/surface.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/theme.js").Theme} Theme
+ */
+
+export class ChartView {
+  #surface;
+  #engine;
+  #theme;
+  #redrawn;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {string} what was drawn last */
+  #drawn = "";
+  /** @type {readonly Panel[]} */
+  panels = [];
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Engine} engine
+   * @param {Theme} theme
+   * @param {() => void} redrawn called when the panels may have changed their places
+   */
+  constructor(canvas, engine, theme, redrawn) {
+    this.#engine = engine;
+    this.#theme = theme;
+    this.#redrawn = redrawn;
+    this.#surface = new Surface(canvas, () => this.#draw());
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    this.#snapshot = snapshot;
+    setData(this.#surface.canvas, "faded", String(snapshot.stale));
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision}`;
+    if (wanted === this.#drawn) return;
+    this.#drawn = wanted;
+    this.#draw();
+  }
+
+  #draw() {
+    const snapshot = this.#snapshot;
+    if (!snapshot || !this.#surface.visible) return;
+    const { context, width, height } = this.#surface;
+    const { colours, inks, palette } = this.#theme;
+    this.#surface.clear();
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette }));
+    this.#surface.toPixels();
+    this.panels = drawn.value?.panels ?? [];
+    const titles = drawChartText(context, this.panels, snapshot.words, this.#theme);
+    setChartFont(context, this.#theme);
+    const samples = this.panels.length > 0 ? sampleCurves(this.#engine, this.panels[0]) : [];
+    this.panels.forEach((panel, i) => {
+      const roles = new Map(panel.series.map(({ name, role }) => [name, role]));
+      const colour = (/** @type {import("assur/chart-marks.js").Mark} */ mark) => inks[roles.get(mark.series) ?? "ink"];
+      const marks = marksOf(snapshot.summary, panel, this.#engine);
+      drawMarks(context, panel, marks, samples, titles[i], snapshot.words, colour, colours.paper);
+    });
+    this.#redrawn();
+  }
+}

@@ -1,0 +1,84 @@
+// Reads the flat display lists of the engine into things a canvas can paint.
+
+/**
+ * @typedef {{ role: string, look: number, path: Path2D }} Shape
+ * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
+ * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
+ */
+
+const BODY = 0;
+const POLYGONS = 1;
+const POLYLINE = 2;
+const CIRCLE = 3;
+const TEXT = 4;
+
+/**
+ * @param {Float32Array} list
+ * @param {number} start where the list begins in the array
+ * @param {readonly string[]} roles
+ * @param {readonly string[]} labels
+ * @returns {Layer[]} in the order of painting
+ */
+export function readDisplayList(list, start, roles, labels) {
+  /** @type {Layer} */
+  let layer = { body: 0, shapes: [], labels: [] };
+  const layers = [layer];
+  let at = start;
+  while (at < list.length) {
+    const kind = list[at];
+    if (kind === BODY) {
+      layer = { body: list[at + 1], shapes: [], labels: [] };
+      layers.push(layer);
+      at += 2;
+    } else if (kind === TEXT) {
+      const [role, label, x, y, dx, dy] = list.subarray(at + 1, at + 7);
+      layer.labels.push({ role: roles[role], label: labels[label], x, y, dx, dy });
+      at += 7;
+    } else if (kind === POLYGONS || kind === POLYLINE || kind === CIRCLE) {
+      const path = new Path2D();
+      layer.shapes.push({ role: roles[list[at + 1]], look: list[at + 2], path });
+      if (kind === POLYGONS) at = addPolygons(path, list, at + 3);
+      else if (kind === POLYLINE) at = addPoints(path, list, at + 3);
+      else {
+        path.arc(list[at + 3], list[at + 4], list[at + 5], 0, 2 * Math.PI);
+        path.closePath();
+        at += 6;
+      }
+    } else {
+      throw new Error(`display list: no record ${kind}`);
+    }
+  }
+  return layers;
+}
+
+/**
+ * @param {Path2D} path
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {number} where the next record begins
+ */
+function addPolygons(path, list, at) {
+  const loops = list[at];
+  at += 1;
+  for (let loop = 0; loop < loops; loop++) {
+    at = addPoints(path, list, at);
+    path.closePath();
+  }
+  return at;
+}
+
+/**
+ * @param {Path2D} path
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {number}
+ */
+function addPoints(path, list, at) {
+  const points = list[at];
+  const end = at + 1 + 2 * points;
+  for (let i = at + 1; i < end; i += 2) {
+    if (i === at + 1) path.moveTo(list[i], list[i + 1]);
+    else path.lineTo(list[i], list[i + 1]);
+  }
+  return end;
+}

@@ -1,0 +1,159 @@
+// The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+import init, { Simulator, labelNames, presets, readoutNames, roleNames } from "assur/pkg/assur_web.js";
+
+/**
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/state.js").MixerDocument} MixerDocument
+ * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
+ * @typedef {{ min: number, max: number, stroke: number }} Swing
+ * @typedef {"rocker" | "wheel5"} Series
+ * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
+ * @typedef {{ series: Series, order: 1 | 2, kind: "max" | "min", phi: number, value: number }} Extremum
+ * @typedef {{
+ *   grashof: string,
+ *   cycle: Cycle,
+ *   home: number,
+ *   swing: { rocker: (Swing | null)[], wheel5: (Swing | null)[] },
+ *   limits: { phi: number, rocker: number }[],
+ *   time_ratio: number | null,
+ *   transmission: { min: number, phi: number },
+ *   ratio: number,
+ *   dead_points: number[],
+ *   change_points: number[],
+ *   extrema: Extremum[],
+ *   bounds: [number, number, number, number],
+ * }} Summary
+ * @typedef {{
+ *   order: 0 | 1 | 2, left: number, top: number, width: number, height: number,
+ *   x0: number, x1: number, y0: number, y1: number,
+ *   xticks: { value: number }[], yticks: { value: number }[],
+ *   series: { name: Series, role: string }[],
+ * }} Panel
+ * @typedef {{ width: number, height: number, palette: [number, number, number][] }} ChartRequest
+ * @typedef {Readonly<Record<string, number>>} Readouts
+ */
+
+/** The engine did not do what was asked, and says why. */
+export class Refusal extends Error {
+  /** @param {readonly Problem[]} problems */
+  constructor(problems) {
+    super(problems.map((problem) => problem.code).join(", "));
+    this.problems = problems;
+  }
+}
+
+/**
+ * What the engine refuses comes back as problems; anything else is a fault and goes on up.
+ * @template T
+ * @param {() => T} work
+ * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}
+ */
+export function attempt(work) {
+  try {
+    return { value: work(), problems: [] };
+  } catch (thrown) {
+    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
+    throw thrown;
+  }
+}
+
+export class Engine {
+  #simulator = new Simulator();
+  /** @type {State | null} the last state the simulator took */
+  #good = null;
+
+  /** Whether it broke down since it last took a state. */
+  trapped = false;
+  /** @type {readonly string[]} */
+  roles = roleNames();
+  /** @type {readonly string[]} */
+  labels = labelNames();
+  /** @type {readonly { id: string, document: MixerDocument }[]} */
+  presets = presets();
+  /** @type {readonly string[]} */
+  #names = readoutNames();
+
+  /** @returns {Promise<Engine>} */
+  static async load() {
+    await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });
+    return new Engine();
+  }
+
+  /**
+   * @param {State} state
+   * @returns {Summary}
+   */
+  set(state) {
+    const summary = this.#ask((simulator) => simulator.set(state));
+    this.#good = state;
+    this.trapped = false;
+    return summary;
+  }
+
+  /** @returns {Float32Array} display list of all that is rigid */
+  scene() {
+    return this.#ask((simulator) => simulator.scene());
+  }
+
+  /**
+   * @param {number} phi
+   * @returns {Float32Array} where the bodies are, and a display list of what is not rigid
+   */
+  frame(phi) {
+    return this.#ask((simulator) => simulator.frame(phi));
+  }
+
+  /**
+   * @param {number} phi
+   * @returns {Readouts} values by name
+   */
+  readouts(phi) {
+    const values = this.#ask((simulator) => simulator.readouts(phi));
+    /** @type {Record<string, number>} */
+    const named = {};
+    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
+    return named;
+  }
+
+  /**
+   * @param {number} phi
+   * @param {number} delta
+   * @returns {{ phi: number, sign: number }} sign −1: it turned back at the end of the range
+   */
+  advance(phi, delta) {
+    const [next, sign] = this.#ask((simulator) => simulator.advance(phi, delta));
+    return { phi: next, sign };
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {ChartRequest} request
+   * @returns {{ panels: Panel[] }}
+   */
+  chart(context, request) {
+    return this.#ask((simulator) => simulator.chart(context, request));
+  }
+
+  /**
+   * @template T
+   * @param {(simulator: Simulator) => T} question
+   * @returns {T}
+   */
+  #ask(question) {
+    try {
+      return question(this.#simulator);
+    } catch (thrown) {
+      if (Array.isArray(thrown)) throw new Refusal(thrown);
+      console.error(thrown);
+      this.trapped = true;
+      this.#recover();
+      throw new Refusal([{ code: "trapped" }]);
+    }
+  }
+
+  /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
+  #recover() {
+    this.#simulator = new Simulator();
+    if (this.#good) this.#simulator.set(this.#good);
+  }
+}

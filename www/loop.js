@@ -1,0 +1,42 @@
+// The one animation loop. Time enters the page here and nowhere else.
+
+/** A longer pause between two frames counts as this one, in seconds. */
+const LONGEST_STEP = 0.1;
+
+export class Loop {
+  #step;
+  #render;
+  #handle = 0;
+  /** @type {number | null} */
+  #last = null;
+
+  /**
+   * @param {(dt: number) => boolean} step moves the time on by dt seconds; true while there is motion
+   * @param {() => void} render draws what there is
+   */
+  constructor(step, render) {
+    this.#step = step;
+    this.#render = render;
+    document.addEventListener("visibilitychange", () => (document.hidden ? this.#stop() : this.request()));
+  }
+
+  /** Asks for one frame; as long as there is motion, more follow. */
+  request() {
+    if (this.#handle === 0 && !document.hidden) this.#handle = requestAnimationFrame(this.#frame);
+  }
+
+  #frame = (/** @type {number} */ now) => {
+    this.#handle = 0;
+    const dt = this.#last === null ? 0 : Math.min(Math.max(now - this.#last, 0) / 1000, LONGEST_STEP);
+    const moving = this.#step(dt);
+    this.#last = moving ? now : null;
+    this.#render();
+    if (moving) this.request();
+  };
+
+  #stop() {
+    cancelAnimationFrame(this.#handle);
+    this.#handle = 0;
+    this.#last = null;
+  }
+}

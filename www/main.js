@@ -1,0 +1,124 @@
+// Starts the page: loads words and engine, puts the parts together, sets the time running.
+import { ChartCursor } from "assur/chart-cursor.js";
+import { ChartView } from "assur/chart.js";
+import { byId, make, setData } from "assur/dom.js";
+import { Drafts } from "assur/drafts.js";
+import { Engine } from "assur/engine.js";
+import { Loop } from "assur/loop.js";
+import { MechanismView } from "assur/mechanism.js";
+import { Model } from "assur/model.js";
+import { played } from "assur/player.js";
+import { ProblemView } from "assur/problems.js";
+import { Rail } from "assur/rail.js";
+import { ReadoutTable } from "assur/readouts.js";
+import { initialState, withView } from "assur/state.js";
+import { StatusLine } from "assur/status.js";
+import { Store } from "assur/store.js";
+import { Theme } from "assur/theme.js";
+import { Transport } from "assur/transport.js";
+import { LANGUAGES, Words, preferredLanguage } from "assur/words.js";
+
+/** Numbers that change faster than this cannot be read; in seconds. */
+const WRITING_PERIOD = 0.1;
+
+/**
+ * Puts the page together and draws it for the first time.
+ * @param {Engine} engine
+ * @param {Words} startWords
+ */
+function run(engine, startWords) {
+  let words = startWords;
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const store = new Store(initialState(engine.presets[0].document, { playing: !calm, lang: words.lang }));
+  const drafts = new Drafts(() => loop.request());
+  const model = new Model(engine, drafts, store.get());
+  const theme = new Theme(engine.roles, () => loop.request());
+
+  byId("app", HTMLElement).hidden = false;
+  const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
+  const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart);
+  const views = [
+    new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme),
+    chart,
+    cursor,
+    new Transport(store, model, drafts),
+    new Rail(store, engine, drafts),
+    new StatusLine(),
+    new ReadoutTable(),
+    new ProblemView(),
+  ];
+
+  let unwritten = 0;
+  const step = (/** @type {number} */ dt) => {
+    unwritten += dt;
+    store.update((state) => played(state, dt, engine, model));
+    return store.get().view.playing;
+  };
+  const render = () => {
+    const state = store.get();
+    const legible = !state.view.playing || unwritten >= WRITING_PERIOD;
+    if (legible) unwritten = 0;
+    model.follow(state);
+    const snapshot = model.snapshot(state, words, legible);
+    for (const view of views) view.render(snapshot);
+  };
+  const loop = new Loop(step, render);
+  store.subscribe(() => loop.request());
+
+  chooseLanguage(store, (chosen) => {
+    words = chosen;
+    speak(words);
+    loop.request();
+  });
+  speak(words);
+  byId("boot", HTMLElement).hidden = true;
+  render();
+  loop.request();
+  // The canvases learn their sizes, and are drawn, at the end of the first frame.
+  requestAnimationFrame(() => requestAnimationFrame(() => setData(document.documentElement, "ready", "true")));
+}
+
+/**
+ * The select of languages and the state's language are one; words come when they are loaded.
+ * @param {Store<import("assur/state.js").State>} store
+ * @param {(words: Words) => void} changed
+ */
+function chooseLanguage(store, changed) {
+  const select = byId("lang", HTMLSelectElement);
+  for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
+  select.value = store.get().view.lang;
+  select.addEventListener("change", () => store.update((state) => withView(state, { lang: select.value })));
+  store.subscribe(async ({ view: { lang } }, previous) => {
+    if (lang === previous.view.lang) return;
+    select.value = lang;
+    const words = await Words.load(lang).catch(() => null);
+    // Another choice may have been made while these words were on their way.
+    if (store.get().view.lang !== lang) return;
+    if (words) changed(words);
+    else store.update((state) => withView(state, { lang: previous.view.lang }));
+  });
+}
+
+/**
+ * Writes the page in a language.
+ * @param {Words} words
+ */
+function speak(words) {
+  document.documentElement.lang = words.lang;
+  document.title = words.text("page.title");
+  words.fill(document);
+}
+
+/** Says that the page cannot work, in all languages. */
+function fail() {
+  byId("boot", HTMLElement).hidden = true;
+  byId("app", HTMLElement).hidden = true;
+  byId("failed", HTMLElement).hidden = false;
+}
+
+try {
+  run(...(await Promise.all([Engine.load(), Words.load(preferredLanguage(navigator.languages))])));
+} catch (thrown) {
+  console.error(thrown);
+  fail();
+}

@@ -1,0 +1,158 @@
+// From the state to everything that is shown: asks the engine only for what a change makes necessary.
+import { degrees, ontoAxis, radians } from "assur/angles.js";
+import { attempt } from "assur/engine.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Problem} Problem
+ * @typedef {import("assur/engine.js").Readouts} Readouts
+ * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/words.js").Words} Words
+ *
+ * @typedef {{
+ *   state: State,
+ *   phiDeg: number,
+ *   words: Words,
+ *   summary: Summary,
+ *   scene: Float32Array,
+ *   revision: number,
+ *   frame: Float32Array,
+ *   frameDeg: number,
+ *   readouts: Readouts | null,
+ *   problems: readonly Problem[],
+ *   stale: boolean,
+ *   faded: boolean,
+ *   legible: boolean,
+ * }} Snapshot
+ * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
+ * of the last drawing; `readouts` is null where there are none at this
+ * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
+ * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
+ */
+
+const TRAPPED = Object.freeze({ code: "trapped" });
+
+/** @param {Problem} problem */
+function notTrapped(problem) {
+  return problem.code !== TRAPPED.code;
+}
+
+export class Model {
+  #engine;
+  #drafts;
+  /** @type {State | null} the state the engine was asked about last */
+  #asked = null;
+  #revision = 0;
+  /** @type {Summary} */
+  #summary;
+  /** @type {Float32Array} */
+  #scene;
+  /** @type {Float32Array} */
+  #frame;
+  #frameDeg;
+  /** @type {Readouts | null} */
+  #readouts = null;
+  /** @type {readonly Problem[]} */
+  #refused = [];
+  /** @type {readonly Problem[]} */
+  #unplaced = [];
+  /** @type {readonly Problem[]} */
+  #unread = [];
+
+  /**
+   * @param {Engine} engine
+   * @param {import("assur/drafts.js").Drafts} drafts
+   * @param {State} state must be one the engine takes
+   */
+  constructor(engine, drafts, state) {
+    this.#engine = engine;
+    this.#drafts = drafts;
+    this.#summary = engine.set(state);
+    this.#scene = engine.scene();
+    this.#frame = engine.frame(this.#summary.home);
+    this.#frameDeg = degrees(this.#summary.home);
+    this.#revision = 1;
+    this.#asked = state;
+    this.#place(state);
+  }
+
+  get summary() {
+    return this.#summary;
+  }
+
+  /** Whether the mechanism can be assembled where its crank is now. */
+  get placed() {
+    return this.#unplaced.length === 0;
+  }
+
+  /**
+   * Brings everything up to a state.
+   * @param {State} state
+   */
+  follow(state) {
+    const asked = this.#asked;
+    const other = !asked || asked.document !== state.document || asked.view.traces !== state.view.traces;
+    const moved = !asked || asked.view.phi_deg !== state.view.phi_deg;
+    if (other) this.#take(state);
+    if (other || moved) this.#place(state);
+    this.#asked = state;
+  }
+
+  /**
+   * @param {State} state
+   * @param {Words} words
+   * @param {boolean} legible
+   * @returns {Snapshot}
+   */
+  snapshot(state, words, legible) {
+    // What is typed takes the place of what the state still holds.
+    const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
+    const drafted = this.#drafts.fields().map((field) => ({ code: "not_a_number", field }));
+    const stale = this.#refused.length > 0 || drafted.some(({ field }) => field in state.document);
+    // While it plays, a dead point is passed within one frame: too short for a sentence.
+    const unread = state.view.playing ? [] : this.#unread;
+    const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
+    const trapped = this.#engine.trapped ? [TRAPPED] : [];
+    return {
+      state,
+      phiDeg: ontoAxis(state.view.phi_deg, this.#summary.cycle),
+      words,
+      summary: this.#summary,
+      scene: this.#scene,
+      revision: this.#revision,
+      frame: this.#frame,
+      frameDeg: this.#frameDeg,
+      readouts: this.#readouts,
+      problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
+      stale,
+      faded: stale || this.#unplaced.length > 0,
+      legible,
+    };
+  }
+
+  /** @param {State} state */
+  #take(state) {
+    const taken = attempt(() => ({ summary: this.#engine.set(state), scene: this.#engine.scene() }));
+    this.#refused = taken.problems;
+    if (!taken.value) return;
+    this.#summary = taken.value.summary;
+    this.#scene = taken.value.scene;
+    this.#revision += 1;
+  }
+
+  /** @param {State} state */
+  #place(state) {
+    const phiDeg = ontoAxis(state.view.phi_deg, this.#summary.cycle);
+    const phi = radians(phiDeg);
+    const placed = attempt(() => this.#engine.frame(phi));
+    this.#unplaced = placed.problems;
+    if (placed.value) {
+      this.#frame = placed.value;
+      this.#frameDeg = phiDeg;
+    }
+    const read = attempt(() => this.#engine.readouts(phi));
+    this.#unread = read.problems;
+    this.#readouts = read.value;
+  }
+}

@@ -1,0 +1,92 @@
+// One quantity of the document in the rail: its symbol and name, a slider where it has one, a number field.
+import { make } from "assur/dom.js";
+import { NumberBox } from "assur/number-box.js";
+
+/**
+ * @typedef {Readonly<{ min: number, max: number, step: number }>} SliderRange
+ * @typedef {Readonly<{
+ *   field: import("assur/state.js").NumberField,
+ *   symbol: string,
+ *   role: string,
+ *   slider?: SliderRange,
+ *   unit?: string,
+ * }>} RowKind
+ */
+
+export class NumberRow {
+  #kind;
+  #box;
+  /** @type {HTMLInputElement | null} */
+  #slider = null;
+
+  /**
+   * @param {RowKind} kind
+   * @param {import("assur/drafts.js").Drafts} drafts
+   * @param {(value: number) => void} set
+   */
+  constructor(kind, drafts, set) {
+    const { field, symbol, role, slider } = kind;
+    this.#kind = kind;
+    this.field = field;
+    const input = make("input", {
+      id: `field-${field}`,
+      class: "control number",
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "data-t-label": `field.${field}`,
+    });
+    this.#box = new NumberBox(input, field, drafts, (value) => {
+      set(value);
+      return value;
+    });
+    const name = make("label", { class: "name", for: input.id }, [
+      make("b", {}, [symbol]),
+      " ",
+      make("span", { "data-t": `name.${field}` }),
+    ]);
+    this.element = make("div", { class: "row", style: `--accent: var(--role-${role})` }, [name, input]);
+    if (slider) {
+      this.#slider = makeSlider(field, slider);
+      this.#slider.addEventListener("input", () => {
+        drafts.drop(field);
+        set(Number(this.#slider?.value));
+      });
+      this.element.classList.add("with-slider");
+      input.before(this.#slider);
+    }
+  }
+
+  /**
+   * @param {number} value
+   * @param {import("assur/numbers.js").Numbers} numbers
+   * @param {boolean} invalid
+   */
+  show(value, numbers, invalid) {
+    const { slider: range, unit = "" } = this.#kind;
+    this.#box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, invalid);
+    if (!range || !this.#slider) return;
+    // A value beyond the slider's range widens it, so that the slider tells the truth.
+    const max = Math.max(range.max, value);
+    if (Number(this.#slider.max) !== max) this.#slider.max = String(max);
+    if (Number(this.#slider.value) !== value) this.#slider.value = String(value);
+    const part = Math.min(Math.max((value - range.min) / (max - range.min), 0), 1);
+    this.#slider.style.setProperty("--fill", String(part));
+  }
+}
+
+/**
+ * @param {string} field
+ * @param {SliderRange} range
+ */
+function makeSlider(field, { min, max, step }) {
+  return make("input", {
+    id: `slider-${field}`,
+    type: "range",
+    min: String(min),
+    max: String(max),
+    step: String(step),
+    "data-t-label": `slider.${field}`,
+  });
+}

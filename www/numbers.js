@@ -1,0 +1,84 @@
+// Numbers as the reader writes them.
+
+const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
+
+/**
+ * Reads a number with a decimal point or comma, spaces between digits, a typographic minus, a degree sign.
+ * @param {string} text
+ * @returns {number | null} null where the text is not one finite number
+ */
+export function parseNumber(text) {
+  const plain = text.replace(/[\s°]/g, "").replace(/\u2212/g, "-");
+  if (!NUMBER.test(plain)) return null;
+  const value = Number(plain.replace(",", "."));
+  return Number.isFinite(value) ? value : null;
+}
+
+/** Writes numbers with the decimal sign of one language. */
+export class Numbers {
+  /** @type {string} */
+  #lang;
+  /** @type {Map<string, Intl.NumberFormat>} */
+  #formats = new Map();
+
+  /** @param {string} lang */
+  constructor(lang) {
+    this.#lang = lang;
+  }
+
+  /**
+   * With this many decimals, always.
+   * @param {number} value
+   * @param {number} decimals
+   */
+  fixed(value, decimals) {
+    return this.#write(value, `f${decimals}`, { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+  }
+
+  /**
+   * With at most this many decimals.
+   * @param {number} value
+   * @param {number} decimals
+   */
+  upTo(value, decimals) {
+    return this.#write(value, `u${decimals}`, { maximumFractionDigits: decimals });
+  }
+
+  /**
+   * With as many digits as tell its size, for sentences.
+   * @param {number} value
+   */
+  short(value) {
+    return this.#write(value, "s", { maximumSignificantDigits: 4 });
+  }
+
+  /**
+   * With at most six digits, for a field.
+   * @param {number} value
+   */
+  brief(value) {
+    return this.#write(value, "b", { maximumSignificantDigits: 6 });
+  }
+
+  /**
+   * As it would be typed into a field: nothing a person typed gets lost.
+   * @param {number} value
+   */
+  exact(value) {
+    return this.#write(value, "x", { maximumSignificantDigits: 15 });
+  }
+
+  /**
+   * @param {number} value
+   * @param {string} key
+   * @param {Intl.NumberFormatOptions} options
+   */
+  #write(value, key, options) {
+    let format = this.#formats.get(key);
+    if (!format) {
+      format = new Intl.NumberFormat(this.#lang, { useGrouping: false, signDisplay: "negative", ...options });
+      this.#formats.set(key, format);
+    }
+    return format.format(value).replace("-", "\u2212");
+  }
+}

@@ -1,0 +1,125 @@
+// Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
+
+/**
+ * @typedef {import("assur/display-list.js").Layer} Layer
+ * @typedef {import("assur/display-list.js").Label} Label
+ * @typedef {import("assur/display-list.js").Shape} Shape
+ * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {import("assur/transform.js").Transform} Transform
+ *
+ * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context
+ * @typedef {{ readonly context: Context, readonly ratio: number }} Sheet
+ * What is painted on: a context and its device pixels per CSS pixel.
+ *
+ * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
+ * How a shape is painted: opacity of its filling, whether paper fills it, width of its line in pixels and the
+ * line's opacity and dashes.
+ */
+
+/** @type {readonly Look[]} in the order of the display list's numbers */
+const LOOKS = [
+  { fill: 1 }, // solid
+  { fill: 0.16, stroke: 1.5 }, // pale
+  { stroke: 2 }, // line
+  { stroke: 2, opacity: 0.6, dash: [6, 5] }, // dashed
+  { stroke: 1 }, // thin
+  { paper: true, stroke: 2 }, // hollow
+  { fill: 0.55 }, // soft
+];
+
+const TEXT_SIZE = 15;
+/** @type {number[]} */
+const NO_DASH = [];
+
+export class Painter {
+  #theme;
+
+  /** @param {Theme} theme */
+  constructor(theme) {
+    this.#theme = theme;
+  }
+
+  /**
+   * @param {Sheet} sheet
+   * @param {readonly Layer[]} layers
+   * @param {Transform} view
+   * @param {readonly (readonly number[])[]} poses x, y and angle of each body
+   */
+  shapes({ context, ratio }, layers, view, poses) {
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    for (const layer of layers) {
+      const [x, y, angle] = poses[layer.body];
+      view.place(context, ratio, x, y, angle);
+      for (const shape of layer.shapes) this.#shape(context, shape, view.scale);
+    }
+    context.globalAlpha = 1;
+    context.setLineDash(NO_DASH);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  }
+
+  /**
+   * @param {Sheet} sheet
+   * @param {readonly Layer[]} layers
+   * @param {Transform} view
+   * @param {readonly (readonly number[])[]} poses
+   * @param {(label: string) => string} write what stands for a label
+   */
+  labels({ context, ratio }, layers, view, poses, write) {
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.font = `600 ${TEXT_SIZE * this.#theme.scale}px ${this.#theme.font}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = 4;
+    context.strokeStyle = this.#theme.sheet;
+    for (const layer of layers) {
+      if (layer.labels.length === 0) continue;
+      const [x, y, angle] = poses[layer.body];
+      for (const label of layer.labels) this.#label(context, label, view, x, y, angle, write(label.label));
+    }
+  }
+
+  /**
+   * @param {Context} context
+   * @param {Shape} shape
+   * @param {number} scale
+   */
+  #shape(context, { role, look, path }, scale) {
+    const { fill, paper, stroke, opacity = 1, dash = NO_DASH } = LOOKS[look];
+    const colour = this.#theme.colours[role];
+    if (paper || fill) {
+      context.globalAlpha = fill ?? 1;
+      context.fillStyle = paper ? this.#theme.colours.paper : colour;
+      context.fill(path, "evenodd");
+    }
+    if (stroke) {
+      context.globalAlpha = opacity;
+      context.strokeStyle = colour;
+      context.lineWidth = stroke / scale;
+      context.setLineDash(dash.map((length) => length / scale));
+      context.stroke(path);
+    }
+  }
+
+  /**
+   * @param {Context} context
+   * @param {Label} label
+   * @param {Transform} view
+   * @param {number} x where the label's body is
+   * @param {number} y
+   * @param {number} angle
+   * @param {string} text
+   */
+  #label(context, label, view, x, y, angle, text) {
+    const cos = Math.cos(angle);
+    const sin = Math.sin(angle);
+    const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
+    const size = TEXT_SIZE * this.#theme.scale;
+    const at = left + label.dx * size;
+    const down = top - label.dy * size;
+    context.strokeText(text, at, down);
+    context.fillStyle = this.#theme.colours[label.role];
+    context.fillText(text, at, down);
+  }
+}

@@ -1,0 +1,35 @@
+// Where things are in a panel of the chart, from the layout the engine returns.
+
+/** @typedef {import("assur/engine.js").Panel} Panel */
+
+/**
+ * @param {Panel} panel
+ * @param {number} phi radians
+ * @returns {number} CSS pixels from the left
+ */
+export function across(panel, phi) {
+  return panel.left + (panel.width * (phi - panel.x0)) / (panel.x1 - panel.x0);
+}
+
+/**
+ * @param {Panel} panel
+ * @param {number} value
+ * @returns {number} CSS pixels from the top
+ */
+export function down(panel, value) {
+  return panel.top + (panel.height * (panel.y1 - value)) / (panel.y1 - panel.y0);
+}
+
+/**
+ * @param {Panel} panel
+ * @param {number} value
+ */
+export function shows(panel, value) {
+  return value >= panel.y0 && value <= panel.y1;
+}
+
+/** The names of the read-outs a panel shows of a series: the value and its derivatives. */
+export const READOUT_OF = Object.freeze({
+  rocker: Object.freeze(/** @type {const} */ (["rocker", "drocker", "ddrocker"])),
+  wheel5: Object.freeze(/** @type {const} */ (["wheel5", "dwheel5", "ddwheel5"])),
+});

@@ -1,0 +1,41 @@
+// Problems of the engine as sentences.
+import { degrees } from "assur/angles.js";
+import { byId, make } from "assur/dom.js";
+
+/**
+ * @typedef {import("assur/engine.js").Problem} Problem
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/words.js").Words} Words
+ */
+
+/**
+ * @param {Problem} problem
+ * @param {Words} words
+ * @returns {string}
+ */
+export function sentence(problem, words) {
+  const key = `problem.${problem.code}`;
+  if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
+  /** @type {Record<string, string>} */
+  const places = {};
+  for (const [name, value] of Object.entries(problem)) {
+    if (name === "field") places.field = words.text(`field.${value}`);
+    else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
+    else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
+  }
+  return words.text(key, places);
+}
+
+export class ProblemView {
+  #place = byId("problem", HTMLElement);
+  #shown = "";
+
+  /** @param {Snapshot} snapshot */
+  render({ problems, words }) {
+    const sentences = problems.map((problem) => sentence(problem, words));
+    const shown = sentences.join("\n");
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    this.#place.replaceChildren(...sentences.map((text) => make("p", {}, [text])));
+  }
+}

@@ -1,0 +1,107 @@
+// The left rail: presets, lengths, wheels, mesh, assembly, what to show.
+import { byId, make } from "assur/dom.js";
+import { NumberRow } from "assur/number-row.js";
+import { contains, withDocument, withView } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state.js").MixerDocument} MixerDocument
+ * @typedef {import("assur/state.js").NumberField} NumberField
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/number-row.js").RowKind} RowKind
+ */
+
+const LENGTH = Object.freeze({ min: 0.05, max: 1.5, step: 0.01 });
+const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
+
+/** @type {readonly RowKind[]} */
+const LENGTHS = Object.freeze([
+  { field: "l1", symbol: "l₁", role: "crank", slider: LENGTH },
+  { field: "l2", symbol: "l₂", role: "coupler", slider: LENGTH },
+  { field: "l3", symbol: "l₃", role: "rocker", slider: LENGTH },
+  { field: "l4", symbol: "l₄", role: "secondary", slider: LENGTH },
+]);
+
+/** @type {readonly RowKind[]} */
+const WHEELS = Object.freeze([
+  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH },
+  { field: "z5", symbol: "z₅", role: "wheel5", slider: TEETH },
+  { field: "module", symbol: "m", role: "secondary" },
+  { field: "centre_line_deg", symbol: "β", role: "secondary", unit: "°" },
+]);
+
+const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
+const ASSEMBLIES = /** @type {const} */ ([1, 2]);
+
+export class Rail {
+  /** @type {NumberRow[]} */
+  #rows = [];
+  /** @type {{ button: HTMLButtonElement, document: MixerDocument }[]} */
+  #presets = [];
+  /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
+  #choices = [];
+  #traces = byId("traces", HTMLInputElement);
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /**
+   * @param {import("assur/store.js").Store<State>} store
+   * @param {Engine} engine
+   * @param {import("assur/drafts.js").Drafts} drafts
+   */
+  constructor(store, engine, drafts) {
+    const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => withDocument(state, change));
+    byId("rail", HTMLFormElement).addEventListener("submit", (event) => event.preventDefault());
+
+    for (const [place, kinds] of /** @type {const} */ ([["lengths", LENGTHS], ["wheels", WHEELS]])) {
+      for (const kind of kinds) {
+        const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
+        byId(place, HTMLElement).append(row.element);
+        this.#rows.push(row);
+      }
+    }
+    for (const { id, document } of engine.presets) {
+      const button = make("button", { id: `preset-${id}`, type: "button", class: "segment", "data-t": `preset.${id}` });
+      button.addEventListener("click", () => {
+        drafts.dropAll(Object.keys(document));
+        edit(document);
+      });
+      byId("presets", HTMLElement).append(button);
+      this.#presets.push({ button, document });
+    }
+    for (const mesh of MESHES) this.#choice("mesh", mesh, () => edit({ mesh }));
+    for (const assembly of ASSEMBLIES) this.#choice("assembly", assembly, () => edit({ assembly }));
+    this.#traces.addEventListener("change", () => {
+      store.update((state) => withView(state, { traces: this.#traces.checked }));
+    });
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, problems, words } = snapshot;
+    const wrong = new Set(problems.map(({ field }) => field));
+    const shown = [state.document, state.view.traces, words, ...wrong];
+    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    for (const row of this.#rows) row.show(state.document[row.field], words.numbers, wrong.has(row.field));
+    for (const { button, document } of this.#presets) {
+      button.setAttribute("aria-pressed", String(contains(state.document, document)));
+    }
+    for (const { input, field, value } of this.#choices) input.checked = state.document[field] === value;
+    this.#traces.checked = state.view.traces;
+  }
+
+  /**
+   * @param {"mesh" | "assembly"} field
+   * @param {string | number} value
+   * @param {() => void} choose
+   */
+  #choice(field, value, choose) {
+    const input = make("input", { id: `${field}-${value}`, type: "radio", name: field, value: String(value) });
+    const label = make("label", { class: field === "mesh" ? "choice" : "segment" }, [input, make("span", { "data-t": `${field}.${value}` })]);
+    input.addEventListener("change", choose);
+    byId(field, HTMLElement).append(label);
+    this.#choices.push({ input, field, value });
+  }
+}

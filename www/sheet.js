@@ -1,0 +1,118 @@
+// The sheet under the drawing: squared paper with its scale and what does not move, painted once and then copied.
+
+/**
+ * @typedef {import("assur/surface.js").Surface} Surface
+ * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {import("assur/transform.js").Transform} Transform
+ * @typedef {import("assur/words.js").Words} Words
+ */
+
+/** Squares of the paper are at least this wide, in pixels. */
+const SQUARE = 44;
+
+export class Sheet {
+  #canvas = new OffscreenCanvas(1, 1);
+  #painted = "";
+  ratio = 1;
+
+  constructor() {
+    const context = this.#canvas.getContext("2d", { alpha: false });
+    if (!context) throw new Error("no 2d context");
+    this.context = context;
+  }
+
+  /**
+   * Covers a surface with the sheet.
+   * @param {Surface} surface
+   * @param {string} key of what is on the sheet
+   * @param {() => void} paint called where the sheet has to be painted anew
+   */
+  cover(surface, key, paint) {
+    const { width, height } = surface.canvas;
+    const wanted = `${key} ${width}×${height} ${surface.ratio}`;
+    if (wanted !== this.#painted) {
+      this.#painted = wanted;
+      this.ratio = surface.ratio;
+      // A canvas is emptied and made anew by setting its size, even to what it was.
+      if (this.#canvas.width !== width) this.#canvas.width = width;
+      if (this.#canvas.height !== height) this.#canvas.height = height;
+      this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+      paint();
+    }
+    surface.context.setTransform(1, 0, 0, 1, 0, 0);
+    surface.context.drawImage(this.#canvas, 0, 0);
+    surface.toPixels();
+  }
+
+  /**
+   * Squares of a round size, and how long the side of one is.
+   * @param {Surface} surface
+   * @param {Transform} view
+   * @param {Theme} theme
+   * @param {Words} words
+   */
+  squares({ width, height }, view, theme, words) {
+    const { context } = this;
+    const side = roundUp(SQUARE / view.scale);
+    const pixels = side * view.scale;
+    context.fillStyle = theme.sheet;
+    context.fillRect(0, 0, width, height);
+    context.beginPath();
+    for (let x = positive(view.left, pixels); x < width; x += pixels) {
+      context.moveTo(Math.round(x) + 0.5, 0);
+      context.lineTo(Math.round(x) + 0.5, height);
+    }
+    for (let y = positive(view.top, pixels); y < height; y += pixels) {
+      context.moveTo(0, Math.round(y) + 0.5);
+      context.lineTo(width, Math.round(y) + 0.5);
+    }
+    context.lineWidth = 1;
+    context.globalAlpha = 0.55;
+    context.strokeStyle = theme.colours.line;
+    context.stroke();
+    context.globalAlpha = 1;
+    this.#scaleBar(height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme);
+  }
+
+  /**
+   * @param {number} height of the sheet
+   * @param {number} length
+   * @param {string} text
+   * @param {Theme} theme
+   */
+  #scaleBar(height, length, text, theme) {
+    const { context } = this;
+    const [left, bottom] = [16.5, height - 13.5];
+    context.beginPath();
+    context.moveTo(left, bottom - 5);
+    context.lineTo(left, bottom);
+    context.lineTo(left + length, bottom);
+    context.lineTo(left + length, bottom - 5);
+    context.lineWidth = 1.5;
+    context.strokeStyle = theme.colours.secondary;
+    context.stroke();
+    context.font = `${12 * theme.scale}px ${theme.font}`;
+    context.textAlign = "left";
+    context.textBaseline = "alphabetic";
+    context.fillStyle = theme.colours.secondary;
+    context.fillText(text, left + 5, bottom - 6);
+  }
+}
+
+/**
+ * @param {number} length
+ * @returns {number} 1, 2 or 5 times a power of ten, not below the length
+ */
+function roundUp(length) {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return power * ([1, 2, 5].find((step) => step * power >= length) ?? 10);
+}
+
+/**
+ * @param {number} value
+ * @param {number} period
+ * @returns {number} the remainder, never below zero
+ */
+function positive(value, period) {
+  return ((value % period) + period) % period;
+}

@@ -1,0 +1,40 @@
+// The one place where the state of the page lives.
+
+/**
+ * Holds one immutable value; every change makes a new one.
+ * @template T
+ */
+export class Store {
+  /** @type {T} */
+  #state;
+  /** @type {Set<(state: T, previous: T) => void>} */
+  #listeners = new Set();
+
+  /** @param {T} state */
+  constructor(state) {
+    this.#state = state;
+  }
+
+  /** @returns {T} */
+  get() {
+    return this.#state;
+  }
+
+  /** @param {(state: T) => T} change returns the same value where nothing changes */
+  update(change) {
+    const previous = this.#state;
+    const next = change(previous);
+    if (next === previous) return;
+    this.#state = next;
+    for (const listener of this.#listeners) listener(next, previous);
+  }
+
+  /**
+   * @param {(state: T, previous: T) => void} listener
+   * @returns {() => void} call it to unsubscribe
+   */
+  subscribe(listener) {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+}

@@ -1,0 +1,71 @@
+// The colours of the roles, read from the style sheet, light or dark.
+
+/** @typedef {Readonly<Record<string, string>>} Colours */
+
+/** What the style sheet asks for. */
+const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 1600px)"]);
+
+/** Size of the page's text on most screens, in pixels. */
+const USUAL_SIZE = 14;
+
+export class Theme {
+  /** @type {readonly string[]} */
+  #roles;
+  /** @type {Colours} colour by role */
+  colours = {};
+  /** @type {[number, number, number][]} red, green, blue in the order of the roles */
+  palette = [];
+  /** @type {Colours} by role, darkened (lightened on dark paper) enough to write small text with */
+  inks = {};
+  /** The colour of the sheet under the drawing. */
+  sheet = "";
+  font = "sans-serif";
+  /** How much larger than usual text is, on large screens. */
+  scale = 1;
+  /** Counts the changes. */
+  revision = 0;
+
+  /**
+   * @param {readonly string[]} roles
+   * @param {() => void} changed
+   */
+  constructor(roles, changed) {
+    this.#roles = roles;
+    this.#read();
+    for (const query of WATCHED) {
+      matchMedia(query).addEventListener("change", () => {
+        this.#read();
+        changed();
+      });
+    }
+  }
+
+  #read() {
+    const style = getComputedStyle(document.documentElement);
+    const context = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+    /** @type {Record<string, string>} */
+    const colours = {};
+    this.palette = this.#roles.map((role) => {
+      colours[role] = style.getPropertyValue(`--role-${role}`).trim();
+      if (!context) return [0, 0, 0];
+      context.fillStyle = colours[role];
+      context.fillRect(0, 0, 1, 1);
+      const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+      return [red, green, blue];
+    });
+    this.colours = colours;
+    this.sheet = style.getPropertyValue("--sheet").trim();
+    this.inks = Object.fromEntries(this.#roles.map((role) => [role, mixed(colours[role], colours.ink)]));
+    this.revision += 1;
+    this.font = style.fontFamily;
+    this.scale = Number.parseFloat(style.fontSize) / USUAL_SIZE;
+  }
+}
+
+/**
+ * @param {string} colour
+ * @param {string} ink
+ */
+function mixed(colour, ink) {
+  return `color-mix(in srgb, ${colour} 62%, ${ink})`;
+}

@@ -1,0 +1,146 @@
+// The bottom bar: play and pause, direction, steps, scrubber, exact angle, speed.
+import { degrees } from "assur/angles.js";
+import { byId, make } from "assur/dom.js";
+import { NumberBox } from "assur/number-box.js";
+import { placed, turned } from "assur/player.js";
+import { withView } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Cycle} Cycle
+ * @typedef {import("assur/model.js").Model} Model
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/state.js").View} View
+ * @typedef {import("assur/words.js").Words} Words
+ */
+
+const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
+
+/** Keys of the scrubber that step by one degree. */
+const STEPS = Object.freeze({ ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 });
+
+export class Transport {
+  #play = byId("play", HTMLButtonElement);
+  #reverse = byId("reverse", HTMLButtonElement);
+  #scrubber = byId("scrubber", HTMLInputElement);
+  #runner = byId("scrubber-runner", HTMLElement);
+  #speed = byId("speed", HTMLSelectElement);
+  #angle;
+  /** @type {View | null} the view the controls show */
+  #view = null;
+  /** @type {Cycle | null} the cycle the scrubber was made for */
+  #cycle = null;
+  #lang = "";
+
+  /**
+   * @param {import("assur/store.js").Store<State>} store
+   * @param {Model} model
+   * @param {import("assur/drafts.js").Drafts} drafts
+   */
+  constructor(store, model, drafts) {
+    const put = (/** @type {number} */ phiDeg) => store.update((state) => placed(state, phiDeg, model));
+    const step = (/** @type {number} */ by) => {
+      drafts.drop("phi_deg");
+      put(store.get().view.phi_deg + by);
+    };
+    this.#play.addEventListener("click", () => {
+      drafts.drop("phi_deg");
+      store.update((state) => withView(state, { playing: !state.view.playing }));
+    });
+    this.#reverse.addEventListener("click", () => {
+      store.update((state) => withView(state, { direction: turned(state.view.direction) }));
+    });
+    byId("step-back", HTMLButtonElement).addEventListener("click", () => step(-1));
+    byId("step-forward", HTMLButtonElement).addEventListener("click", () => step(1));
+    this.#scrubber.addEventListener("input", () => {
+      drafts.drop("phi_deg");
+      put(Number(this.#scrubber.value));
+    });
+    this.#scrubber.addEventListener("keydown", (event) => {
+      const by = Object.entries(STEPS).find(([key]) => key === event.key)?.[1];
+      if (by === undefined) return;
+      event.preventDefault();
+      step(by);
+    });
+    this.#angle = new NumberBox(byId("angle", HTMLInputElement), "phi_deg", drafts, (value) => {
+      put(value);
+      return store.get().view.phi_deg;
+    });
+    for (const speed of SPEEDS) this.#speed.append(make("option", { value: String(speed) }));
+    this.#speed.addEventListener("change", () => {
+      store.update((state) => withView(state, { speed: Number(this.#speed.value) }));
+    });
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { summary, phiDeg, words, legible } = snapshot;
+    if (this.#lang !== words.lang) this.#translate(words);
+    if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
+    if (this.#cycle !== summary.cycle) this.#fit(summary.cycle);
+    const [start, end] = [degrees(summary.cycle.start), degrees(summary.cycle.end)];
+    const part = (phiDeg - start) / (end - start);
+    this.#runner.style.transform = `translateX(${(100 * part).toFixed(3)}%)`;
+    if (legible) this.#write(snapshot);
+  }
+
+  /** @param {Snapshot} snapshot */
+  #write({ state, words, phiDeg, problems, stale }) {
+    const angle = `${words.numbers.fixed(phiDeg, 3)}°`;
+    const { playing } = state.view;
+    this.#scrubber.value = String(phiDeg);
+    if (!playing) this.#scrubber.setAttribute("aria-valuetext", angle);
+    if (playing && this.#angle.busy) return;
+    const unplaced = problems.some(({ code, phi }) => phi !== undefined && code !== "dead_point");
+    const written = { brief: angle, full: `${words.numbers.exact(phiDeg)}°` };
+    this.#angle.show(state.view.phi_deg, written, unplaced && !stale);
+  }
+
+  /**
+   * @param {View} view
+   * @param {Words} words
+   */
+  #controls(view, words) {
+    const previous = this.#view;
+    this.#view = view;
+    if (previous?.playing !== view.playing) this.#name(words, view.playing);
+    if (previous?.direction !== view.direction) this.#reverse.setAttribute("aria-pressed", String(view.direction < 0));
+    if (previous?.speed !== view.speed) this.#speed.value = String(view.speed);
+  }
+
+  /** @param {Words} words */
+  #translate(words) {
+    this.#lang = words.lang;
+    for (const option of this.#speed.options) {
+      option.textContent = words.text("transport.times", { value: words.numbers.upTo(Number(option.value), 2) });
+    }
+    this.#view = null;
+  }
+
+  /**
+   * @param {Words} words
+   * @param {boolean} playing
+   */
+  #name(words, playing) {
+    this.#play.dataset.playing = String(playing);
+    const name = words.text(playing ? "transport.pause" : "transport.play");
+    this.#play.ariaLabel = name;
+    this.#play.title = name;
+  }
+
+  /**
+   * The scrubber shows the whole axis; where nothing can be assembled its track is broken.
+   * @param {Cycle} cycle
+   */
+  #fit(cycle) {
+    this.#cycle = cycle;
+    const { start, end, full, arcs } = cycle;
+    this.#scrubber.min = String(degrees(start));
+    this.#scrubber.max = String(degrees(end));
+    const track = byId("scrubber", HTMLInputElement).parentElement;
+    const part = (/** @type {number} */ phi) => `${((100 * (phi - start)) / (end - start)).toFixed(3)}%`;
+    const stops = arcs.map(([from, to]) => `transparent ${part(from)}, var(--open) ${part(from)} ${part(to)}, transparent ${part(to)}`);
+    track?.style.setProperty("--arcs", full ? "none" : `linear-gradient(to right, ${stops.join(", ")})`);
+    track?.toggleAttribute("data-partial", !full);
+  }
+}
