@@ -1,2 +1,10 @@
-//! The page in a real browser, driven as a person would.
+//! The page in a real browser, driven by events as a person would: what is
+//! asserted is what it shows, in pixels and in read-outs against the engine.
 #![cfg(not(target_family = "wasm"))]
+
+mod bad_input;
+mod browser;
+mod bundle;
+mod lesson;
+mod picture;
+mod pixels;

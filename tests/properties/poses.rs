@@ -157,7 +157,11 @@ fn check_everything(linkage: &FourBar, crank: f64) -> Result<(), TestCaseError> 
             }
             Err(Unsolved::Undetermined { .. } | Unsolved::DeadPoint { .. }) => {}
         }
-        if let Some(stroke) = linkage.swing(assembly).stroke() {
+        for stroke in linkage
+            .swings(assembly)
+            .into_iter()
+            .filter_map(|swing| swing.stroke())
+        {
             prop_assert!(stroke.is_finite() && stroke >= 0.0, "{linkage:?}: {stroke}");
         }
         for limit in linkage.limits(assembly) {

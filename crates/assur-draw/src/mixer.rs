@@ -1,8 +1,10 @@
 //! The mixer to scale: linkage, wheels in mesh, stirrer blades.
 
+use std::f64::consts::TAU;
+
 use assur::catalog::mixer::Mixer;
 use assur::gears::Wheel;
-use assur::{Link, Point, Pose, Unsolved, Vector};
+use assur::{Link, Point, Swing, Unsolved, Vector};
 
 use crate::gear::Teeth;
 use crate::list::{Label, List, Look, Role};
@@ -171,7 +173,7 @@ impl Scene {
     /// The arc from the frame to the crank with the name of its angle.
     fn angle_arc(&self, list: &mut List, phi: f64) {
         let radius = 0.5 * self.mixer.linkage.length(Link::Crank);
-        let turn = phi.rem_euclid(std::f64::consts::TAU);
+        let turn = phi.rem_euclid(TAU);
         let at = |angle: f64| Point::new(radius * angle.cos(), radius * angle.sin());
         let points: Vec<Point> = (0..=48).map(|i| at(turn * f64::from(i) / 48.0)).collect();
         list.polyline(Role::Crank, Look::Thin, &points);
@@ -191,20 +193,22 @@ impl Scene {
     }
 }
 
-/// The path of C over the motion, a line for every arc of the crank.
+/// The path of C: around D over the rocker's swing on each arc, drawn once.
 fn path_of_c(mixer: &Mixer) -> Vec<Vec<Point>> {
-    let linkage = &mixer.linkage;
-    let place = |crank: f64| -> Option<Point> {
-        let pose: Pose<1> = linkage.pose(mixer.assembly, crank).ok()?;
-        Some(linkage.joints(&pose)[2].place())
-    };
-    let arc = |[from, to]: &[f64; 2]| {
-        let steps = 180;
-        (0..=steps)
-            .filter_map(|i| place(from + (to - from) * f64::from(i) / f64::from(steps)))
+    let [.., l3, l4] = mixer.linkage.lengths();
+    let d = Point::new(l4, 0.0);
+    let arc = |swing: Swing| {
+        let (from, to) = match swing {
+            Swing::Turns => (0.0, TAU),
+            Swing::Between { min, max } => (min, max),
+        };
+        (0..=90)
+            .map(|i| from + (to - from) * f64::from(i) / 90.0)
+            .map(|angle| d + Vector::new(angle.cos(), angle.sin()) * l3)
             .collect()
     };
-    linkage.cycle().arcs().iter().map(arc).collect()
+    let swings = mixer.linkage.swings(mixer.assembly).into_iter();
+    swings.map(arc).collect()
 }
 
 /// The rectangle around the circle of B, the path of C, the supports and wheels.

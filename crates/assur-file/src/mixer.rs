@@ -10,7 +10,6 @@ use crate::Problem;
 /// The mixer: lengths in metres, numbers of teeth, and how the wheels are set.
 /// Numbers are taken as they come; [`MixerDocument::mixer`] checks them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct MixerDocument {
     /// Crank AB.
     pub l1: f64,

@@ -22,7 +22,6 @@ pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> 
 
 /// What the page asks of a chart, sizes in pixels of the reader.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 pub(crate) struct ChartRequest {
     pub(crate) width: u32,
     pub(crate) height: u32,

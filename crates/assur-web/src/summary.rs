@@ -29,11 +29,11 @@ struct CycleSummary {
     arcs: Vec<[f64; 2]>,
 }
 
-/// None where the wheel turns fully.
+/// One for every arc of the cycle, none where the wheel turns fully.
 #[derive(Serialize)]
 struct Swings {
-    rocker: Option<Between>,
-    wheel5: Option<Between>,
+    rocker: Vec<Option<Between>>,
+    wheel5: Vec<Option<Between>>,
 }
 
 #[derive(Serialize)]
@@ -69,7 +69,7 @@ impl Summary {
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
-        let swing = linkage.swing(assembly);
+        let swings = linkage.swings(assembly);
         let ratio = mixer.gears.ratio();
         let (min, phi) = linkage.worst_transmission();
         let limit = |limit: assur::Limit| LimitSummary {
@@ -80,8 +80,11 @@ impl Summary {
             grashof: grashof(linkage.grashof()),
             home: cycle.home(),
             swing: Swings {
-                rocker: between(swing),
-                wheel5: between(swing.scaled(ratio)),
+                rocker: swings.iter().map(|swing| between(*swing)).collect(),
+                wheel5: swings
+                    .iter()
+                    .map(|swing| between(swing.scaled(ratio)))
+                    .collect(),
             },
             limits: linkage.limits(assembly).into_iter().map(limit).collect(),
             time_ratio: linkage.time_ratio(assembly),

@@ -16,8 +16,8 @@
 //!
 //! let linkage = FourBar::new([0.37, 0.85, 0.55, 0.85]).unwrap(); // l₁ … l₄, fig. 4a
 //! let pose = linkage.pose::<3>(Assembly::First, 1.0).unwrap();
-//! assert!((pose.rocker.value() - 1.3049).abs() < 1e-4); // φ₃
-//! assert!((pose.rocker.derivative(1) - 0.5624).abs() < 1e-4); // φ₃′
+//! assert!((pose.rocker.value() - 1.2500).abs() < 1e-4); // φ₃
+//! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
 pub mod catalog;

@@ -111,11 +111,15 @@ fn sample(mixer: &Mixer) -> Vec<Vec<Sample>> {
 
 /// The limit positions with the rocker's extreme angles.
 fn swing_marks(mixer: &Mixer) -> Vec<(f64, f64)> {
-    let Swing::Between { min, max } = mixer.linkage.swing(mixer.assembly) else {
-        return Vec::new();
+    let swings = mixer.linkage.swings(mixer.assembly);
+    let extreme = |angle: f64| {
+        swings.iter().any(|swing| match swing {
+            Swing::Between { min, max } => [*min, *max].contains(&angle),
+            Swing::Turns => false,
+        })
     };
     let limits = mixer.linkage.limits(mixer.assembly).into_iter();
-    let extreme = limits.filter(|limit| [min, max].contains(&limit.rocker));
+    let extreme = limits.filter(|limit| extreme(limit.rocker));
     extreme.map(|limit| (limit.crank, limit.rocker)).collect()
 }
 

@@ -29,11 +29,11 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// Labels of the values, about 36 pixels apart; of angles in degrees.
+/// Labels of the values, about 28 pixels apart; of angles in degrees.
 pub(super) fn values(range: Range, angle: bool, height: f64) -> Vec<Tick> {
     let degrees = |value: f64| if angle { value.to_degrees() } else { value };
     let (from, to) = (degrees(range.min), degrees(range.max));
-    let least = (to - from) * 36.0 / height;
+    let least = (to - from) * 28.0 / height;
     let step = if angle {
         angle_step(least, 1.0)
     } else {

@@ -1,6 +1,8 @@
 //! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel
 //! 4, which drives wheel 5 (Smelyagin and Prikhodko, fig. 1 and 4).
 
+use std::f64::consts::PI;
+
 use crate::gears::{GearPair, Mesh};
 use crate::{Assembly, FourBar, Invalid};
 
@@ -32,7 +34,7 @@ impl Case {
             teeth: [z4, z5],
             mesh: Mesh::External,
             module: 0.0165,
-            centre_line: -0.7,
+            centre_line: -2.0 * PI / 9.0,
             assembly: Assembly::First,
         }
     }

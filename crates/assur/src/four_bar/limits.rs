@@ -14,7 +14,7 @@ pub struct Limit {
     pub rocker: f64,
 }
 
-/// What the rocker does over the whole motion.
+/// What the rocker does over an arc of the crank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
     /// It turns fully.
@@ -60,13 +60,12 @@ impl FourBar {
             // Where a cycle takes two turns the position belongs to one of them.
             let mut turned = start + (crank - start).rem_euclid(TAU);
             while turned < end {
-                if cycle.contains(turned) && self.side(assembly, turned) == side {
-                    if let Ok(pose) = self.pose::<1>(assembly, turned) {
-                        limits.push(Limit {
-                            crank: turned,
-                            rocker: pose.rocker.value(),
-                        });
-                    }
+                let here = cycle.contains(turned) && self.side(assembly, turned) == side;
+                if let (true, Ok(pose)) = (here, self.pose::<1>(assembly, turned)) {
+                    limits.push(Limit {
+                        crank: turned,
+                        rocker: pose.rocker.value(),
+                    });
                 }
                 turned += TAU;
             }
@@ -103,27 +102,34 @@ impl FourBar {
         found
     }
 
-    /// The rocker's swing over the whole motion of this assembly: between limit
-    /// positions, or the ends of the arcs where the crank cannot turn.
-    pub fn swing(&self, assembly: Assembly) -> Swing {
+    /// The rocker's swing on each arc of the cycle in this assembly: between limit
+    /// positions, or the ends of the arc where the crank cannot turn.
+    pub fn swings(&self, assembly: Assembly) -> Vec<Swing> {
         let cycle = self.cycle();
         let rocker = |crank| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
         if let (true, [start, end]) = (cycle.is_full(), cycle.axis()) {
             // Any angle will do that is not a deltoid's undetermined one.
             let (before, after) = (rocker(start + 1.0), rocker(end + 1.0));
             if before.zip(after).is_some_and(|(a, b)| (b - a).abs() > PI) {
-                return Swing::Turns;
+                return vec![Swing::Turns];
             }
         }
-        let change_points = self.change_points();
-        let rests = self.limits(assembly).into_iter().map(|limit| limit.rocker);
-        let [min, max] = rests
-            .chain(self.dead_points().into_iter().filter_map(rocker))
-            .chain(change_points.iter().filter_map(|point| rocker(point.crank)))
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], angle| {
-                [min.min(angle), max.max(angle)]
-            });
-        Swing::Between { min, max }
+        // Where all links are in line the rocker may turn back as well.
+        let limits = self.limits(assembly).into_iter().map(|limit| limit.crank);
+        let in_line = self.change_points().into_iter().map(|point| point.crank);
+        let extremes: Vec<f64> = limits.chain(in_line).chain(self.dead_points()).collect();
+        let between = |[from, to]: &[f64; 2]| {
+            let of_arc = extremes
+                .iter()
+                .filter(|crank| (*from..=*to).contains(*crank));
+            let angles = of_arc.filter_map(|crank| rocker(*crank));
+            let [min, max] = angles
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], angle| {
+                    [min.min(angle), max.max(angle)]
+                });
+            Swing::Between { min, max }
+        };
+        cycle.arcs().iter().map(between).collect()
     }
 
     /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed;

@@ -92,10 +92,10 @@ pub fn extrema(
             (least, most) = (least.min(value), most.max(value));
         }
         // A full cycle closes: from its last sample to its first.
-        if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..]) {
-            if last.slope * first.slope < 0.0 {
-                found.push(*first);
-            }
+        if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..])
+            && last.slope * first.slope < 0.0
+        {
+            found.push(*first);
         }
         for pair in samples.windows(2) {
             if let [Some(a), Some(b)] = pair {

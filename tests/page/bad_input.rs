@@ -1,0 +1,140 @@
+//! Impossible and nonsensical input: a sentence that names the thing at fault,
+//! the last good drawing stays, and good input recovers.
+
+use crate::browser::Page;
+
+/// Pixels by which two pictures of the same drawing may differ: edges are smoothed
+/// from what was drawn before.
+const ALIKE: usize = 20;
+
+#[tokio::test]
+async fn impossible_length_and_back() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let good = page.picture("mechanism").await;
+    let swing = page.text("out-swing-rocker").await;
+
+    page.write("field-l4", "2").await;
+    let sentence = page.text("problem").await;
+    assert!(
+        sentence.contains("l₄") || sentence.contains("frame"),
+        "{sentence}"
+    );
+    assert!(sentence.contains("0.23"), "by how much: {sentence}");
+    assert_eq!(
+        page.attribute("mechanism", "data-faded").await.as_deref(),
+        Some("true")
+    );
+    assert_eq!(
+        page.attribute("field-l4", "aria-invalid").await.as_deref(),
+        Some("true")
+    );
+    assert_eq!(page.written("field-l4").await, "2");
+    assert_eq!(page.text("out-swing-rocker").await, swing);
+    // Still there, only fainter.
+    let faded = page.picture("mechanism").await;
+    assert!(
+        faded.ink() < 0.97 * good.ink(),
+        "{} {}",
+        faded.ink(),
+        good.ink()
+    );
+    assert!(faded.difference(&good) > 1000);
+
+    page.write("field-l4", "0.85").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(
+        page.attribute("mechanism", "data-faded").await.as_deref(),
+        Some("false")
+    );
+    assert_ne!(
+        page.attribute("field-l4", "aria-invalid").await.as_deref(),
+        Some("true")
+    );
+    assert!(page.picture("mechanism").await.difference(&good) < ALIKE);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn bad_numbers_are_named_and_recovered_from() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let good = page.picture("mechanism").await;
+    for (field, back, bad) in [
+        ("field-l1", "0.37", &["0", "-0.37", "1e300", "abc", ""][..]),
+        (
+            "field-l3",
+            "0.55",
+            &["NaN", "Infinity", "1e-300", "0,0", "--1"],
+        ),
+        ("field-z4", "36", &["0", "-3", "1.5", "1e9", "x"]),
+        ("field-z5", "18", &["0", "-3", "1.5", "2", "18 18"]),
+        ("field-module", "0.0165", &["0", "-1"]),
+    ] {
+        for text in bad {
+            page.write(field, text).await;
+            let sentence = page.text("problem").await;
+            assert!(sentence.len() > 10, "{field} {text:?}: {sentence:?}");
+            assert!(!sentence.contains('{'), "a place left empty: {sentence}");
+            assert_eq!(
+                page.attribute(field, "aria-invalid").await.as_deref(),
+                Some("true"),
+                "{field} {text:?}"
+            );
+            // A number is shown with the minus of print.
+            let written = page.written(field).await.replace('−', "-");
+            assert_eq!(written, *text, "what was written stays");
+        }
+        page.write(field, back).await;
+        assert_eq!(page.text("problem").await, "", "{field}");
+        assert!(
+            page.picture("mechanism").await.difference(&good) < ALIKE,
+            "{field}"
+        );
+    }
+    page.close().await;
+}
+
+/// An angle at which the loop cannot be closed: a sentence, and the way back.
+#[tokio::test]
+async fn angle_without_a_pose() {
+    let page = Page::open().await;
+    page.stop_at("10").await;
+    for (field, length) in [
+        ("field-l1", "0.8"),
+        ("field-l2", "0.4"),
+        ("field-l3", "0.55"),
+    ] {
+        page.write(field, length).await;
+    }
+    assert_eq!(page.text("problem").await, "");
+    page.write("angle", "170").await;
+    let sentence = page.text("problem").await;
+    assert!(sentence.contains("170"), "{sentence}");
+    assert_eq!(
+        page.attribute("mechanism", "data-faded").await.as_deref(),
+        Some("true")
+    );
+    page.write("angle", "10").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(
+        page.attribute("mechanism", "data-faded").await.as_deref(),
+        Some("false")
+    );
+    page.close().await;
+}
+
+#[tokio::test]
+async fn concentric_wheels_and_mixed_faults() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    page.click("mesh-internal").await;
+    page.write("field-z5", "36").await;
+    assert!(page.text("problem").await.len() > 10);
+    page.write("field-l1", "0").await;
+    assert!(page.text("problem").await.len() > 20);
+    page.write("field-l1", "0.37").await;
+    page.write("field-z5", "18").await;
+    assert_eq!(page.text("problem").await, "");
+    page.close().await;
+}

@@ -1,0 +1,240 @@
+//! A browser of our own with the page open, and a person's hands.
+
+use std::env;
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use thirtyfour::prelude::*;
+use thirtyfour::{ChromiumLikeCapabilities, LoggingPrefsLogLevel};
+
+use crate::picture::Picture;
+
+/// How long a person would wait for something to happen.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The page, open and ready, in a browser that ends with it.
+pub(crate) struct Page {
+    // Dropped first: it ends the browser through the server below.
+    driver: WebDriver,
+    _server: Chromedriver,
+}
+
+/// A running chromedriver.
+struct Chromedriver(Child);
+
+impl Drop for Chromedriver {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// An environment variable that `cargo xtask test` sets.
+pub(crate) fn setting(name: &str) -> String {
+    env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
+}
+
+impl Page {
+    /// The served page in English.
+    pub(crate) async fn open() -> Self {
+        Self::open_at(&setting("ASSUR_URL"), "en-US").await
+    }
+
+    /// A page at an address, in a browser that speaks a language.
+    pub(crate) async fn open_at(url: &str, lang: &str) -> Self {
+        let server = Command::new(setting("CHROMEDRIVER"))
+            .arg("--port=0")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn();
+        let mut server = Chromedriver(server.unwrap());
+        let said = BufReader::new(server.0.stdout.take().unwrap());
+        let port = said.lines().map_while(Result::ok).find_map(|line| {
+            line.split_once("successfully on port ")?
+                .1
+                .trim_end_matches('.')
+                .parse()
+                .ok()
+        });
+        let port: u16 = port.unwrap();
+
+        let mut wanted = DesiredCapabilities::chrome();
+        wanted.set_binary(&setting("CHROME")).unwrap();
+        wanted
+            .set_browser_log_level(LoggingPrefsLogLevel::All)
+            .unwrap();
+        for argument in [
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-dev-shm-usage",
+            "--no-first-run",
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--hide-scrollbars",
+            "--force-device-scale-factor=1",
+            "--window-size=1280,800",
+            &format!("--lang={lang}"),
+            &format!("--accept-lang={lang}"),
+        ] {
+            wanted.add_arg(argument).unwrap();
+        }
+        let driver = WebDriver::new(format!("http://127.0.0.1:{port}"), wanted)
+            .await
+            .unwrap();
+        let page = Self {
+            driver,
+            _server: server,
+        };
+        page.driver.goto(url).await.unwrap();
+        page.until("the page to be ready", async || {
+            let root = page.driver.find(By::Css("html")).await.unwrap();
+            root.attr("data-ready").await.unwrap().as_deref() == Some("true")
+        })
+        .await;
+        page
+    }
+
+    /// Ends the visit; nothing may have been said on the console.
+    pub(crate) async fn close(self) {
+        let said = self.driver.browser_log().await.unwrap();
+        let said: Vec<String> = said.iter().map(|entry| format!("{entry:?}")).collect();
+        assert!(said.is_empty(), "on the console: {said:#?}");
+        self.driver.clone().quit().await.unwrap();
+    }
+
+    /// Waits until something holds.
+    pub(crate) async fn until(&self, what: &str, holds: impl AsyncFn() -> bool) {
+        let start = Instant::now();
+        while !holds().await {
+            assert!(start.elapsed() < PATIENCE, "waited in vain for {what}");
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+    }
+
+    pub(crate) async fn element(&self, id: &str) -> WebElement {
+        self.driver
+            .find(By::Id(id))
+            .await
+            .unwrap_or_else(|_| panic!("no element {id}"))
+    }
+
+    pub(crate) async fn click(&self, id: &str) {
+        self.element(id).await.click().await.unwrap();
+        self.settle().await;
+    }
+
+    /// Writes into a field as by hand and leaves it by Enter.
+    pub(crate) async fn write(&self, id: &str, text: &str) {
+        let field = self.element(id).await;
+        field.click().await.unwrap();
+        field.send_keys(Key::Control + "a").await.unwrap();
+        field.send_keys(text).await.unwrap();
+        field.send_keys(Key::Enter + "").await.unwrap();
+        self.settle().await;
+    }
+
+    /// Presses a key in a control.
+    pub(crate) async fn press(&self, id: &str, key: Key) {
+        self.element(id).await.send_keys(key + "").await.unwrap();
+        self.settle().await;
+    }
+
+    /// Chooses an entry of a list.
+    pub(crate) async fn choose(&self, id: &str, value: &str) {
+        let option = format!("#{id} option[value='{value}']");
+        self.driver
+            .find(By::Css(option))
+            .await
+            .unwrap()
+            .click()
+            .await
+            .unwrap();
+        self.settle().await;
+    }
+
+    /// Drags with the pointer over a control, from and to shares of its width.
+    pub(crate) async fn drag(&self, id: &str, from: f64, to: f64) {
+        let element = self.element(id).await;
+        let area = element.rect().await.unwrap();
+        let y = area.y + area.height / 2.0;
+        let x = |share: f64| (area.x + share * area.width).round() as i64;
+        self.driver
+            .action_chain()
+            .move_to(x(from), y as i64)
+            .click_and_hold()
+            .move_to(x(0.5 * (from + to)), y as i64)
+            .move_to(x(to), y as i64)
+            .release()
+            .perform()
+            .await
+            .unwrap();
+        self.settle().await;
+    }
+
+    /// Two animation frames: what was done has been drawn.
+    pub(crate) async fn settle(&self) {
+        let frames = "const done = arguments[0];
+            requestAnimationFrame(() => requestAnimationFrame(() => done(true)));";
+        self.driver.execute_async(frames, Vec::new()).await.unwrap();
+    }
+
+    /// The number behind a read-out.
+    pub(crate) async fn value(&self, id: &str) -> f64 {
+        let value = self.attribute(id, "data-value").await;
+        let value = value.unwrap_or_else(|| panic!("{id} has no value"));
+        value
+            .parse()
+            .unwrap_or_else(|_| panic!("{id} shows {value}"))
+    }
+
+    pub(crate) async fn attribute(&self, id: &str, name: &str) -> Option<String> {
+        self.element(id).await.attr(name).await.unwrap()
+    }
+
+    pub(crate) async fn text(&self, id: &str) -> String {
+        self.element(id).await.text().await.unwrap()
+    }
+
+    /// What a text field holds.
+    pub(crate) async fn written(&self, id: &str) -> String {
+        self.element(id)
+            .await
+            .prop("value")
+            .await
+            .unwrap()
+            .unwrap_or_default()
+    }
+
+    pub(crate) async fn lang(&self) -> Option<String> {
+        self.driver
+            .find(By::Css("html"))
+            .await
+            .unwrap()
+            .attr("lang")
+            .await
+            .unwrap()
+    }
+
+    /// Addresses of everything that was loaded.
+    pub(crate) async fn loaded(&self) -> Vec<String> {
+        let script = "return performance.getEntriesByType('resource').map(entry => entry.name)";
+        let names = self.driver.execute(script, Vec::new()).await.unwrap();
+        names.convert().unwrap()
+    }
+
+    /// A picture of an element as it is on the screen.
+    pub(crate) async fn picture(&self, id: &str) -> Picture {
+        Picture::decode(&self.element(id).await.screenshot_as_png().await.unwrap())
+    }
+
+    /// Stops the motion, if any, at the angle.
+    pub(crate) async fn stop_at(&self, degrees: &str) {
+        if self.attribute("play", "data-playing").await.as_deref() == Some("true") {
+            self.click("play").await;
+        }
+        self.write("angle", degrees).await;
+    }
+}

@@ -1,0 +1,47 @@
+//! The one-file page, opened from the disk: no server, no network.
+
+use assur_tests::assert_near;
+
+use crate::browser::{Page, setting};
+
+#[tokio::test]
+async fn opens_from_a_file_and_runs() {
+    let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
+    let start = page.value("out-phi1").await;
+    page.until("the crank to turn", async || {
+        (page.value("out-phi1").await - start).rem_euclid(360.0) > 10.0
+    })
+    .await;
+    page.click("preset-b").await;
+    assert!(page.text("out-swing-rocker").await.contains("53.452°"));
+    page.stop_at("0").await;
+    page.click("preset-a").await;
+    assert_near(
+        page.value("out-drocker").await,
+        -0.770_833_333_333_333_3,
+        1e-12,
+        "φ₃′ at 0°",
+    );
+    assert!(
+        page.picture("mechanism")
+            .await
+            .cloud(crate::picture::COUPLER)
+            .count
+            > 500
+    );
+    assert!(
+        page.picture("charts")
+            .await
+            .cloud(crate::picture::ROCKER)
+            .count
+            > 1000
+    );
+    page.choose("lang", "ru").await;
+    assert!(page.text("out-swing-rocker").await.contains("87,905°"));
+    let outside: Vec<String> = page.loaded().await;
+    assert!(
+        outside.iter().all(|name| name.starts_with("data:")),
+        "{outside:?}"
+    );
+    page.close().await;
+}
