@@ -2,6 +2,10 @@
 
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
 
+/** Beyond these sizes a number is written with a power of ten: nobody counts noughts. */
+const HUGE = 1e9;
+const TINY = 1e-6;
+
 /**
  * Reads a number with a decimal point or comma, spaces between digits, a typographic minus, a degree sign.
  * @param {string} text
@@ -74,6 +78,19 @@ export class Numbers {
    * @param {Intl.NumberFormatOptions} options
    */
   #write(value, key, options) {
+    const size = Math.abs(value);
+    if ("maximumSignificantDigits" in options && size !== 0 && (size >= HUGE || size < TINY)) {
+      return this.#format(value, `${key}e`, { ...options, notation: "scientific" });
+    }
+    return this.#format(value, key, options);
+  }
+
+  /**
+   * @param {number} value
+   * @param {string} key
+   * @param {Intl.NumberFormatOptions} options
+   */
+  #format(value, key, options) {
     let format = this.#formats.get(key);
     if (!format) {
       format = new Intl.NumberFormat(this.#lang, { useGrouping: false, signDisplay: "negative", ...options });

@@ -1,7 +1,8 @@
 //! A browser of our own with the page open, and a person's hands.
 
 use std::env;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -15,18 +16,27 @@ const PATIENCE: Duration = Duration::from_secs(20);
 
 /// The page, open and ready, in a browser that ends with it.
 pub(crate) struct Page {
-    // Dropped first: it ends the browser through the server below.
     driver: WebDriver,
-    _server: Chromedriver,
+    server: Child,
+    port: u16,
 }
 
-/// A running chromedriver.
-struct Chromedriver(Child);
-
-impl Drop for Chromedriver {
+impl Drop for Page {
+    /// Ends the browser, then its server, also where a test fails: by a request of
+    /// our own, because the client's waits for a runtime that is unwinding.
     fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
+        let _ = self.driver.clone().leak();
+        if let Ok(mut server) = TcpStream::connect(("127.0.0.1", self.port)) {
+            let session = self.driver.handle().session_id();
+            let end = format!(
+                "DELETE /session/{session} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+            );
+            let _ = server.write_all(end.as_bytes());
+            let _ = server.set_read_timeout(Some(PATIENCE));
+            let _ = server.read(&mut [0; 256]);
+        }
+        let _ = self.server.kill();
+        let _ = self.server.wait();
     }
 }
 
@@ -48,8 +58,8 @@ impl Page {
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn();
-        let mut server = Chromedriver(server.unwrap());
-        let said = BufReader::new(server.0.stdout.take().unwrap());
+        let mut server = server.unwrap();
+        let said = BufReader::new(server.stdout.take().unwrap());
         let port = said.lines().map_while(Result::ok).find_map(|line| {
             line.split_once("successfully on port ")?
                 .1
@@ -75,7 +85,7 @@ impl Page {
             "--disable-sync",
             "--hide-scrollbars",
             "--force-device-scale-factor=1",
-            "--window-size=1280,800",
+            "--window-size=1280,940", // of which the page has 1280 by 800
             &format!("--lang={lang}"),
             &format!("--accept-lang={lang}"),
         ] {
@@ -86,7 +96,8 @@ impl Page {
             .unwrap();
         let page = Self {
             driver,
-            _server: server,
+            server,
+            port,
         };
         page.driver.goto(url).await.unwrap();
         page.until("the page to be ready", async || {
@@ -97,12 +108,11 @@ impl Page {
         page
     }
 
-    /// Ends the visit; nothing may have been said on the console.
+    /// Ends the visit: nothing may have been said on the console.
     pub(crate) async fn close(self) {
         let said = self.driver.browser_log().await.unwrap();
         let said: Vec<String> = said.iter().map(|entry| format!("{entry:?}")).collect();
         assert!(said.is_empty(), "on the console: {said:#?}");
-        self.driver.clone().quit().await.unwrap();
     }
 
     /// Waits until something holds.
@@ -131,7 +141,7 @@ impl Page {
         let field = self.element(id).await;
         field.click().await.unwrap();
         field.send_keys(Key::Control + "a").await.unwrap();
-        field.send_keys(text).await.unwrap();
+        field.send_keys(Key::Backspace + text).await.unwrap();
         field.send_keys(Key::Enter + "").await.unwrap();
         self.settle().await;
     }

@@ -20,8 +20,10 @@ pub(crate) struct Cloud {
     pub(crate) y: f64,
     /// Direction of its longest extent, degrees counter-clockwise, modulo 180.
     pub(crate) direction: f64,
-    /// Length of a uniform bar with the same spread along it.
+    /// Its extent that way.
     pub(crate) length: f64,
+    /// The middle of that extent: where a bar's middle is, whatever lies over it.
+    pub(crate) middle: (f64, f64),
 }
 
 impl Picture {
@@ -68,15 +70,19 @@ impl Picture {
             mean(&|p| -(p.0 - x) * (p.1 - y)),
             mean(&|p| (p.1 - y) * (p.1 - y)),
         ];
-        let most = 0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
+        let direction = 0.5 * (2.0 * xy).atan2(xx - yy);
+        let (sin, cos) = direction.sin_cos();
+        let along = |p: &(f64, f64)| (p.0 - x) * cos - (p.1 - y) * sin;
+        let from = places.iter().map(along).fold(f64::INFINITY, f64::min);
+        let to = places.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+        let half = 0.5 * (from + to);
         Cloud {
             count,
             x,
             y,
-            direction: (0.5 * (2.0 * xy).atan2(xx - yy))
-                .to_degrees()
-                .rem_euclid(180.0),
-            length: (12.0 * most).sqrt(),
+            direction: direction.to_degrees().rem_euclid(180.0),
+            length: to - from,
+            middle: (x + half * cos, y - half * sin),
         }
     }
 

@@ -8,6 +8,7 @@
 //! | `3, role, look, x, y, r` | a circle |
 //! | `4, role, label, x, y, dx, dy` | a label whose middle stands off the point by (dx, dy) text heights |
 //!
+//! Roles, looks and labels are numbers in the order of their enumerations.
 //! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
 
 use assur::Point;
@@ -49,8 +50,10 @@ pub(crate) enum Look {
     Solid,
     /// Filled faintly, with an outline.
     Pale,
+    /// A line.
+    Line,
     /// A dashed line.
-    Dashed = 3,
+    Dashed,
     /// A hair line.
     Thin,
     /// Filled with paper, with an outline.

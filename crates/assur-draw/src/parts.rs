@@ -29,7 +29,7 @@ pub(crate) fn support(list: &mut List, at: Point, size: f64) {
     list.polygons(Role::Secondary, Look::Pale, &[triangle]);
     list.polyline(
         Role::Secondary,
-        Look::Thin,
+        Look::Line,
         &[point(-2.3, -2.6), point(2.3, -2.6)],
     );
     for i in 0..6 {

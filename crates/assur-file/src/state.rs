@@ -73,8 +73,14 @@ impl State {
         if self.view.direction.abs() != 1.0 {
             problems.push(Problem::UnknownChoice { field: "direction" });
         }
-        if !(self.view.speed > 0.0 && self.view.speed.is_finite()) {
+        let speed = self.view.speed;
+        if !speed.is_finite() {
             problems.push(Problem::NotANumber { field: "speed" });
+        } else if speed <= 0.0 {
+            problems.push(Problem::NotPositive {
+                field: "speed",
+                value: speed,
+            });
         }
         if problems.is_empty() {
             Ok(())

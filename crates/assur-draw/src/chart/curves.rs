@@ -25,7 +25,7 @@ pub(crate) struct Range {
 pub(crate) struct Curve {
     /// Unbroken runs of points.
     runs: Vec<Vec<(f64, f64)>>,
-    /// Its greatest maximum and least minimum.
+    /// Its extrema, marked by dots.
     pub(crate) extrema: Vec<(f64, f64)>,
 }
 
@@ -123,19 +123,11 @@ fn swing_marks(mixer: &Mixer) -> Vec<(f64, f64)> {
     extreme.map(|limit| (limit.crank, limit.rocker)).collect()
 }
 
-/// The greatest maximum and the least minimum of a derivative.
+/// The extrema of a derivative.
 fn rate_marks(mixer: &Mixer, order: Order) -> Vec<(f64, f64)> {
     let all = extrema(&mixer.linkage, mixer.assembly, order, |pose| pose.rocker);
-    let place = |extremum: Extremum| (extremum.crank, extremum.value);
-    let most = all
-        .iter()
-        .copied()
-        .max_by(|a, b| a.value.total_cmp(&b.value));
-    let least = all
-        .iter()
-        .copied()
-        .min_by(|a, b| a.value.total_cmp(&b.value));
-    most.into_iter().chain(least).map(place).collect()
+    let place = |extremum: &Extremum| (extremum.crank, extremum.value);
+    all.iter().map(place).collect()
 }
 
 /// The range of the values with a margin; of a constant, room around it.
