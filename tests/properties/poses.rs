@@ -48,7 +48,7 @@ fn by_the_paper(linkage: &FourBar, pose: &Pose<3>) -> ([f64; 2], [f64; 2], f64) 
 }
 
 proptest! {
-    #![proptest_config(config(20_000))]
+    #![proptest_config(config(60_000))]
 
     /// The loop closes to 1e-13 of the longest link, and so do its derivatives
     /// beside the size of their terms; whatever is solved is finite.

@@ -13,6 +13,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use assur::catalog::mixer::Mixer;
+use assur::motion::Extremum;
 
 use crate::list::{ROLES, Role};
 use curves::{Curve, Range};
@@ -72,11 +73,12 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart of a mixer over its cycle.
-    pub fn new(mixer: &Mixer) -> Self {
+    /// The chart of a mixer over its cycle; `extrema` of the rocker's φ′ and φ″
+    /// are marked by dots, as are those of φ.
+    pub fn new(mixer: &Mixer, extrema: &[Vec<Extremum>; 2]) -> Self {
         Self {
             axis: mixer.linkage.cycle().axis(),
-            plots: curves::plots(mixer),
+            plots: curves::plots(mixer, extrema),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The one object the page talks to.
 
 use assur::catalog::mixer::{Case, Mixer};
+use assur::motion::extrema;
 use assur::{Cycle, Pose};
 use assur_draw::chart::Chart;
 use assur_draw::{LABELS, ROLES, Scene};
@@ -52,11 +53,12 @@ impl Simulator {
             }
         };
         let scene = Scene::new(&mixer, state.view.traces);
-        let summary = Summary::new(&mixer, scene.bounds());
+        let extrema = extrema(&mixer.linkage, mixer.assembly, |pose| pose.rocker);
+        let summary = Summary::new(&mixer, &extrema, scene.bounds());
         self.loaded = Some(Loaded {
             mixer,
             cycle: mixer.linkage.cycle(),
-            chart: Chart::new(&mixer),
+            chart: Chart::new(&mixer, &extrema),
             scene,
         });
         Ok(to_js(&summary))

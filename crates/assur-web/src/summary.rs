@@ -1,7 +1,7 @@
 //! What the page shows of a whole motion, under the names it knows.
 
 use assur::catalog::mixer::Mixer;
-use assur::motion::{Extremum, Kind, Order, extrema};
+use assur::motion::{Extremum, Kind};
 use assur::{Grashof, Swing};
 use serde::Serialize;
 
@@ -65,7 +65,7 @@ struct ExtremumSummary {
 }
 
 impl Summary {
-    pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
+    pub(crate) fn new(mixer: &Mixer, extrema: &[Vec<Extremum>; 2], bounds: [f64; 4]) -> Self {
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
@@ -92,7 +92,7 @@ impl Summary {
             ratio,
             dead_points: linkage.dead_points(),
             change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
-            extrema: all_extrema(mixer),
+            extrema: summarised(extrema, ratio),
             bounds,
             cycle: CycleSummary {
                 start,
@@ -104,14 +104,13 @@ impl Summary {
     }
 }
 
-fn all_extrema(mixer: &Mixer) -> Vec<ExtremumSummary> {
-    let ratio = mixer.gears.ratio();
+/// The rocker's extrema and wheel 5's, which turns `ratio` times as fast.
+fn summarised(extrema: &[Vec<Extremum>; 2], ratio: f64) -> Vec<ExtremumSummary> {
     let mut all = Vec::new();
-    for order in [Order::First, Order::Second] {
-        let found = extrema(&mixer.linkage, mixer.assembly, order, |pose| pose.rocker);
+    for (order, found) in (1..).zip(extrema) {
         let summary = |series, extremum: Extremum| ExtremumSummary {
             series,
-            order: order as u8,
+            order,
             kind: match extremum.kind {
                 Kind::Max => "max",
                 Kind::Min => "min",

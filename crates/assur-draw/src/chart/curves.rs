@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use assur::catalog::mixer::Mixer;
-use assur::motion::{Extremum, Order, extrema};
+use assur::motion::Extremum;
 use assur::{Pose, Swing};
 
 /// Samples of an arc of the crank.
@@ -30,13 +30,14 @@ pub(crate) struct Curve {
 }
 
 /// For φ, φ′, φ″: the range, and the curves of the rocker and of wheel 5.
-pub(crate) fn plots(mixer: &Mixer) -> [(Range, [Curve; 2]); 3] {
+/// `extrema` are those of the rocker's φ′ and φ″.
+pub(crate) fn plots(mixer: &Mixer, extrema: &[Vec<Extremum>; 2]) -> [(Range, [Curve; 2]); 3] {
     let runs = sample(mixer);
-    let marks = [
-        swing_marks(mixer),
-        rate_marks(mixer, Order::First),
-        rate_marks(mixer, Order::Second),
-    ];
+    let [first, second] = extrema.each_ref().map(|found| {
+        let place = |extremum: &Extremum| (extremum.crank, extremum.value);
+        found.iter().map(place).collect()
+    });
+    let marks = [swing_marks(mixer), first, second];
     let full = mixer.linkage.cycle().is_full();
     let ratio = mixer.gears.ratio();
     let mut order = 0;
@@ -121,13 +122,6 @@ fn swing_marks(mixer: &Mixer) -> Vec<(f64, f64)> {
     let limits = mixer.linkage.limits(mixer.assembly).into_iter();
     let extreme = limits.filter(|limit| extreme(limit.rocker));
     extreme.map(|limit| (limit.crank, limit.rocker)).collect()
-}
-
-/// The extrema of a derivative.
-fn rate_marks(mixer: &Mixer, order: Order) -> Vec<(f64, f64)> {
-    let all = extrema(&mixer.linkage, mixer.assembly, order, |pose| pose.rocker);
-    let place = |extremum: &Extremum| (extremum.crank, extremum.value);
-    all.iter().map(place).collect()
 }
 
 /// The range of the values with a margin; of a constant, room around it.

@@ -149,9 +149,9 @@ impl FourBar {
         assembly: Assembly,
         crank: f64,
     ) -> Result<[Jet<N>; 3], Unsolved> {
-        let [root_p, root_q] = self.area_roots(crank)?;
+        let (sin, cos) = half_angle(crank)?;
+        let [root_p, root_q] = self.area_roots(crank, sin, cos)?;
         let [l1, l2, l3, l4] = self.lengths;
-        let (sin, cos) = Jet::<N>::linear(0.5 * crank, 0.5).sin_cos();
         let apart = self.frame_less_crank;
         // φ₅ without a jump: by the frame's side where the crank is the shorter,
         // else carried around with the crank.
@@ -178,7 +178,8 @@ impl FourBar {
         assembly: Assembly,
         crank: f64,
     ) -> Result<[Jet<N>; 3], Unsolved> {
-        let [root_p, root_q] = self.area_roots(crank)?;
+        let (sin, cos) = half_angle(crank)?;
+        let [root_p, root_q] = self.area_roots(crank, sin, cos)?;
         if root_q.value().abs() <= tolerance(&self.lengths) {
             return Err(Unsolved::Undetermined { crank });
         }
@@ -194,14 +195,15 @@ impl FourBar {
     }
 
     /// √P and √Q with the signs that keep a motion smooth; their product is 4S.
-    pub(super) fn area_roots<const N: usize>(&self, crank: f64) -> Result<[Jet<N>; 2], Unsolved> {
-        if !crank.is_finite() {
-            return Err(Unsolved::NotAnAngle);
-        }
-        let (sin, cos) = Jet::linear(0.5 * crank, 0.5).sin_cos();
+    /// `sin` and `cos` are of half the crank angle.
+    pub(super) fn area_roots<const N: usize>(
+        &self,
+        crank: f64,
+        sin: Jet<N>,
+        cos: Jet<N>,
+    ) -> Result<[Jet<N>; 2], Unsolved> {
         let [_, l2, l3, _] = self.lengths;
-        let half: Jet<N> = sin;
-        let square = half.value() * half.value() * self.weight();
+        let square = sin.value() * sin.value() * self.weight();
         let diagonal = (square + self.frame_less_crank * self.frame_less_crank).sqrt();
         let root_p = self.root([cos, sin], self.p_ends(), l2 + l3 + diagonal);
         let root_q = self.root([sin, cos], self.q_ends(), (l2 - l3).abs() + diagonal);
@@ -287,6 +289,15 @@ impl FourBar {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };
         assembly.sign() * sign(cos, self.changes_at_pi()) * sign(sin, self.changes_at_zero())
+    }
+}
+
+/// Sine and cosine of half the crank angle, from which all else follows.
+pub(super) fn half_angle<const N: usize>(crank: f64) -> Result<(Jet<N>, Jet<N>), Unsolved> {
+    if crank.is_finite() {
+        Ok(Jet::linear(0.5 * crank, 0.5).sin_cos())
+    } else {
+        Err(Unsolved::NotAnAngle)
     }
 }
 

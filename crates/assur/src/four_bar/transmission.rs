@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::FourBar;
+use super::pose::half_angle;
 use crate::Unsolved;
 
 impl FourBar {
@@ -14,7 +15,8 @@ impl FourBar {
     /// [`Unsolved`] where the loop cannot be closed.
     pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
         // The interior angle at C is twice atan2(√Q, √P).
-        let [root_p, root_q] = self.area_roots::<1>(crank)?.map(|root| root.value());
+        let (sin, cos) = half_angle::<1>(crank)?;
+        let [root_p, root_q] = self.area_roots(crank, sin, cos)?.map(|root| root.value());
         let interior = 2.0 * root_q.abs().atan2(root_p.abs());
         Ok(interior.min(PI - interior))
     }

@@ -4,15 +4,6 @@ use std::f64::consts::PI;
 
 use crate::{Assembly, Cycle, FourBar, Jet, Pose};
 
-/// Which derivative.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// φ′, the analogue of angular velocity.
-    First = 1,
-    /// φ″, the analogue of angular acceleration.
-    Second = 2,
-}
-
 /// Maximum or minimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -55,90 +46,98 @@ impl Extremum {
 const GRID: usize = 360;
 /// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
 /// vanishing diagonal, and only there, a motion changes within any small angle.
-const GRADES: i32 = 40;
+const GRADES: i32 = 52;
 /// A derivative that varies by less than this beside its size is constant.
 const CONSTANT: f64 = 1e-9;
 
-/// The local extrema of the `order`-th derivative (1: φ′, 2: φ″) of an angle of
-/// the linkage over its cycle, in ascending crank angle; `angle` picks the link.
+/// The local extrema of φ′ and of φ″ of an angle of the linkage over its cycle,
+/// each in ascending crank angle; `angle` picks the link.
 ///
 /// Each is a root of the next derivative, found by safeguarded Newton steps with
 /// the exact one after that. None for a derivative that is constant.
 pub fn extrema(
     linkage: &FourBar,
     assembly: Assembly,
-    order: Order,
     angle: impl Fn(&Pose<5>) -> Jet<5>,
-) -> Vec<Extremum> {
-    let order = order as usize;
-    // Value, slope and curvature of the derivative asked for.
+) -> [Vec<Extremum>; 2] {
     let sample = |crank: f64| -> Option<Sample> {
         let jet = angle(&linkage.pose(assembly, crank).ok()?);
-        let [value, slope, bend] = [order, order + 1, order + 2].map(|k| jet.derivative(k));
-        Some(Sample {
-            crank,
-            value,
-            slope,
-            bend,
-        })
+        let derivatives = std::array::from_fn(|order| jet.derivative(order));
+        Some(Sample { crank, derivatives })
     };
     let cycle = linkage.cycle();
-    let [start, end] = cycle.axis();
+    let sweeps: Vec<Vec<Option<Sample>>> = stretches(&cycle)
+        .into_iter()
+        .map(|stretch| stretch.into_iter().map(sample).collect())
+        .collect();
+    [1, 2].map(|order| extrema_of(order, &cycle, &sweeps, &sample))
+}
+
+/// The extrema of one derivative, from samples of the whole motion.
+fn extrema_of(
+    order: usize,
+    cycle: &Cycle,
+    sweeps: &[Vec<Option<Sample>>],
+    sample: &impl Fn(f64) -> Option<Sample>,
+) -> Vec<Extremum> {
+    let values = sweeps
+        .iter()
+        .flatten()
+        .flatten()
+        .map(|s| s.derivatives[order]);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    if most - least <= CONSTANT * least.abs().max(most.abs()).max(1.0) {
+        return Vec::new();
+    }
     let mut found: Vec<Sample> = Vec::new();
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-    for stretch in stretches(&cycle) {
-        let samples: Vec<Option<Sample>> = stretch.into_iter().map(sample).collect();
-        for value in samples.iter().flatten().map(|sample| sample.value) {
-            (least, most) = (least.min(value), most.max(value));
-        }
+    for samples in sweeps {
         // A full cycle closes: from its last sample to its first.
         if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..])
-            && last.slope * first.slope < 0.0
+            && last.derivatives[order + 1] * first.derivatives[order + 1] < 0.0
         {
             found.push(*first);
         }
         for pair in samples.windows(2) {
             if let [Some(a), Some(b)] = pair {
-                found.extend(roots(&sample, *a, *b));
+                found.extend(roots(sample, order + 1, *a, *b));
             }
         }
     }
-    if most - least <= CONSTANT * least.abs().max(most.abs()).max(1.0) {
-        return Vec::new();
-    }
-    let kind = |sample: &Sample| {
-        if sample.bend < 0.0 {
-            Kind::Max
+    let in_cycle = |crank: f64| {
+        let [start, end] = cycle.axis();
+        let wrapped = cycle.wrap(crank);
+        if cycle.is_full() && wrapped >= end {
+            start
         } else {
-            Kind::Min
+            wrapped
         }
     };
-    let mut extrema: Vec<Extremum> = found
-        .iter()
-        .filter(|sample| sample.bend != 0.0)
-        .map(|sample| Extremum {
-            kind: kind(sample),
-            crank: if sample.crank >= end {
-                start
-            } else {
-                sample.crank
-            },
-            value: sample.value,
+    let extremum = |sample: &Sample| {
+        let bend = sample.derivatives[order + 2];
+        let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
+        (bend != 0.0).then_some(Extremum {
+            kind,
+            crank: in_cycle(sample.crank),
+            value: sample.derivatives[order],
         })
-        .collect();
+    };
+    let mut extrema: Vec<Extremum> = found.iter().filter_map(extremum).collect();
     extrema.sort_by(|a, b| a.crank.total_cmp(&b.crank));
     extrema
 }
 
+/// An angle and its first four derivatives at a crank angle.
 #[derive(Clone, Copy)]
 struct Sample {
     crank: f64,
-    value: f64,
-    slope: f64,
-    bend: f64,
+    derivatives: [f64; 5],
 }
 
-/// The grid of each arc: even, and graded towards multiples of π.
+/// The grid of each arc: even, and graded towards multiples of π. A full cycle is
+/// taken around φ₁ = 0, beside which numbers lie closest.
 fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
     let cell = 2.0 * PI / GRID as f64;
     let graded = |[from, to]: &[f64; 2]| {
@@ -146,7 +145,7 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
         let mut cranks: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))
             .collect();
-        for half_turn in [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0] {
+        for half_turn in [-2.0, -1.0, 0.0, 1.0, 2.0] {
             for grade in 0..GRADES {
                 let step = cell * 0.5_f64.powi(grade);
                 cranks.extend([half_turn * PI - step, half_turn * PI + step]);
@@ -156,27 +155,35 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
         cranks.sort_by(f64::total_cmp);
         cranks
     };
+    if cycle.is_full() {
+        let [start, end] = cycle.axis();
+        let half = 0.5 * (end - start);
+        return vec![graded(&[start - half, start + half])];
+    }
     cycle.arcs().iter().map(graded).collect()
 }
 
-/// Roots of the slope between two neighbouring samples: none, one where it
-/// changes its sign, two where it turns within the cell and passes zero there
-/// and back.
-fn roots(sample: &impl Fn(f64) -> Option<Sample>, a: Sample, b: Sample) -> Vec<Sample> {
-    if a.slope == 0.0 || a.slope * b.slope < 0.0 {
-        return bracketed(sample, a, b, |s| s.slope, |s| s.bend)
-            .into_iter()
-            .collect();
+/// Roots of the derivative `order` between two neighbouring samples: none, one
+/// where it changes its sign, two where it turns within the cell and passes zero
+/// there and back.
+fn roots(
+    sample: &impl Fn(f64) -> Option<Sample>,
+    order: usize,
+    a: Sample,
+    b: Sample,
+) -> Vec<Sample> {
+    let [slope, bend] = [0, 1].map(|k| move |s: &Sample| s.derivatives[order + k]);
+    if slope(&a) == 0.0 || slope(&a) * slope(&b) < 0.0 {
+        return bracketed(sample, a, b, slope, bend).into_iter().collect();
     }
-    let towards_zero = a.slope * a.bend < 0.0 && b.slope * b.bend > 0.0;
+    let towards_zero = slope(&a) * bend(&a) < 0.0 && slope(&b) * bend(&b) > 0.0;
     if !towards_zero {
         return Vec::new();
     }
-    let turn = bracketed(sample, a, b, |s| s.bend, |_| f64::NAN);
-    match turn {
-        Some(turn) if turn.slope * a.slope < 0.0 => [(a, turn), (turn, b)]
+    match bracketed(sample, a, b, bend, |_| f64::NAN) {
+        Some(turn) if slope(&turn) * slope(&a) < 0.0 => [(a, turn), (turn, b)]
             .into_iter()
-            .filter_map(|(a, b)| bracketed(sample, a, b, |s| s.slope, |s| s.bend))
+            .filter_map(|(a, b)| bracketed(sample, a, b, slope, bend))
             .collect(),
         _ => Vec::new(),
     }

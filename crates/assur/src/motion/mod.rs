@@ -2,4 +2,4 @@
 
 mod extrema;
 
-pub use extrema::{Extremum, Kind, Order, extrema};
+pub use extrema::{Extremum, Kind, extrema};
