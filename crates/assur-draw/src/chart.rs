@@ -2,7 +2,7 @@
 //! crank-angle axis, drawn by plotters on any backend.
 //!
 //! plotters draws lines and dots only. Tick labels and titles are the caller's:
-//! the [`Layout`] says where they stand (plotters' own text measuring inserts
+//! each [`Panel`] says where they stand (plotters' own text measuring inserts
 //! elements into the page, and the decimal sign is the reader's).
 
 mod curves;
@@ -38,7 +38,7 @@ struct Margin {
     bottom: i32,
 }
 
-/// A colour for every role, in the order of [`ROLES`](crate::ROLES).
+/// A colour for every role, in the order of [`ROLES`].
 pub type Palette = [RGBColor; ROLES.len()];
 
 /// One plot: where it stands, in pixels of the reader, and what its axes span.
