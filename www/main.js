@@ -75,7 +75,10 @@ function run(engine, startWords) {
   render();
   loop.request();
   // The canvases learn their sizes, and are drawn, at the end of the first frame.
-  requestAnimationFrame(() => requestAnimationFrame(() => setData(document.documentElement, "ready", "true")));
+  requestAnimationFrame(() => requestAnimationFrame(() => {
+    setData(document.documentElement, "ready", "true");
+    performance.mark("ready");
+  }));
 }
 
 /**

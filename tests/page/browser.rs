@@ -235,6 +235,27 @@ impl Page {
         names.convert().unwrap()
     }
 
+    /// A number that a script works out in the page.
+    #[allow(dead_code, reason = "asked for by page_speed only")]
+    pub(crate) async fn number(&self, script: &str) -> f64 {
+        let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
+        answer.convert().unwrap()
+    }
+
+    /// A figure of the browser's own bookkeeping, by its name.
+    #[allow(dead_code, reason = "asked for by page_speed only")]
+    pub(crate) async fn metric(&self, name: &str) -> f64 {
+        let performance = self.driver.cdp();
+        let performance = performance.performance();
+        performance.enable().await.unwrap();
+        let metrics = performance.get_metrics().await.unwrap();
+        metrics
+            .iter()
+            .find(|metric| metric.name == name)
+            .unwrap()
+            .value
+    }
+
     /// A picture of an element as it is on the screen.
     pub(crate) async fn picture(&self, id: &str) -> Picture {
         Picture::decode(&self.element(id).await.screenshot_as_png().await.unwrap())

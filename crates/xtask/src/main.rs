@@ -4,6 +4,7 @@
 //! Whatever a command needs and does not find it installs first, each step announced on one line.
 //! Tools go under the target directory, so nobody's own are overwritten.
 
+mod bench;
 mod browser;
 mod bundle;
 mod media;
@@ -59,6 +60,10 @@ enum Task {
     /// name another browser. The last line says how many checks passed and failed; the exit code is
     /// 1 if any failed.
     Test,
+    /// Prints how fast engine and page are, beside a yardstick of the same run
+    ///
+    /// Installs what is missing as `test` does. Nothing fails for being slow.
+    Bench,
     /// Builds the page into one file, dist/assur.html, that opens by double-click
     Bundle,
     /// Builds the page into the folder `site` of the target directory
@@ -80,6 +85,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
     match *task {
         Task::Serve { port, no_open } => serve(&workspace, port, !no_open)?,
         Task::Test => return test::run(&workspace),
+        Task::Bench => bench::run(&workspace)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;

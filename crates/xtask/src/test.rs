@@ -1,6 +1,7 @@
 //! Everything that must hold, run in one go: this is what a push is judged by.
 
 use std::fs;
+use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
@@ -126,32 +127,39 @@ impl SetUp {
         }
     }
 
-    /// Tests of one crate by wasm-pack, which may fetch nothing: all it needs is set up here.
     fn wasm_tests(&self, workspace: &Workspace, directory: &str) -> Result<Command> {
         for part in [&self.target, &self.bindgen, &self.pack] {
             needed(part)?;
         }
-        let browser = needed(&self.browser)?;
-        let mut pack = workspace.command(&tools::path(workspace, "wasm-pack"));
-        pack.args([
-            "test",
-            "--headless",
-            "--chrome",
-            "--mode",
-            "no-install",
-            "--chromedriver",
-        ])
-        .arg(&browser.driver)
-        .arg(directory)
-        .env("PATH", tools::search_path(workspace)?)
-        .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
-        .env(
-            "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
-            capabilities(workspace, directory, browser)?,
-        )
-        .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
-        Ok(pack)
+        browser_tests(workspace, directory, needed(&self.browser)?)
     }
+}
+
+/// Tests of one crate by wasm-pack, which may fetch nothing: all it needs is set up here.
+pub(crate) fn browser_tests(
+    workspace: &Workspace,
+    directory: &str,
+    browser: &Browser,
+) -> Result<Command> {
+    let mut pack = workspace.command(&tools::path(workspace, "wasm-pack"));
+    pack.args([
+        "test",
+        "--headless",
+        "--chrome",
+        "--mode",
+        "no-install",
+        "--chromedriver",
+    ])
+    .arg(&browser.driver)
+    .arg(directory)
+    .env("PATH", tools::search_path(workspace)?)
+    .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
+    .env(
+        "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
+        capabilities(workspace, directory, browser)?,
+    )
+    .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
+    Ok(pack)
 }
 
 /// The crate's webdriver.json completed with the browser that was found: the driver by itself might
@@ -185,12 +193,22 @@ fn page_tests(
     let browser = needed(browser)?;
     // The workers answer until this program ends.
     let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
-    let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", "page"]);
+    Ok(page_test(workspace, "page", address, browser))
+}
+
+/// A test target that opens the page served at an address.
+pub(crate) fn page_test(
+    workspace: &Workspace,
+    name: &str,
+    address: SocketAddr,
+    browser: &Browser,
+) -> Command {
+    let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", name]);
     test.env("ASSUR_URL", format!("http://{address}/"))
         .env("ASSUR_BUNDLE", workspace.bundle())
         .env("CHROME", &browser.chrome)
         .env("CHROMEDRIVER", &browser.driver);
-    Ok(test)
+    test
 }
 
 /// Says at once what cannot be had; the steps that need it repeat it.

@@ -1,0 +1,140 @@
+//! How fast the engine is, natively and in the browser, beside a yardstick of the
+//! same run: printed by `cargo xtask bench`, never asserted. Every line reads
+//! `speed: NAME = NANOSECONDS`.
+#![allow(clippy::unwrap_used, reason = "a benchmark that cannot run has failed")]
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+use assur::motion::extrema;
+use assur::{Assembly, FourBar, Pose};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
+/// Crank angles of a sweep, and sweeps between two looks at the clock.
+const SAMPLES: usize = 720;
+const SWEEPS: usize = 40;
+/// Every contestant has its turn this many times; the median counts.
+const ROUNDS: usize = 25;
+
+/// Six columns: φ₂, φ₃ and both derivatives of each.
+type Columns = [Vec<f64>; 6];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn speed() {
+    let linkage = FourBar::new(LENGTHS).unwrap();
+    let mut columns: Columns = std::array::from_fn(|_| vec![0.0; SAMPLES]);
+    let mut contestants: Vec<(&str, usize, Box<dyn FnMut()>)> = Vec::new();
+    let mut own = columns.clone();
+    contestants.push((
+        "yardstick, scalar closed form, full state",
+        SAMPLES * SWEEPS,
+        Box::new(move || sweeps(|i, crank| yardstick(&mut columns, i, crank))),
+    ));
+    contestants.push((
+        "engine, full state",
+        SAMPLES * SWEEPS,
+        Box::new(move || sweeps(|i, crank| store(&mut own, i, &linkage, crank))),
+    ));
+    contestants.push((
+        "engine, position",
+        SAMPLES * SWEEPS,
+        Box::new(move || {
+            sweeps(|_, crank| {
+                black_box(linkage.pose::<1>(Assembly::First, crank)).unwrap();
+            });
+        }),
+    ));
+    contestants.push((
+        "engine, all extrema of a motion",
+        1,
+        Box::new(move || {
+            black_box(extrema(&linkage, Assembly::First, |pose| pose.rocker));
+        }),
+    ));
+
+    let mut times = vec![Vec::new(); contestants.len()];
+    for _ in 0..ROUNDS {
+        for ((_, count, run), times) in contestants.iter_mut().zip(&mut times) {
+            let start = clock::nanoseconds();
+            run();
+            times.push((clock::nanoseconds() - start) / *count as f64);
+        }
+    }
+    for ((name, _, _), times) in contestants.iter().zip(&mut times) {
+        times.sort_by(f64::total_cmp);
+        clock::say(&format!("speed: {name} = {:.2}", times[ROUNDS / 2]));
+    }
+}
+
+fn sweeps(mut state: impl FnMut(usize, f64)) {
+    for _ in 0..SWEEPS {
+        for index in 0..SAMPLES {
+            state(index, black_box(TAU * index as f64 / SAMPLES as f64));
+        }
+    }
+}
+
+fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
+    let pose: Pose<3> = linkage.pose(Assembly::First, crank).unwrap();
+    for order in 0..3 {
+        columns[2 * order][index] = pose.coupler.derivative(order);
+        columns[2 * order + 1][index] = pose.rocker.derivative(order);
+    }
+}
+
+/// The straightforward closed form: one sine and cosine, two arctangents, no care
+/// for folds, change points or continuity.
+fn yardstick(columns: &mut Columns, index: usize, crank: f64) {
+    let [l1, l2, l3, l4] = LENGTHS;
+    let (s1, c1) = crank.sin_cos();
+    let (x, y) = (l4 - l1 * c1, -l1 * s1);
+    let square = x * x + y * y;
+    // Direction of the coupler: that of the diagonal turned by the angle at B.
+    let along = (l2 * l2 - l3 * l3 + square) / (2.0 * l2);
+    let across = (square - along * along).sqrt();
+    let (c2, s2) = (
+        (x * along - y * across) / square,
+        (y * along + x * across) / square,
+    );
+    let (c3, s3) = ((l2 * c2 - x) / l3, (l2 * s2 - y) / l3);
+    let sine = s3 * c2 - c3 * s2;
+    let v3 = l1 * (s1 * c2 - c1 * s2) / (l3 * sine);
+    let v2 = l1 * (s1 * c3 - c1 * s3) / (l2 * sine);
+    let (c12, c13, c32) = (c1 * c2 + s1 * s2, c1 * c3 + s1 * s3, c3 * c2 + s3 * s2);
+    let a3 = (l1 * c12 + v2 * v2 * l2 - v3 * v3 * l3 * c32) / (l3 * sine);
+    let a2 = (l1 * c13 - v3 * v3 * l3 + v2 * v2 * l2 * c32) / (l2 * sine);
+    let row = [s2.atan2(c2), s3.atan2(c3), v2, v3, a2, a3];
+    for (column, value) in columns.iter_mut().zip(row) {
+        column[index] = value;
+    }
+}
+
+/// Time and a voice on either target.
+mod clock {
+    #[cfg(target_family = "wasm")]
+    pub(super) fn nanoseconds() -> f64 {
+        let performance = web_sys::window().and_then(|window| window.performance());
+        performance.map_or(f64::NAN, |performance| performance.now() * 1e6)
+    }
+
+    #[cfg(not(target_family = "wasm"))]
+    pub(super) fn nanoseconds() -> f64 {
+        use std::sync::OnceLock;
+        use std::time::Instant;
+        static START: OnceLock<Instant> = OnceLock::new();
+        START.get_or_init(Instant::now).elapsed().as_nanos() as f64
+    }
+
+    #[cfg(target_family = "wasm")]
+    pub(super) fn say(line: &str) {
+        wasm_bindgen_test::console_log!("{line}");
+    }
+
+    #[cfg(not(target_family = "wasm"))]
+    pub(super) fn say(line: &str) {
+        println!("{line}");
+    }
+}
