@@ -6,9 +6,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 type Words = BTreeMap<String, String>;
 
-const LANGUAGES: [(&str, &str); 2] = [
+const LANGUAGES: [(&str, &str); 4] = [
     ("en", include_str!("../lang/en.json")),
     ("ru", include_str!("../lang/ru.json")),
+    ("uk", include_str!("../lang/uk.json")),
+    ("kk", include_str!("../lang/kk.json")),
 ];
 
 fn tables() -> Vec<(&'static str, Words)> {

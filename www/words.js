@@ -2,7 +2,7 @@
 import { Numbers } from "assur/numbers.js";
 
 /** The languages there are string tables for; the first is the one to fall back to. */
-export const LANGUAGES = Object.freeze(["en", "ru"]);
+export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 
 /** @type {Map<string, Promise<Words>>} */
 const loaded = new Map();

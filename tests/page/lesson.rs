@@ -221,8 +221,22 @@ async fn speaks_russian_and_writes_the_comma() {
     assert_eq!(page.value("out-phi1").await, 75.5);
     assert!(page.text("out-swing-rocker").await.contains("87,905°"));
     assert!(page.text("out-grashof").await.contains("коромысл"));
+    for lang in ["uk", "kk"] {
+        page.choose("lang", lang).await;
+        page.until("its words", async || {
+            page.lang().await.as_deref() == Some(lang)
+        })
+        .await;
+        assert!(
+            page.text("out-swing-rocker").await.contains("87,905°"),
+            "{lang}"
+        );
+    }
     page.choose("lang", "en").await;
-    assert_eq!(page.lang().await.as_deref(), Some("en"));
+    page.until("English", async || {
+        page.lang().await.as_deref() == Some("en")
+    })
+    .await;
     assert!(page.text("out-swing-rocker").await.contains("87.905°"));
     assert!(page.text("out-grashof").await.contains("rocker"));
     page.close().await;
