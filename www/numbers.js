@@ -18,20 +18,18 @@ export function parseNumber(text) {
   return Number.isFinite(value) ? value : null;
 }
 
-/** Languages that a browser may not know how to write numbers in, and one that writes them alike. */
-const ALIKE = Object.freeze({ kk: "ru" });
+/** Languages in which browsers do not know how to write numbers, and one that writes them alike. */
+const ALIKE = Object.freeze(new Map([["kk", "ru"]]));
 
 /** Writes numbers with the decimal sign of one language. */
 export class Numbers {
-  /** @type {string[]} the first that the browser knows counts */
-  #locales;
+  #locale;
   /** @type {Map<string, Intl.NumberFormat>} */
   #formats = new Map();
 
   /** @param {string} lang */
   constructor(lang) {
-    const alike = Object.entries(ALIKE).filter(([own]) => own === lang);
-    this.#locales = [lang, ...alike.map(([, other]) => other)];
+    this.#locale = ALIKE.get(lang) ?? lang;
   }
 
   /**
@@ -97,7 +95,7 @@ export class Numbers {
   #format(value, key, options) {
     let format = this.#formats.get(key);
     if (!format) {
-      format = new Intl.NumberFormat(this.#locales, { useGrouping: false, signDisplay: "negative", ...options });
+      format = new Intl.NumberFormat(this.#locale, { useGrouping: false, signDisplay: "negative", ...options });
       this.#formats.set(key, format);
     }
     return format.format(value).replace("-", "\u2212");
