@@ -1,9 +1,13 @@
 // Starts the page: loads words and engine, puts the parts together, sets the time running.
 import { ChartCursor } from "assur/chart-cursor.js";
 import { ChartView } from "assur/chart.js";
+import { commands as makeCommands } from "assur/commands.js";
 import { byId, make, setData } from "assur/dom.js";
 import { Drafts } from "assur/drafts.js";
 import { Engine } from "assur/engine.js";
+import { Header } from "assur/header.js";
+import { History } from "assur/history.js";
+import { helpRows, listen } from "assur/keys.js";
 import { Loop } from "assur/loop.js";
 import { MechanismView } from "assur/mechanism.js";
 import { Model } from "assur/model.js";
@@ -32,11 +36,16 @@ function run(engine, startWords) {
   const store = new Store(initialState(engine.presets[0].document, { playing: !calm, lang: words.lang }));
   const drafts = new Drafts(() => loop.request());
   const model = new Model(engine, drafts, store.get());
+  const history = new History(store, drafts);
+  const commands = makeCommands({ store, model, drafts, history, presets: engine.presets });
+  const help = byId("help", HTMLDialogElement);
+  byId("help-open", HTMLButtonElement).addEventListener("click", () => help.showModal());
   const theme = new Theme(engine.roles, () => loop.request());
 
   byId("app", HTMLElement).hidden = false;
   const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
   const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart);
+  const header = new Header(history, commands);
   const views = [
     new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme),
     chart,
@@ -46,7 +55,10 @@ function run(engine, startWords) {
     new StatusLine(),
     new ReadoutTable(),
     new ProblemView(),
+    header,
   ];
+
+  listen({ ...commands, help: () => help.showModal(), close: () => header.close() });
 
   let unwritten = 0;
   const step = (/** @type {number} */ dt) => {
@@ -110,6 +122,7 @@ function speak(words) {
   document.documentElement.lang = words.lang;
   document.title = words.text("page.title");
   words.fill(document);
+  byId("help-keys", HTMLElement).replaceChildren(...helpRows(words));
 }
 
 /** Says that the page cannot work, in all languages. */

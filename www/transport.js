@@ -14,10 +14,7 @@ import { withView } from "assur/state.js";
  * @typedef {import("assur/words.js").Words} Words
  */
 
-const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
-
-/** Keys of the scrubber that step by one degree. */
-const STEPS = Object.freeze({ ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 });
+export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
 
 export class Transport {
   #play = byId("play", HTMLButtonElement);
@@ -55,12 +52,6 @@ export class Transport {
     this.#scrubber.addEventListener("input", () => {
       drafts.drop("phi_deg");
       put(Number(this.#scrubber.value));
-    });
-    this.#scrubber.addEventListener("keydown", (event) => {
-      const by = Object.entries(STEPS).find(([key]) => key === event.key)?.[1];
-      if (by === undefined) return;
-      event.preventDefault();
-      step(by);
     });
     this.#angle = new NumberBox(byId("angle", HTMLInputElement), "phi_deg", drafts, (value) => {
       put(value);

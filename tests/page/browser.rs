@@ -100,12 +100,43 @@ impl Page {
             port,
         };
         page.driver.goto(url).await.unwrap();
-        page.until("the page to be ready", async || {
-            let root = page.driver.find(By::Css("html")).await.unwrap();
+        page.ready().await;
+        page
+    }
+
+    /// Waits until the page has been drawn.
+    async fn ready(&self) {
+        self.until("the page to be ready", async || {
+            let root = self.driver.find(By::Css("html")).await.unwrap();
             root.attr("data-ready").await.unwrap().as_deref() == Some("true")
         })
         .await;
-        page
+    }
+
+    /// Types where the focus is.
+    pub(crate) async fn keys(&self, keys: impl Into<TypingData>) {
+        let typing = self.driver.action_chain().send_keys(keys);
+        typing.perform().await.unwrap();
+        self.settle().await;
+    }
+
+    /// Presses a key while others are held.
+    pub(crate) async fn chord(&self, held: &[Key], key: impl Into<char>) {
+        let mut chain = self.driver.action_chain();
+        for held in held {
+            chain = chain.key_down(held.value());
+        }
+        chain = chain.send_keys(key.into().to_string());
+        for held in held.iter().rev() {
+            chain = chain.key_up(held.value());
+        }
+        chain.perform().await.unwrap();
+        self.settle().await;
+    }
+
+    /// Gives an element the focus.
+    pub(crate) async fn focus(&self, id: &str) {
+        self.element(id).await.focus().await.unwrap();
     }
 
     /// Ends the visit: nothing may have been said on the console.

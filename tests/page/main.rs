@@ -5,6 +5,8 @@
 mod bad_input;
 mod browser;
 mod bundle;
+mod keys;
 mod lesson;
 mod picture;
 mod pixels;
+mod undo;

@@ -1,0 +1,75 @@
+// What buttons of the header and keys do, by name.
+import { degrees } from "assur/angles.js";
+import { placed, turned } from "assur/player.js";
+import { contains, withDocument, withView } from "assur/state.js";
+import { SPEEDS } from "assur/transport.js";
+
+/**
+ * @typedef {import("assur/state.js").MixerDocument} MixerDocument
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {Readonly<Record<string, () => void>>} Commands
+ */
+
+/**
+ * @param {{
+ *   store: import("assur/store.js").Store<State>,
+ *   model: import("assur/model.js").Model,
+ *   drafts: import("assur/drafts.js").Drafts,
+ *   history: import("assur/history.js").History,
+ *   presets: readonly { id: string, document: MixerDocument }[],
+ * }} parts
+ * @returns {Commands}
+ */
+export function commands({ store, model, drafts, history, presets }) {
+  const put = (/** @type {(state: State) => number} */ where) => {
+    drafts.drop("phi_deg");
+    store.update((state) => placed(state, where(state), model));
+  };
+  const turn = (/** @type {number} */ by) => put(({ view }) => view.phi_deg + by);
+  const assemble = (/** @type {1 | 2} */ assembly) => {
+    history.close();
+    store.update((state) => withDocument(state, { assembly }));
+    history.close();
+  };
+  const hasten = (/** @type {1 | -1} */ by) => {
+    store.update((state) => {
+      const { speed } = state.view;
+      const next = by > 0 ? SPEEDS.find((one) => one > speed) : SPEEDS.findLast((one) => one < speed);
+      return next === undefined ? state : withView(state, { speed: next });
+    });
+  };
+
+  // The preset that the mechanism was last; of an opened one that was none, the first.
+  let preset = presets[0].document;
+  const note = (/** @type {State} */ { document }) => {
+    preset = presets.find((one) => contains(document, one.document))?.document ?? preset;
+  };
+  note(store.get());
+  store.subscribe(note);
+
+  return Object.freeze({
+    play: () => {
+      drafts.drop("phi_deg");
+      store.update((state) => withView(state, { playing: !state.view.playing }));
+    },
+    reverse: () => store.update((state) => withView(state, { direction: turned(state.view.direction) })),
+    back: () => turn(-1),
+    forward: () => turn(1),
+    back10: () => turn(-10),
+    forward10: () => turn(10),
+    start: () => put(() => degrees(model.summary.cycle.start)),
+    end: () => put(() => degrees(model.summary.cycle.end)),
+    faster: () => hasten(1),
+    slower: () => hasten(-1),
+    assembly1: () => assemble(1),
+    assembly2: () => assemble(2),
+    undo: () => history.undo(),
+    redo: () => history.redo(),
+    reset: () => {
+      history.close();
+      drafts.dropAll(Object.keys(preset));
+      store.update((state) => withDocument(state, preset));
+      history.close();
+    },
+  });
+}

@@ -1,0 +1,95 @@
+// Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
+import { withDocument, withView } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {Readonly<{ document: State["document"], traces: boolean }>} Moment
+ * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
+ */
+
+/** Each of these ends a step; what changes between two of them (a drag, a typed number) is one. */
+const ENDS = Object.freeze(["change", "focusout", "click", "pointerup", "pointercancel"]);
+
+export class History {
+  /** @type {Moment[]} */
+  #past = [];
+  /** @type {Moment[]} */
+  #future = [];
+  /** Whether what changes now belongs to the step before. */
+  #open = false;
+  #walking = false;
+  #store;
+  #drafts;
+
+  /**
+   * @param {import("assur/store.js").Store<State>} store
+   * @param {import("assur/drafts.js").Drafts} drafts
+   */
+  constructor(store, drafts) {
+    this.#store = store;
+    this.#drafts = drafts;
+    store.subscribe((state, previous) => {
+      if (this.#walking || same(moment(state), moment(previous))) return;
+      if (!this.#open) this.#past.push(moment(previous));
+      this.#future = [];
+      this.#open = true;
+    });
+    for (const end of ENDS) addEventListener(end, () => this.close());
+  }
+
+  get canUndo() {
+    return this.#past.length > 0;
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /** What changes next is a step of its own. */
+  close() {
+    this.#open = false;
+  }
+
+  undo() {
+    this.#walk(this.#past, this.#future);
+  }
+
+  redo() {
+    this.#walk(this.#future, this.#past);
+  }
+
+  /**
+   * @param {Moment[]} from
+   * @param {Moment[]} to
+   */
+  #walk(from, to) {
+    this.close();
+    const next = from.pop();
+    if (!next) return;
+    const state = this.#store.get();
+    to.push(moment(state));
+    this.#drafts.dropAll(Object.keys(next.document));
+    this.#walking = true;
+    try {
+      this.#store.update((now) => withView(withDocument(now, next.document), { traces: next.traces }));
+    } finally {
+      this.#walking = false;
+    }
+  }
+}
+
+/**
+ * @param {State} state
+ * @returns {Moment}
+ */
+function moment({ document, view: { traces } }) {
+  return { document, traces };
+}
+
+/**
+ * @param {Moment} one
+ * @param {Moment} other
+ */
+function same(one, other) {
+  return one.document === other.document && one.traces === other.traces;
+}
