@@ -1,12 +1,16 @@
-// The cursor over the plots: a line at the crank angle, a dot and a number on each curve. Redrawn every frame.
+// The cursor over the plots: a line at the crank angle, a dot and a number on each curve. Redrawn every frame. Where a
+// pointer hovers, a second, dashed one.
 import { degrees, radians } from "assur/angles.js";
 import { setChartFont } from "assur/chart-text.js";
 import { READOUT_OF, across, down, shows } from "assur/panels.js";
 import { setData } from "assur/dom.js";
+import { attempt } from "assur/engine.js";
 import { Surface } from "assur/surface.js";
 
 /**
+ * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/engine.js").Readouts} Readouts
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
@@ -14,11 +18,18 @@ import { Surface } from "assur/surface.js";
 
 const DOT = 4.5;
 const TAG = 17;
+/** Dashes of the second cursor's line, and of the first's. */
+const GHOST = [4, 4];
+/** @type {number[]} */
+const WHOLE = [];
 
 export class ChartCursor {
   #surface;
   #theme;
   #chart;
+  #engine;
+  /** @type {number | null} the crank angle under a pointer, radians */
+  #hovered = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
 
@@ -26,9 +37,11 @@ export class ChartCursor {
    * @param {HTMLCanvasElement} canvas
    * @param {Theme} theme
    * @param {{ readonly panels: readonly Panel[] }} chart
+   * @param {Engine} engine
    */
-  constructor(canvas, theme, chart) {
+  constructor(canvas, theme, chart, engine) {
     this.#theme = theme;
+    this.#engine = engine;
     this.#chart = chart;
     this.#surface = new Surface(canvas, () => this.redraw());
   }
@@ -40,29 +53,66 @@ export class ChartCursor {
     this.redraw();
   }
 
+  /** @param {number | null} phi a crank angle to show the values at, radians */
+  hover(phi) {
+    if (phi === this.#hovered) return;
+    this.#hovered = phi;
+    this.redraw();
+  }
+
   redraw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     this.#surface.clear();
-    for (const panel of this.#chart.panels) this.#panel(panel, snapshot);
+    const { context } = this.#surface;
+    const hovered = this.#hovered;
+    const ghost = hovered === null ? null : attempt(() => this.#engine.readouts(hovered)).value;
+    const { panels } = this.#chart;
+    // Two sets of numbers would cover each other: under a pointer only its own are written.
+    for (const panel of panels) this.#panel(panel, snapshot, radians(snapshot.phiDeg), snapshot.readouts, hovered === null);
+    if (hovered === null || panels.length === 0) return;
+    for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, true, GHOST);
+    this.#angle(panels[0], hovered, snapshot);
+  }
+
+  /**
+   * The crank angle of the second cursor, above the topmost plot.
+   * @param {Panel} panel
+   * @param {number} phi
+   * @param {Snapshot} snapshot
+   */
+  #angle(panel, phi, { words }) {
+    const { context } = this.#surface;
+    const text = `${words.numbers.fixed(degrees(phi), 1)}°`;
+    setChartFont(context, this.#theme);
+    const width = context.measureText(text).width + 10;
+    const middle = across(panel, phi);
+    const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
+    this.#tag(left, panel.top - TAG - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
+   * @param {number} phi
+   * @param {Readouts | null} readouts
+   * @param {boolean} tagged whether the numbers are written
+   * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot) {
+  #panel(panel, snapshot, phi, readouts, tagged, dashes = WHOLE) {
     const { context } = this.#surface;
     const { colours } = this.#theme;
-    const x = across(panel, radians(snapshot.phiDeg));
+    const x = across(panel, phi);
     if (!(x >= panel.left - 1 && x <= panel.left + panel.width + 1)) return;
     context.strokeStyle = colours.ink;
     context.lineWidth = 1;
     context.beginPath();
     context.moveTo(x, panel.top);
     context.lineTo(x, panel.top + panel.height);
+    context.setLineDash(dashes);
     context.stroke();
-    const dots = this.#dots(panel, snapshot);
+    context.setLineDash(WHOLE);
+    const dots = this.#dots(panel, snapshot, readouts);
     if (dots.length === 0) return;
     context.lineWidth = 2;
     for (const { y, colour } of dots) {
@@ -73,15 +123,16 @@ export class ChartCursor {
       context.strokeStyle = colour;
       context.stroke();
     }
-    this.#tags(panel, x, dots);
+    if (tagged) this.#tags(panel, x, dots);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
+   * @param {Readouts | null} readouts
    * @returns {Dot[]} from the top down
    */
-  #dots(panel, { readouts, words }) {
+  #dots(panel, { words }, readouts) {
     if (!readouts) return [];
     const dots = [];
     for (const { name, role } of panel.series) {
@@ -102,8 +153,6 @@ export class ChartCursor {
   #tags(panel, x, dots) {
     const { context } = this.#surface;
     setChartFont(context, this.#theme);
-    context.textAlign = "left";
-    context.textBaseline = "middle";
     const widths = dots.map(({ text }) => context.measureText(text).width + 10);
     const widest = Math.max(...widths);
     const toTheLeft = x + DOT + 6 + widest > panel.left + panel.width + 8;
@@ -112,20 +161,30 @@ export class ChartCursor {
       panel.top,
       panel.top + panel.height,
     );
-    dots.forEach(({ text, colour, ink }, i) => {
-      const left = toTheLeft ? x - DOT - 5 - widths[i] : x + DOT + 5;
-      context.beginPath();
-      context.roundRect(left, tops[i], widths[i], TAG, 5);
-      context.globalAlpha = 0.92;
-      context.fillStyle = this.#theme.colours.paper;
-      context.fill();
-      context.globalAlpha = 1;
-      context.lineWidth = 1;
-      context.strokeStyle = colour;
-      context.stroke();
-      context.fillStyle = ink;
-      context.fillText(text, left + 5, tops[i] + TAG / 2 + 0.5);
-    });
+    dots.forEach((dot, i) => this.#tag(toTheLeft ? x - DOT - 5 - widths[i] : x + DOT + 5, tops[i], widths[i], dot));
+  }
+
+  /**
+   * @param {number} left
+   * @param {number} top
+   * @param {number} width
+   * @param {Dot} dot
+   */
+  #tag(left, top, width, { text, colour, ink }) {
+    const { context } = this.#surface;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    context.beginPath();
+    context.roundRect(left, top, width, TAG, 5);
+    context.globalAlpha = 0.92;
+    context.fillStyle = this.#theme.colours.paper;
+    context.fill();
+    context.globalAlpha = 1;
+    context.lineWidth = 1;
+    context.strokeStyle = colour;
+    context.stroke();
+    context.fillStyle = ink;
+    context.fillText(text, left + 5, top + TAG / 2 + 0.5);
   }
 }
 

@@ -105,6 +105,26 @@ export class Engine {
 
   /**
    * @param {number} phi
+   * @returns {Float64Array} x and y of the joints A, B, C, D
+   */
+  joints(phi) {
+    return this.#ask((simulator) => simulator.joints(phi));
+  }
+
+  /**
+   * What dragging a joint to a place changes.
+   * @param {"B" | "C" | "D"} joint
+   * @param {number} phi where the crank is
+   * @param {number} x
+   * @param {number} y
+   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: Partial<MixerDocument> }}
+   */
+  drag(joint, phi, x, y) {
+    return this.#ask((simulator) => simulator.drag(joint, phi, x, y));
+  }
+
+  /**
+   * @param {number} phi
    * @returns {Readouts} values by name
    */
   readouts(phi) {

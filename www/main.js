@@ -1,5 +1,6 @@
 // Starts the page: loads words and engine, puts the parts together, sets the time running.
 import { ChartCursor } from "assur/chart-cursor.js";
+import { ChartHands } from "assur/chart-hands.js";
 import { ChartView } from "assur/chart.js";
 import { commands as makeCommands } from "assur/commands.js";
 import { byId, make, setData } from "assur/dom.js";
@@ -9,6 +10,7 @@ import { Header } from "assur/header.js";
 import { History } from "assur/history.js";
 import { helpRows, listen } from "assur/keys.js";
 import { Loop } from "assur/loop.js";
+import { MechanismHands } from "assur/mechanism-hands.js";
 import { MechanismView } from "assur/mechanism.js";
 import { Model } from "assur/model.js";
 import { played } from "assur/player.js";
@@ -44,10 +46,13 @@ function run(engine, startWords) {
 
   byId("app", HTMLElement).hidden = false;
   const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
-  const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart);
+  const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
   const header = new Header(history, commands);
+  new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
+  const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
+  new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const views = [
-    new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme),
+    mechanism,
     chart,
     cursor,
     new Transport(store, model, drafts),

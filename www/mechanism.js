@@ -1,21 +1,28 @@
 // The drawing of the mechanism on its canvas.
+import { radians } from "assur/angles.js";
 import { readDisplayList } from "assur/display-list.js";
 import { setData } from "assur/dom.js";
+import { attempt } from "assur/engine.js";
 import { Painter } from "assur/painter.js";
 import { Sheet } from "assur/sheet.js";
 import { Surface } from "assur/surface.js";
-import { Transform } from "assur/transform.js";
+import { Transform, Zoom } from "assur/transform.js";
 
 /**
  * @typedef {import("assur/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {{ name: "B" | "C" | "D", role: string, x: number, y: number }} Joint a joint in model coordinates
  */
 
 /** Free room around the drawing, in pixels. */
 const MARGIN = 44;
 const SMALL_MARGIN = 26;
+
+/** Radius and strength of the ring around a joint that can be dragged. */
+const RING = 15;
+const RING_OPACITY = 0.28;
 
 export class MechanismView {
   #surface;
@@ -30,6 +37,13 @@ export class MechanismView {
   #still = [];
   /** @type {readonly Layer[]} */
   #rigid = [];
+  #zoom = Zoom.NONE;
+  /** @type {readonly number[] | null} the bounds that stay fitted while the reader has zoomed */
+  #bounds = null;
+  /** @type {Transform | null} the view that stays while a joint is dragged */
+  #held = null;
+  /** @type {string} the joint with a ring around it */
+  #ringed = "";
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -57,26 +71,132 @@ export class MechanismView {
     this.#draw();
   }
 
+  /** @returns {Joint[]} the joints that can be dragged, where they are drawn */
+  joints() {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return [];
+    const places = attempt(() => this.#engine.joints(radians(snapshot.frameDeg))).value;
+    if (!places) return [];
+    const [, , bx, by, cx, cy, dx, dy] = places;
+    return [
+      { name: "B", role: "crank", x: bx, y: by },
+      { name: "C", role: "rocker", x: cx, y: cy },
+      { name: "D", role: "ink", x: dx, y: dy },
+    ];
+  }
+
+  /** @returns {Transform} from the model to the pixels of the canvas */
+  get view() {
+    const { width, height } = this.#surface;
+    return this.#held ?? this.#zoom.upon(this.#fit(), width, height);
+  }
+
+  get zoomed() {
+    return this.#zoom !== Zoom.NONE;
+  }
+
+  /**
+   * Larger by a factor; a point of the canvas, its middle where none is given, stays.
+   * @param {number} factor
+   * @param {number} [left] pixels
+   * @param {number} [top]
+   */
+  zoom(factor, left = this.#surface.width / 2, top = this.#surface.height / 2) {
+    const limited = Math.min(Math.max(factor, Zoom.LEAST / this.#zoom.factor), Zoom.MOST / this.#zoom.factor);
+    this.#look(this.view.scaled(limited, left, top));
+  }
+
+  /**
+   * @param {number} right pixels
+   * @param {number} down
+   */
+  pan(right, down) {
+    this.#look(this.view.moved(right, down));
+  }
+
+  /** All of the mechanism, as large as there is room. */
+  fit() {
+    this.#zoom = Zoom.NONE;
+    this.#bounds = null;
+    this.release();
+  }
+
+  /** Keeps the view from following what is dragged. */
+  hold() {
+    this.#held = this.view;
+  }
+
+  /** Lets the view follow the bounds again, unless the reader has zoomed. */
+  release() {
+    this.#held = null;
+    this.#shown();
+  }
+
+  /** @param {string} name of the joint to put a ring around; none if empty */
+  ring(name) {
+    if (name === this.#ringed) return;
+    this.#ringed = name;
+    this.#draw();
+  }
+
+  /** @param {Transform} view */
+  #look(view) {
+    const { width, height, visible } = this.#surface;
+    if (!visible) return;
+    this.#held = null;
+    this.#bounds ??= this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    this.#zoom = Zoom.between(this.#fit(), view, this.#bounds, width, height);
+    this.#shown();
+  }
+
+  #shown() {
+    setData(this.#surface.canvas, "zoom", String(this.#zoom.factor));
+    setData(this.#surface.canvas, "zoomed", String(this.zoomed));
+    this.#draw();
+  }
+
+  /** @returns {Transform} */
+  #fit() {
+    const { width, height } = this.#surface;
+    const margin = Math.min(width, height) < 320 ? SMALL_MARGIN : MARGIN;
+    const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    return Transform.fit(bounds, width, height, margin);
+  }
+
   #draw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
-    const { width, height } = this.#surface;
-    const margin = Math.min(width, height) < 320 ? SMALL_MARGIN : MARGIN;
-    const view = Transform.fit(snapshot.summary.bounds, width, height, margin);
+    const { view } = this;
     const { poses, end } = readPoses(snapshot.frame);
     const moving = readDisplayList(snapshot.frame, end, this.#engine.roles, this.#engine.labels);
 
-    const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision}`;
+    const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#sheet.cover(this.#surface, key, () => {
       this.#sheet.squares(this.#surface, view, this.#theme, snapshot.words);
       this.#painter.shapes(this.#sheet, this.#still, view, poses);
     });
     this.#painter.shapes(this.#surface, this.#rigid, view, poses);
     this.#painter.shapes(this.#surface, moving, view, poses);
+    this.#paintRing(view);
     const write = (/** @type {string} */ label) => labelText(label, snapshot);
     for (const layers of [this.#still, this.#rigid, moving]) {
       this.#painter.labels(this.#surface, layers, view, poses, write);
     }
+  }
+
+  /** @param {Transform} view */
+  #paintRing(view) {
+    if (!this.#ringed) return;
+    const joint = this.joints().find(({ name }) => name === this.#ringed);
+    if (!joint) return;
+    const { context } = this.#surface;
+    const [left, top] = view.toScreen(joint.x, joint.y);
+    context.beginPath();
+    context.arc(left, top, RING, 0, 2 * Math.PI);
+    context.globalAlpha = RING_OPACITY;
+    context.fillStyle = this.#theme.colours[joint.role];
+    context.fill();
+    context.globalAlpha = 1;
   }
 }
 

@@ -13,6 +13,16 @@ export function across(panel, phi) {
 
 /**
  * @param {Panel} panel
+ * @param {number} left CSS pixels from the left
+ * @returns {number} the crank angle there, radians; at the ends of the axis for what lies beyond
+ */
+export function angleAt(panel, left) {
+  const share = Math.min(Math.max((left - panel.left) / panel.width, 0), 1);
+  return panel.x0 + share * (panel.x1 - panel.x0);
+}
+
+/**
+ * @param {Panel} panel
  * @param {number} value
  * @returns {number} CSS pixels from the top
  */

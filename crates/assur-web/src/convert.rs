@@ -1,5 +1,7 @@
 //! JavaScript's values to the engine's and back.
 
+use assur::Assembly;
+use assur::catalog::mixer::{Dragged, Joint};
 use assur_draw::ROLES;
 use assur_draw::chart::{Palette, Panel, Tick};
 use assur_file::Problem;
@@ -18,6 +20,45 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
 pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
     let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
     to_js(&problems)
+}
+
+/// What dragging a joint changes, under the names of the page.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Change {
+    Phi(f64),
+    Document(Edit),
+}
+
+/// The fields of the document that a dragged joint changes.
+#[derive(Serialize)]
+pub(crate) struct Edit {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l2: Option<f64>,
+    l3: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l4: Option<f64>,
+    assembly: u8,
+}
+
+impl Change {
+    pub(crate) fn new(joint: Joint, dragged: Dragged) -> Self {
+        match dragged {
+            Dragged::Crank(phi) => Self::Phi(phi),
+            Dragged::Lengths {
+                lengths: [_, l2, l3, l4],
+                assembly,
+            } => Self::Document(Edit {
+                l2: (joint == Joint::C).then_some(l2),
+                l3,
+                l4: (joint == Joint::D).then_some(l4),
+                assembly: match assembly {
+                    Assembly::First => 1,
+                    Assembly::Second => 2,
+                },
+            }),
+        }
+    }
 }
 
 /// What the page asks of a chart, sizes in pixels of the reader.

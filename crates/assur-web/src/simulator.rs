@@ -1,8 +1,8 @@
 //! The one object the page talks to.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::catalog::mixer::{Case, Joint, Mixer};
 use assur::motion::extrema;
-use assur::{Cycle, Pose};
+use assur::{Cycle, Point, Pose};
 use assur_draw::chart::Chart;
 use assur_draw::{LABELS, ROLES, Scene};
 use assur_file::{MixerDocument, Problem, State};
@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
-use crate::convert::{ChartLayout, ChartRequest, thrown, to_js};
+use crate::convert::{Change, ChartLayout, ChartRequest, thrown, to_js};
 use crate::summary::Summary;
 
 /// A mechanism and all that is drawn of it. Angles are radians. What fails
@@ -106,6 +106,44 @@ impl Simulator {
             .chain(values)
             .chain([transmission])
             .collect())
+    }
+
+    /// Where the joints A, B, C, D are at a crank angle: x and y of each.
+    ///
+    /// # Errors
+    /// Why there is no pose.
+    pub fn joints(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
+        let Loaded { mixer, .. } = self.loaded()?;
+        let pose: Pose<1> = mixer
+            .linkage
+            .pose(mixer.assembly, phi)
+            .map_err(|unsolved| thrown([unsolved]))?;
+        let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
+        Ok(joints.iter().flat_map(|at| [at.x, at.y]).collect())
+    }
+
+    /// What dragging a joint (`B`, `C` or `D`) to a place changes, with the crank
+    /// at an angle: `{phi}` or `{document}` with the fields that become others.
+    /// Whether those make a mechanism is found out by `set`.
+    ///
+    /// # Errors
+    /// An unknown joint, a place that is not finite; no pose to drag D in.
+    pub fn drag(&self, joint: &str, phi: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let Loaded { mixer, .. } = self.loaded()?;
+        let joint = match joint {
+            "B" => Joint::B,
+            "C" => Joint::C,
+            "D" => Joint::D,
+            other => {
+                return Err(thrown([Problem::BadState {
+                    path: "joint".to_owned(),
+                    detail: other.to_owned(),
+                }]));
+            }
+        };
+        let dragged = mixer.dragged(joint, phi, Point::new(x, y));
+        let dragged = dragged.map_err(|unsolved| thrown([unsolved]))?;
+        Ok(to_js(&Change::new(joint, dragged)))
     }
 
     /// The crank angle moved by `delta`, and −1 where it turned back at the end

@@ -1,7 +1,11 @@
 //! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel
 //! 4, which drives wheel 5 (Smelyagin and Prikhodko, fig. 1 and 4).
 
+mod drag;
+
 use std::f64::consts::PI;
+
+pub use drag::{Dragged, Joint};
 
 use crate::gears::{GearPair, Mesh};
 use crate::{Assembly, FourBar, Invalid};
