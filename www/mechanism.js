@@ -18,7 +18,7 @@ import { Transform, Zoom } from "assur/transform.js";
 
 /** Free room around the drawing, in pixels. */
 const MARGIN = 44;
-const SMALL_MARGIN = 26;
+const SMALL_MARGIN = 36;
 
 /** Radius and strength of the ring around a joint that can be dragged. */
 const RING = 15;
