@@ -60,6 +60,7 @@ fn every_problem_has_words() {
         "dead_point",
         "bad_state",
         "trapped",
+        "not_settings",
     ];
     let fields = [
         "l1",

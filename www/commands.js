@@ -27,9 +27,7 @@ export function commands({ store, model, drafts, history, presets }) {
   };
   const turn = (/** @type {number} */ by) => put(({ view }) => view.phi_deg + by);
   const assemble = (/** @type {1 | 2} */ assembly) => {
-    history.close();
-    store.update((state) => withDocument(state, { assembly }));
-    history.close();
+    history.step(() => store.update((state) => withDocument(state, { assembly })));
   };
   const hasten = (/** @type {1 | -1} */ by) => {
     store.update((state) => {
@@ -65,11 +63,6 @@ export function commands({ store, model, drafts, history, presets }) {
     assembly2: () => assemble(2),
     undo: () => history.undo(),
     redo: () => history.redo(),
-    reset: () => {
-      history.close();
-      drafts.dropAll(Object.keys(preset));
-      store.update((state) => withDocument(state, preset));
-      history.close();
-    },
+    reset: () => history.step(() => store.update((state) => withDocument(state, preset))),
   });
 }

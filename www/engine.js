@@ -1,5 +1,5 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
-import init, { Simulator, labelNames, presets, readoutNames, roleNames } from "assur/pkg/assur_web.js";
+import init, { Simulator, labelNames, presets, readState, readoutNames, roleNames } from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
@@ -88,6 +88,14 @@ export class Engine {
     this.#good = state;
     this.trapped = false;
     return summary;
+  }
+
+  /**
+   * @param {unknown} value from outside
+   * @returns {State} the same, read and checked
+   */
+  read(value) {
+    return this.#ask(() => readState(value));
   }
 
   /** @returns {Float32Array} display list of all that is rigid */

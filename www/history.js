@@ -50,6 +50,17 @@ export class History {
     this.#open = false;
   }
 
+  /**
+   * A change that is a step of its own, whatever is being edited.
+   * @param {() => void} change
+   */
+  step(change) {
+    this.close();
+    this.#drafts.dropAll(this.#drafts.fields());
+    change();
+    this.close();
+  }
+
   undo() {
     this.#walk(this.#past, this.#future);
   }

@@ -8,16 +8,20 @@ import { Drafts } from "assur/drafts.js";
 import { Engine } from "assur/engine.js";
 import { Header } from "assur/header.js";
 import { History } from "assur/history.js";
+import { keep } from "assur/keeper.js";
 import { helpRows, listen } from "assur/keys.js";
 import { Loop } from "assur/loop.js";
 import { MechanismHands } from "assur/mechanism-hands.js";
 import { MechanismView } from "assur/mechanism.js";
 import { Model } from "assur/model.js";
+import { Notices } from "assur/notices.js";
+import { open, takeAddress, takeFile } from "assur/opening.js";
 import { played } from "assur/player.js";
 import { ProblemView } from "assur/problems.js";
 import { Rail } from "assur/rail.js";
 import { ReadoutTable } from "assur/readouts.js";
-import { initialState, withView } from "assur/state.js";
+import { copyLink, filePicker, saveFile } from "assur/share.js";
+import { withView } from "assur/state.js";
 import { StatusLine } from "assur/status.js";
 import { Store } from "assur/store.js";
 import { Theme } from "assur/theme.js";
@@ -30,12 +34,13 @@ const WRITING_PERIOD = 0.1;
 /**
  * Puts the page together and draws it for the first time.
  * @param {Engine} engine
+ * @param {import("assur/opening.js").Habits} habits
+ * @param {{ state: import("assur/state.js").State, failures: import("assur/opening.js").Failure[] }} opening
  * @param {Words} startWords
  */
-function run(engine, startWords) {
+function run(engine, habits, opening, startWords) {
   let words = startWords;
-  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const store = new Store(initialState(engine.presets[0].document, { playing: !calm, lang: words.lang }));
+  const store = new Store(opening.state);
   const drafts = new Drafts(() => loop.request());
   const model = new Model(engine, drafts, store.get());
   const history = new History(store, drafts);
@@ -47,7 +52,20 @@ function run(engine, startWords) {
   byId("app", HTMLElement).hidden = false;
   const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
   const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
-  const header = new Header(history, commands);
+  const notices = new Notices(() => loop.request());
+  const take = (/** @type {import("assur/opening.js").Taken | null} */ taken) => {
+    if (!taken) return;
+    notices.tell(taken.failure ? [taken.failure] : []);
+    const { state } = taken;
+    if (state) history.step(() => store.update(() => state));
+  };
+  addEventListener("hashchange", () => take(takeAddress(engine, habits)));
+  const header = new Header(history, {
+    ...commands,
+    open: filePicker((text, name) => take(takeFile(text, name, engine, habits))),
+    save: () => saveFile(model.good),
+    copy: () => copyLink(model.good, () => notices.tell(["copied"])),
+  });
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
@@ -61,9 +79,13 @@ function run(engine, startWords) {
     new ReadoutTable(),
     new ProblemView(),
     header,
+    notices,
   ];
 
-  listen({ ...commands, help: () => help.showModal(), close: () => header.close() });
+  listen({ ...commands, help: () => help.showModal(), close: () => {
+    header.close();
+    notices.clear();
+  } });
 
   let unwritten = 0;
   const step = (/** @type {number} */ dt) => {
@@ -81,6 +103,7 @@ function run(engine, startWords) {
   };
   const loop = new Loop(step, render);
   store.subscribe(() => loop.request());
+  keep(store, () => model.sound);
 
   chooseLanguage(store, (chosen) => {
     words = chosen;
@@ -88,6 +111,7 @@ function run(engine, startWords) {
     loop.request();
   });
   speak(words);
+  notices.tell(opening.failures);
   byId("boot", HTMLElement).hidden = true;
   render();
   loop.request();
@@ -138,7 +162,12 @@ function fail() {
 }
 
 try {
-  run(...(await Promise.all([Engine.load(), Words.load(preferredLanguage(navigator.languages))])));
+  const lang = preferredLanguage(navigator.languages);
+  const habits = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
+  // Most often these words are those of the state, too.
+  const [engine] = await Promise.all([Engine.load(), Words.load(lang)]);
+  const opening = open(engine, habits);
+  run(engine, habits, opening, await Words.load(opening.state.view.lang));
 } catch (thrown) {
   console.error(thrown);
   fail();

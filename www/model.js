@@ -43,6 +43,8 @@ export class Model {
   #drafts;
   /** @type {State | null} the state the engine was asked about last */
   #asked = null;
+  /** @type {State} */
+  #good;
   #revision = 0;
   /** @type {Summary} */
   #summary;
@@ -74,11 +76,22 @@ export class Model {
     this.#frameDeg = degrees(this.#summary.home);
     this.#revision = 1;
     this.#asked = state;
+    this.#good = state;
     this.#place(state);
   }
 
   get summary() {
     return this.#summary;
+  }
+
+  /** @returns {State} the state asked about, or the last the engine took before it */
+  get good() {
+    return this.#good;
+  }
+
+  /** Whether the engine took the state it was asked about last. */
+  get sound() {
+    return this.#refused.length === 0;
   }
 
   /** Whether the mechanism can be assembled where its crank is now. */
@@ -97,6 +110,7 @@ export class Model {
     if (other) this.#take(state);
     if (other || moved) this.#place(state);
     this.#asked = state;
+    if (this.sound) this.#good = state;
   }
 
   /**

@@ -20,6 +20,7 @@ export function sentence(problem, words) {
   const places = {};
   for (const [name, value] of Object.entries(problem)) {
     if (name === "field") places.field = words.text(`field.${value}`);
+    else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }

@@ -96,7 +96,23 @@ export class Transport {
     this.#view = view;
     if (previous?.playing !== view.playing) this.#name(words, view.playing);
     if (previous?.direction !== view.direction) this.#reverse.setAttribute("aria-pressed", String(view.direction < 0));
-    if (previous?.speed !== view.speed) this.#speed.value = String(view.speed);
+    if (previous?.speed !== view.speed) this.#hasten(view.speed, words);
+  }
+
+  /**
+   * A speed from a link may be none of the list: it joins it.
+   * @param {number} speed
+   * @param {Words} words
+   */
+  #hasten(speed, words) {
+    const value = String(speed);
+    const options = [...this.#speed.options];
+    if (!options.some((option) => option.value === value)) {
+      const next = options.find((option) => Number(option.value) > speed) ?? null;
+      const text = words.text("transport.times", { value: words.numbers.upTo(speed, 2) });
+      this.#speed.insertBefore(make("option", { value }, [text]), next);
+    }
+    this.#speed.value = value;
   }
 
   /** @param {Words} words */

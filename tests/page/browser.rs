@@ -1,10 +1,11 @@
 //! A browser of our own with the page open, and a person's hands.
 
-use std::env;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
+use std::{env, fs};
 
 use serde_json::json;
 use thirtyfour::prelude::*;
@@ -44,6 +45,13 @@ impl Drop for Page {
 /// An environment variable that `cargo xtask test` sets.
 pub(crate) fn setting(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
+}
+
+/// A folder of this run, where browsers put what a page saves.
+pub(crate) fn downloads() -> PathBuf {
+    let folder = env::temp_dir().join(format!("assur-page-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    folder
 }
 
 impl Page {
@@ -92,6 +100,8 @@ impl Page {
         ] {
             wanted.add_arg(argument).unwrap();
         }
+        let prefs = serde_json::json!({ "download.default_directory": downloads() });
+        wanted.add_experimental_option("prefs", prefs).unwrap();
         let driver = WebDriver::new(format!("http://127.0.0.1:{port}"), wanted)
             .await
             .unwrap();
@@ -112,6 +122,49 @@ impl Page {
             root.attr("data-ready").await.unwrap().as_deref() == Some("true")
         })
         .await;
+    }
+
+    /// Goes to an address in the same window. Where only what follows `#` is
+    /// another, the page stays.
+    pub(crate) async fn goto(&self, url: &str) {
+        self.driver.goto(url).await.unwrap();
+        self.ready().await;
+        self.settle().await;
+    }
+
+    /// Leaves the page and opens an address anew.
+    pub(crate) async fn anew(&self, url: &str) {
+        self.driver.goto("about:blank").await.unwrap();
+        self.goto(url).await;
+    }
+
+    pub(crate) async fn reload(&self) {
+        self.driver.refresh().await.unwrap();
+        self.ready().await;
+        self.settle().await;
+    }
+
+    /// What stands in the address bar.
+    pub(crate) async fn address(&self) -> String {
+        self.driver.current_url().await.unwrap().to_string()
+    }
+
+    /// How many elements a selector finds.
+    pub(crate) async fn count(&self, selector: &str) -> usize {
+        self.driver.find_all(By::Css(selector)).await.unwrap().len()
+    }
+
+    /// What a script of the test returns.
+    pub(crate) async fn ask(&self, script: &str) -> serde_json::Value {
+        let answer = self.driver.execute(script, Vec::new()).await.unwrap();
+        answer.json().clone()
+    }
+
+    /// Gives a file to the page as if it had been chosen.
+    pub(crate) async fn choose_file(&self, id: &str, path: &Path) {
+        let path = path.to_str().unwrap();
+        self.element(id).await.send_keys(path).await.unwrap();
+        self.settle().await;
     }
 
     /// Types where the focus is.

@@ -10,4 +10,5 @@ mod keys;
 mod lesson;
 mod picture;
 mod pixels;
+mod share;
 mod undo;

@@ -7,6 +7,12 @@ use crate::{MixerDocument, Problem};
 /// The version of the saved form that is written; others are refused.
 const FORMAT: f64 = 1.0;
 
+/// The largest crank angle, in degrees, that still has all its digits after the point.
+const PHI_LIMIT: f64 = 1e6;
+
+/// The greatest speed; beyond it the motion is no more seen.
+const SPEED_LIMIT: f64 = 1000.0;
+
 /// A state of the page that has the right form; keys it does not know are passed
 /// over. What its numbers mean is checked by [`State::check`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -69,6 +75,13 @@ impl State {
         }
         if !self.view.phi_deg.is_finite() {
             problems.push(Problem::NotANumber { field: "phi_deg" });
+        } else if self.view.phi_deg.abs() > PHI_LIMIT {
+            problems.push(Problem::OutOfRange {
+                field: "phi_deg",
+                value: self.view.phi_deg,
+                min: -PHI_LIMIT,
+                max: PHI_LIMIT,
+            });
         }
         if self.view.direction.abs() != 1.0 {
             problems.push(Problem::UnknownChoice { field: "direction" });
@@ -80,6 +93,13 @@ impl State {
             problems.push(Problem::NotPositive {
                 field: "speed",
                 value: speed,
+            });
+        } else if speed > SPEED_LIMIT {
+            problems.push(Problem::OutOfRange {
+                field: "speed",
+                value: speed,
+                min: 0.0,
+                max: SPEED_LIMIT,
             });
         }
         if problems.is_empty() {

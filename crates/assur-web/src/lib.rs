@@ -6,4 +6,6 @@ mod convert;
 mod simulator;
 mod summary;
 
-pub use simulator::{Simulator, label_names, presets, readout_names, role_names, version};
+pub use simulator::{
+    Simulator, label_names, presets, read_state, readout_names, role_names, version,
+};

@@ -236,6 +236,24 @@ pub fn presets() -> JsValue {
     to_js(&Case::ALL.map(preset))
 }
 
+/// A state from outside (an address, a file, what was kept), read and checked:
+/// the same state with the keys we know and no others.
+///
+/// # Errors
+/// Every problem of the state.
+#[wasm_bindgen(js_name = readState)]
+pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
+    let source = serde_wasm_bindgen::Deserializer::from(state);
+    let state = State::read(source).map_err(|problem| thrown([problem]))?;
+    match (state.check(), state.document.mixer()) {
+        (Ok(()), Ok(_)) => Ok(to_js(&state)),
+        (checked, mixer) => {
+            let problems = [checked.err(), mixer.err()];
+            Err(thrown(problems.into_iter().flatten().flatten()))
+        }
+    }
+}
+
 /// The version of Assur.
 #[wasm_bindgen]
 pub fn version() -> String {

@@ -1,0 +1,89 @@
+//! Three hundred damaged states: each is refused with a problem that names a part,
+//! or is a state that can be shown; none panics.
+
+use assur::catalog::mixer::Case;
+use assur_file::{MixerDocument, Problem, State};
+use serde_json::{Value, json};
+
+fn good() -> Value {
+    json!({
+        "format": 1,
+        "lesson": "mixer",
+        "document": MixerDocument::new(&Case::A.dimensions()),
+        "view": {
+            "phi_deg": 62, "playing": false, "direction": 1,
+            "speed": 1, "traces": true, "lang": "en",
+        },
+    })
+}
+
+fn problems(text: &str) -> Vec<Problem> {
+    match State::read(&mut serde_json::Deserializer::from_str(text)) {
+        Err(problem) => vec![problem],
+        Ok(state) => {
+            let found = [state.check().err(), state.document.mixer().err()];
+            found.into_iter().flatten().flatten().collect()
+        }
+    }
+}
+
+/// The paths of everything in a state, the whole first.
+fn paths(value: &Value, at: &str, all: &mut Vec<String>) {
+    all.push(at.to_owned());
+    for (key, inner) in value.as_object().into_iter().flatten() {
+        paths(inner, &format!("{at}/{key}"), all);
+    }
+}
+
+#[test]
+fn three_hundred_damaged_states_are_refused() {
+    let whole = good();
+    assert_eq!(problems(&whole.to_string()), []);
+    let mut places = Vec::new();
+    paths(&whole, "", &mut places);
+    let bad = [
+        json!(null),
+        json!([]),
+        json!([[[{}]]]),
+        json!({"__proto__": {"l1": 1}}),
+        json!({"constructor": 1}),
+        json!("<img src=x onerror=alert(1)>"),
+        json!("9".repeat(100_000)),
+        json!(1e300),
+        json!(-0.5),
+        json!(1e-320),
+    ];
+    let mut refused = 0;
+    let mut see = |text: &str| {
+        for problem in problems(text) {
+            let said = serde_json::to_value(&problem).unwrap();
+            assert!(said["code"].is_string(), "{said}");
+            // What is read may not be named by what it holds.
+            let named = said["field"].as_str().or(said["path"].as_str());
+            assert!(named.is_none_or(|name| !name.contains('<')), "{said}");
+        }
+        refused += usize::from(!problems(text).is_empty());
+    };
+    let mut harmless = 0;
+    for place in &places {
+        for value in &bad {
+            let mut state = whole.clone();
+            *state.pointer_mut(place).unwrap() = value.clone();
+            // Any text may name a language, any angle the centre line and the crank.
+            let text = place == "/view/lang" && value.is_string();
+            let angle = place.ends_with("_deg") && value.is_number();
+            let slow = place == "/view/speed" && *value == json!(1e-320);
+            harmless += usize::from(text || slow);
+            if !angle {
+                see(&state.to_string());
+            }
+        }
+    }
+    let text = whole.to_string();
+    let cuts = (0..text.len()).step_by(2);
+    let count = cuts.clone().count();
+    cuts.for_each(|end| see(&text[..end]));
+    let total = places.len() * bad.len() - 2 * 3 + count;
+    assert!(total >= 300, "{total}");
+    assert_eq!(refused, total - harmless);
+}

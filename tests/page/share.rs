@@ -1,0 +1,239 @@
+//! The state beyond the page: in the address, kept by the browser, in a file; and
+//! what happens to addresses and files that are broken.
+
+use std::fs;
+
+use assur_tests::assert_near;
+
+use crate::browser::{Page, downloads, setting};
+
+/// Links that were given out, and what each must show: they open for ever.
+const LINKS: &str = include_str!("../links.txt");
+
+/// A mechanism of its own, at rest at 123.25°, in Russian.
+async fn change(page: &Page) {
+    page.stop_at("123.25").await;
+    page.write("field-l2", "0.9").await;
+    page.click("mesh-internal").await;
+    page.click("assembly-2").await;
+    page.click("traces").await;
+    page.choose("speed", "0.5").await;
+    page.choose("lang", "ru").await;
+}
+
+async fn check_changed(page: &Page, rocker: f64) {
+    assert_eq!(
+        page.attribute("play", "data-playing").await.as_deref(),
+        Some("false")
+    );
+    assert_eq!(page.value("out-phi1").await, 123.25);
+    assert_eq!(page.value("out-rocker").await, rocker);
+    assert_eq!(page.value("out-ratio").await, 2.0);
+    assert!(!page.element("traces").await.is_selected().await.unwrap());
+    assert_eq!(page.written("speed").await, "0.5");
+    assert_eq!(page.lang().await.as_deref(), Some("ru"));
+    assert_eq!(page.text("notice-text").await, "");
+}
+
+/// The link that "Copy link" gives.
+async fn link(page: &Page) -> String {
+    page.click("menu").await;
+    page.click("copy").await;
+    page.until("the link to be copied", async || {
+        page.attribute("notice", "hidden").await.is_none()
+            || page.attribute("link", "open").await.is_some()
+    })
+    .await;
+    if page.attribute("link", "open").await.is_some() {
+        assert_eq!(page.written("link-text").await, page.address().await);
+        page.click("link-close").await;
+    } else {
+        page.click("notice-close").await;
+    }
+    page.address().await
+}
+
+#[tokio::test]
+async fn a_link_shows_the_same_page_elsewhere() {
+    let page = Page::open().await;
+    change(&page).await;
+    let rocker = page.value("out-rocker").await;
+    page.until("the address to follow", async || {
+        page.address().await.contains("v.lang=ru")
+    })
+    .await;
+    let shown = page.address().await;
+    let link = link(&page).await;
+    assert_eq!(shown, link);
+    page.close().await;
+
+    let page = Page::open_at(&link, "en-US").await;
+    check_changed(&page, rocker).await;
+    // Another link in the same window, and back by undo.
+    page.goto(&link.replace("d.l2=0.9", "d.l2=0.85")).await;
+    assert_ne!(page.value("out-rocker").await, rocker);
+    page.click("undo").await;
+    assert_eq!(page.value("out-rocker").await, rocker);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn what_was_kept_comes_back() {
+    let page = Page::open().await;
+    change(&page).await;
+    let rocker = page.value("out-rocker").await;
+    page.anew(&setting("ASSUR_URL")).await;
+    check_changed(&page, rocker).await;
+
+    // What cannot be shown is not kept: the last good mechanism is.
+    page.write("field-l4", "9").await;
+    page.anew(&setting("ASSUR_URL")).await;
+    check_changed(&page, rocker).await;
+
+    page.anew(&setting("ASSUR_URL")).await;
+    page.ask("localStorage.setItem('assur.state', '{\"format\":1,\"lesson\":\"<b>\"}')")
+        .await;
+    page.anew(&setting("ASSUR_URL")).await;
+    let said = page.text("notice-text").await;
+    assert!(said.contains("lesson"), "{said}");
+    assert_eq!(page.count("#notice b").await, 0);
+    let aside = page
+        .ask("return localStorage.getItem('assur.state.unread')")
+        .await;
+    assert!(aside.as_str().unwrap().contains("<b>"));
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_file_is_saved_and_opened() {
+    let page = Page::open().await;
+    change(&page).await;
+    let rocker = page.value("out-rocker").await;
+    page.click("menu").await;
+    page.click("save").await;
+    let saved = downloads().join("mixer.assur.json");
+    page.until("the file", async || saved.exists()).await;
+    let text = fs::read_to_string(&saved).unwrap();
+    assert!(text.contains("\n    \"l2\": 0.9,\n"), "{text}");
+
+    page.choose("lang", "en").await;
+    page.click("preset-b").await;
+    page.choose_file("file", &saved).await;
+    page.until("the file to be open", async || {
+        page.lang().await.as_deref() == Some("ru")
+    })
+    .await;
+    check_changed(&page, rocker).await;
+    page.click("undo").await;
+    assert_eq!(
+        page.attribute("preset-b", "aria-pressed").await.as_deref(),
+        Some("true")
+    );
+    page.click("redo").await;
+
+    for (broken, part) in [
+        (text.replace("0.9,", "\"<img src=x>\","), "document.l2"),
+        (text.replace("\"l1\": 0.37", "\"l1\": -1"), "l₁"),
+        (text[..text.len() / 2].to_owned(), "Assur"),
+        ("[".repeat(90_000), "Assur"),
+        (String::new(), "Assur"),
+    ] {
+        let path = downloads().join("<i>broken.assur.json");
+        fs::write(&path, broken).unwrap();
+        page.choose_file("file", &path).await;
+        page.until("a sentence", async || {
+            page.text("notice-text").await.contains(part)
+        })
+        .await;
+        assert!(page.text("notice-text").await.contains("<i>broken"));
+        page.click("notice-close").await;
+        check_changed(&page, rocker).await;
+    }
+    page.close().await;
+    fs::remove_dir_all(downloads()).unwrap();
+}
+
+#[tokio::test]
+async fn old_links_open() {
+    let page = Page::open().await;
+    for line in LINKS.lines().filter(|line| !line.starts_with("# ")) {
+        let (hash, shown) = line.split_once('\t').unwrap();
+        page.anew(&format!("{}{hash}", setting("ASSUR_URL"))).await;
+        assert_eq!(page.text("notice-text").await, "", "{hash}");
+        for pair in shown.split_whitespace() {
+            let (id, value) = pair.split_once('=').unwrap();
+            let value: f64 = value.parse().unwrap();
+            assert_near(page.value(id).await, value, 1e-9, hash);
+        }
+    }
+    page.close().await;
+}
+
+/// Sixty and more addresses that somebody or something has damaged.
+fn damaged(good: &str) -> Vec<String> {
+    let mut all: Vec<String> = (1..16)
+        .map(|i| good[..i * (good.len() - 10) / 15].to_owned())
+        .collect();
+    let pairs: Vec<&str> = good.split('&').skip(1).collect();
+    for pair in pairs {
+        let key = pair.split('=').next().unwrap();
+        let markup = "%3Cimg%20src=x%20onerror=%22window.hurt=1%22%3E";
+        // Any text may name a language.
+        let bad = if key == "v.lang" { "{}" } else { markup };
+        all.push(good.replace(pair, &format!("{key}={bad}")));
+        all.push(good.replace(pair, &format!("{key}=[[null]]")));
+        all.push(good.replace(pair, key));
+    }
+    for (from, to) in [
+        ("d.l1=0.37", "d.l1=1e999"),
+        ("d.l1=0.37", "d.__proto__={\"l1\":0.37}"),
+        ("d.l1=0.37", "d.constructor=0.37"),
+        ("d.l1=0.37", "__proto__={\"l1\":0.37}"),
+        ("d.l1=0.37", "d.l1=%E0%A4%A"),
+        ("d.l4=0.85", "d.l4=2"),
+        ("v.phi_deg=75", "v.phi_deg=1e300"),
+        ("v.speed=1", "v.speed=1e300"),
+        ("1&", "2&"),
+        ("1&", "<script>window.hurt=1</script>&"),
+    ] {
+        assert!(good.contains(from), "{from} in {good}");
+        all.push(good.replacen(from, to, 1));
+    }
+    all.push(format!("{good}&d.l1={}", "9".repeat(110_000)));
+    let [open, close] = ["[", "]"].map(|bracket| bracket.repeat(20_000));
+    all.push(format!("{good}&d.x={open}{close}"));
+    all
+}
+
+#[tokio::test]
+async fn damaged_addresses_are_sentences() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let link = link(&page).await;
+    let (home, good) = link.split_once('#').unwrap();
+    let picture = page.picture("mechanism").await;
+    let damaged = damaged(good);
+    assert!(damaged.len() >= 60, "{}", damaged.len());
+    for (number, bad) in damaged.iter().enumerate() {
+        let brief: String = bad.chars().take(400).collect();
+        page.goto(&format!("{home}#{bad}")).await;
+        // In the open page, and in one that opens with it.
+        for again in [false, true] {
+            if again {
+                if number % 4 != 0 {
+                    continue;
+                }
+                page.reload().await;
+            }
+            let said = page.text("notice-text").await;
+            assert!(said.len() > 30 && !said.contains('{'), "{brief}: {said:?}");
+            let injected = page.count("img, #notice b, #notice script").await;
+            assert_eq!(injected, 0, "{brief}");
+            assert!(page.ask("return window.hurt ?? null").await.is_null());
+            assert_eq!(page.value("out-phi1").await, 75.0, "{brief}");
+        }
+        page.click("notice-close").await;
+    }
+    assert!(page.picture("mechanism").await.difference(&picture) < 20);
+    page.close().await;
+}

@@ -1,0 +1,75 @@
+// Where the first state comes from, and taking in others later: an address, what was kept, a file.
+import { fromFile } from "assur/carrier.js";
+import { attempt } from "assur/engine.js";
+import { addressed, fromHere, fromKept, kept, putAside } from "assur/keeper.js";
+import { initialState } from "assur/state.js";
+import { LANGUAGES } from "assur/words.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Problem} Problem
+ * @typedef {import("assur/state.js").State} State
+ * @typedef {Readonly<{ kind: "address" | "kept" | "file", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ state: State, failure: null } | { state: null, failure: Failure }>} Taken
+ * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
+ * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.
+ */
+
+/**
+ * @param {Failure["kind"]} kind
+ * @param {() => unknown} unwrap
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Taken}
+ */
+function take(kind, unwrap, engine, { calm, lang }) {
+  const { value, problems } = attempt(() => engine.read(unwrap()));
+  if (!value) return { state: null, failure: { kind, problems } };
+  const { document, view } = value;
+  const playing = view.playing && !calm;
+  return { state: initialState(document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
+}
+
+/**
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Taken | null} null where the address holds none
+ */
+export function takeAddress(engine, habits) {
+  return addressed() === "" ? null : take("address", fromHere, engine, habits);
+}
+
+/**
+ * @param {string} text
+ * @param {string} name of the file
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Taken}
+ */
+export function takeFile(text, name, engine, habits) {
+  const { state, failure } = take("file", () => fromFile(text), engine, habits);
+  return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
+}
+
+/**
+ * The address, else what was kept, else the first preset; what could not be read is said.
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {{ state: State, failures: Failure[] }}
+ */
+export function open(engine, habits) {
+  /** @type {Failure[]} */
+  const failures = [];
+  const address = takeAddress(engine, habits);
+  if (address?.state) return { state: address.state, failures };
+  if (address) failures.push(address.failure);
+  const text = kept();
+  if (text !== null) {
+    const { state, failure } = take("kept", () => fromKept(text), engine, habits);
+    if (state) return { state, failures };
+    putAside(text);
+    failures.push(failure);
+  }
+  const { calm, lang } = habits;
+  return { state: initialState(engine.presets[0].document, { playing: !calm, lang }), failures };
+}
