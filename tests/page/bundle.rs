@@ -38,6 +38,14 @@ async fn opens_from_a_file_and_runs() {
     );
     page.choose("lang", "ru").await;
     assert!(page.text("out-swing-rocker").await.contains("87,905°"));
+    // From the disk, too, the state is in the address and comes back with it.
+    page.until("the address to follow", async || {
+        page.address().await.contains("v.lang=ru")
+    })
+    .await;
+    page.reload().await;
+    assert_eq!(page.lang().await.as_deref(), Some("ru"));
+    assert_eq!(page.value("out-phi1").await, 0.0);
     let outside: Vec<String> = page.loaded().await;
     assert!(
         outside.iter().all(|name| name.starts_with("data:")),
