@@ -1,5 +1,5 @@
 // The drawing of the mechanism on its canvas.
-import { radians } from "assur/angles.js";
+import { degrees, radians } from "assur/angles.js";
 import { readDisplayList } from "assur/display-list.js";
 import { setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
@@ -215,7 +215,8 @@ function readPoses(frame) {
  * @param {string} label
  * @param {Snapshot} snapshot
  */
-function labelText(label, { frameDeg, words }) {
+function labelText(label, { frameDeg, readouts, words }) {
   if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
+  if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
   return label.replace(/(?<=\p{L})\d/gu, (digit) => String.fromCharCode(0x2080 + Number(digit)));
 }

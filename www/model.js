@@ -1,6 +1,7 @@
 // From the state to everything that is shown: asks the engine only for what a change makes necessary.
 import { degrees, ontoAxis, radians } from "assur/angles.js";
 import { attempt } from "assur/engine.js";
+import { OVERLAYS } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -105,7 +106,7 @@ export class Model {
    */
   follow(state) {
     const asked = this.#asked;
-    const other = !asked || asked.document !== state.document || asked.view.traces !== state.view.traces;
+    const other = !asked || asked.document !== state.document || OVERLAYS.some((name) => asked.view[name] !== state.view[name]);
     const moved = !asked || asked.view.phi_deg !== state.view.phi_deg;
     if (other) this.#take(state);
     if (other || moved) this.#place(state);

@@ -10,11 +10,15 @@
  * }>} MixerDocument
  *
  * @typedef {Readonly<{
- *   phi_deg: number, playing: boolean, direction: 1 | -1, speed: number, traces: boolean, lang: string,
+ *   phi_deg: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
+ *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean,
  * }>} View
  *
  * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State
  */
+
+/** What can be laid over the drawing. */
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission"]));
 
 /**
  * @param {MixerDocument} document
@@ -26,7 +30,19 @@ export function initialState(document, view) {
     format: 1,
     lesson: "mixer",
     document: Object.freeze({ ...document }),
-    view: Object.freeze({ phi_deg: 62, playing: true, direction: 1, speed: 1, traces: true, lang: "en", ...view }),
+    view: Object.freeze({
+      phi_deg: 62,
+      playing: true,
+      direction: 1,
+      speed: 1,
+      traces: true,
+      centres: false,
+      vectors: false,
+      loop_vectors: false,
+      transmission: false,
+      lang: "en",
+      ...view,
+    }),
   });
 }
 

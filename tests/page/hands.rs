@@ -111,7 +111,7 @@ impl View {
 }
 
 fn bounds(mixer: &assur::catalog::mixer::Mixer) -> [f64; 4] {
-    assur_draw::Scene::new(mixer, true).bounds()
+    assur_draw::Scene::new(mixer, assur_draw::Overlays::default()).bounds()
 }
 
 fn joints(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> [Point; 4] {

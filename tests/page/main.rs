@@ -8,6 +8,7 @@ mod bundle;
 mod hands;
 mod keys;
 mod lesson;
+mod overlays;
 mod picture;
 mod pixels;
 mod share;

@@ -7,7 +7,9 @@ pub mod chart;
 mod gear;
 mod list;
 mod mixer;
+mod overlays;
 mod parts;
 
 pub use list::{LABELS, List, ROLES};
 pub use mixer::Scene;
+pub use overlays::Overlays;

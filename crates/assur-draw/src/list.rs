@@ -27,10 +27,12 @@ pub(crate) enum Role {
     Wheel5,
     Idler,
     Paper,
+    Velocity,
+    Acceleration,
 }
 
 /// The names of the roles in the order of their numbers.
-pub const ROLES: [&str; 10] = [
+pub const ROLES: [&str; 12] = [
     "ink",
     "secondary",
     "line",
@@ -41,6 +43,8 @@ pub const ROLES: [&str; 10] = [
     "wheel5",
     "idler",
     "paper",
+    "velocity",
+    "acceleration",
 ];
 
 /// How it is drawn.
@@ -72,11 +76,28 @@ pub(crate) enum Label {
     Four,
     Five,
     Phi1,
+    Mu,
+    C1,
+    C2,
+    C3,
+    L1,
+    L2,
+    L3,
+    L4,
+    L5,
+    BVelocity,
+    BAcceleration,
+    CVelocity,
+    CAcceleration,
 }
 
-/// The names of the labels in the order of their numbers; `phi1` stands for the
-/// crank angle, which the painter writes with its value.
-pub const LABELS: [&str; 7] = ["A", "B", "C", "D", "4", "5", "phi1"];
+/// The names of the labels in the order of their numbers; `phi1` and `mu` stand
+/// for the crank angle and the transmission angle, which the painter writes with
+/// their values. Strokes are derivatives of a point's place by the crank angle.
+pub const LABELS: [&str; 20] = [
+    "A", "B", "C", "D", "4", "5", "phi1", "mu", "C1", "C2", "C3", "l1", "l2", "l3", "l4", "l5",
+    "B′", "B″", "C′", "C″",
+];
 
 /// A display list under construction.
 #[derive(Clone, Debug, Default)]
@@ -137,7 +158,11 @@ mod tests {
     fn names_follow_the_numbers() {
         assert_eq!(ROLES[Role::Paper as usize], "paper");
         assert_eq!(ROLES[Role::Wheel5 as usize], "wheel5");
+        assert_eq!(ROLES[Role::Acceleration as usize], "acceleration");
         assert_eq!(LABELS[Label::Phi1 as usize], "phi1");
+        assert_eq!(LABELS[Label::C3 as usize], "C3");
+        assert_eq!(LABELS[Label::L5 as usize], "l5");
+        assert_eq!(LABELS[Label::CAcceleration as usize], "C″");
         assert_eq!(Look::Soft as u8, 6);
     }
 

@@ -8,6 +8,7 @@ use assur::{Link, Point, Swing, Unsolved, Vector};
 
 use crate::gear::Teeth;
 use crate::list::{Label, List, Look, Role};
+use crate::overlays::{self, Overlays, Scales};
 use crate::parts;
 
 /// Bodies in the order of their poses; 0 is the frame.
@@ -26,12 +27,14 @@ pub struct Scene {
     bounds: [f64; 4],
     /// The unit of symbols, a hundredth of the drawing's size.
     unit: f64,
+    overlays: Overlays,
+    scales: Option<Scales>,
     rigid: List,
 }
 
 impl Scene {
-    /// The drawing of a mixer, with the paths of B and C or without.
-    pub fn new(mixer: &Mixer, traces: bool) -> Self {
+    /// The drawing of a mixer and what lies over it.
+    pub fn new(mixer: &Mixer, overlays: Overlays) -> Self {
         let wheels: Vec<Wheel> = [mixer.gears.driver_wheel(), mixer.gears.driven_wheel()]
             .into_iter()
             .chain(mixer.gears.idler())
@@ -39,14 +42,17 @@ impl Scene {
         let path = path_of_c(mixer);
         let bounds = bounds(mixer, &wheels, &path);
         let [left, bottom, right, top] = bounds;
+        let size = (right - left).hypot(top - bottom);
         let mut scene = Self {
             mixer: *mixer,
             wheels,
             bounds,
-            unit: (right - left).hypot(top - bottom) / 100.0,
+            unit: size / 100.0,
+            overlays,
+            scales: overlays.vectors.then(|| Scales::new(mixer, size)),
             rigid: List::default(),
         };
-        scene.draw(traces.then_some(&path));
+        scene.draw(overlays.traces.then_some(&path));
         scene
     }
 
@@ -79,10 +85,26 @@ impl Scene {
         self.angle_arc(&mut list, phi);
         self.moving_label(&mut list, Label::B, b, b - a);
         self.moving_label(&mut list, Label::C, c, c - d);
+        self.lay_over(&mut list, crank, [a, b, c, d]);
         let poses = poses.iter().flat_map(|(at, angle)| [at.x, at.y, *angle]);
         let count = [self.wheels.len() + 3].map(|n| n as f32);
         let numbers = count.into_iter().chain(poses.map(|x| x as f32));
         Ok(numbers.chain(list.numbers().iter().copied()).collect())
+    }
+
+    /// What is shown over the mechanism and changes its shape.
+    fn lay_over(&self, list: &mut List, crank: f64, joints: [Point; 4]) {
+        if self.overlays.loop_vectors {
+            overlays::loop_vectors(list, joints, self.unit);
+        }
+        if self.overlays.transmission {
+            overlays::transmission(list, joints, self.unit);
+        }
+        // At a dead point there is a pose without derivatives.
+        let pose = self.mixer.linkage.pose::<3>(self.mixer.assembly, crank);
+        if let (Some(scales), Ok(pose)) = (self.scales, pose) {
+            overlays::analogues(list, &self.mixer, &pose, scales, self.unit);
+        }
     }
 
     fn draw(&mut self, path: Option<&Vec<Vec<Point>>>) {
@@ -114,6 +136,17 @@ impl Scene {
         for (body, at) in [(0, a), (COUPLER, a), (ROCKER, Point::new(l3, 0.0)), (0, d)] {
             list.body(body);
             parts::hinge(&mut list, at, 1.1 * u);
+        }
+        if self.overlays.centres {
+            for (body, label, length) in [
+                (CRANK, Label::C1, l1),
+                (COUPLER, Label::C2, l2),
+                (ROCKER, Label::C3, l3),
+            ] {
+                list.body(body);
+                overlays::centre_of_mass(&mut list, label, length, u);
+            }
+            list.body(0);
         }
         for (label, at) in [(Label::A, a), (Label::D, d)] {
             list.label(Role::Ink, label, at, [-1.5, -0.2]);
@@ -268,7 +301,11 @@ mod tests {
     fn lists_are_whole_and_bodies_have_poses() {
         for case in Case::ALL {
             let mixer = Mixer::new(&case.dimensions()).unwrap();
-            let scene = Scene::new(&mixer, true);
+            let traces = Overlays {
+                traces: true,
+                ..Overlays::default()
+            };
+            let scene = Scene::new(&mixer, traces);
             let frame = scene.frame(1.0).unwrap();
             let bodies = frame[0] as usize;
             assert_eq!(bodies, 5);
@@ -289,7 +326,7 @@ mod tests {
     #[test]
     fn bodies_meet_at_the_joints() {
         let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
-        let frame = Scene::new(&mixer, false).frame(1.1).unwrap();
+        let frame = Scene::new(&mixer, Overlays::default()).frame(1.1).unwrap();
         let end = |body: usize, length: f64| {
             let [x, y, angle] = [0, 1, 2].map(|i| f64::from(frame[1 + 3 * body + i]));
             Point::new(x + length * angle.cos(), y + length * angle.sin())
@@ -297,5 +334,39 @@ mod tests {
         let [l1, l2, l3, _] = mixer.linkage.lengths();
         assert!((end(CRANK, l1) - end(COUPLER, 0.0)).norm() < 1e-6);
         assert!((end(COUPLER, l2) - end(ROCKER, l3)).norm() < 1e-6);
+    }
+
+    /// Everything over the drawing, at every angle: numbers a screen can show,
+    /// one constant number of records away from dead points.
+    #[test]
+    fn overlays_are_whole() {
+        let all = Overlays {
+            traces: true,
+            centres: true,
+            vectors: true,
+            loop_vectors: true,
+            transmission: true,
+        };
+        for lengths in [[0.37, 0.85, 0.55, 0.85], [0.6, 0.85, 0.3, 0.85], [0.5; 4]] {
+            let dimensions = assur::catalog::mixer::Dimensions {
+                lengths,
+                ..Case::A.dimensions()
+            };
+            let mixer = Mixer::new(&dimensions).unwrap();
+            let scene = Scene::new(&mixer, all);
+            let plain = Scene::new(&mixer, Overlays::default());
+            let more = scene.rigid().numbers().len() - plain.rigid().numbers().len();
+            assert!(more > 300, "{more}");
+            let dead_points = mixer.linkage.dead_points();
+            for crank in (0..72).map(|i| 0.0873 * f64::from(i)).chain(dead_points) {
+                let (Ok(frame), Ok(before)) = (scene.frame(crank), plain.frame(crank)) else {
+                    continue;
+                };
+                let records = records(&frame[1 + 3 * 5..]).len();
+                assert!(records > 4 + 15, "{crank}: {records}");
+                assert!(frame.iter().all(|x| x.is_finite()), "{crank}");
+                assert!(frame.starts_with(&before), "{crank}");
+            }
+        }
     }
 }

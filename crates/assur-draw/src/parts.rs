@@ -22,6 +22,18 @@ pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);
 }
 
+/// An arrow: a line with a filled head, which is never longer than half of it.
+pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f64) {
+    let along = to - from;
+    let length = along.norm();
+    let along = along / length;
+    let head = along * (2.6 * unit).min(0.5 * length);
+    let across = assur::Vector::new(-head.y, head.x) * 0.36;
+    let neck = to - head;
+    list.polyline(role, Look::Line, &[from, neck]);
+    list.polygons(role, Look::Solid, &[vec![to, neck + across, neck - across]]);
+}
+
 /// A fixed support: a triangle under the hinge on a hatched line.
 pub(crate) fn support(list: &mut List, at: Point, size: f64) {
     let point = |x: f64, y: f64| at + assur::Vector::new(x * size, y * size);

@@ -48,6 +48,18 @@ pub struct View {
     pub speed: f64,
     /// Paths of the joints shown.
     pub traces: bool,
+    /// Centres of mass shown. Older states say nothing of this and the next.
+    #[serde(default)]
+    pub centres: bool,
+    /// Velocity and acceleration analogues of the joints shown.
+    #[serde(default)]
+    pub vectors: bool,
+    /// Vectors of the loop shown.
+    #[serde(default)]
+    pub loop_vectors: bool,
+    /// Arc of the transmission angle shown.
+    #[serde(default)]
+    pub transmission: bool,
     /// Language of the page.
     pub lang: String,
 }
@@ -126,6 +138,10 @@ mod tests {
                 direction: 1.0,
                 speed: 1.0,
                 traces: true,
+                centres: false,
+                vectors: true,
+                loop_vectors: false,
+                transmission: true,
                 lang: "en".to_owned(),
             },
         }
@@ -141,6 +157,18 @@ mod tests {
         assert_eq!(read(&text).unwrap(), state());
         assert_eq!(state().check(), Ok(()));
         assert!(state().document.mixer().is_ok());
+    }
+
+    #[test]
+    fn older_views_show_no_overlays() {
+        let mut older = serde_json::to_value(state()).unwrap();
+        let view = older["view"].as_object_mut().unwrap();
+        for added in ["centres", "vectors", "loop_vectors", "transmission"] {
+            assert!(view.remove(added).is_some(), "{added}");
+        }
+        let mut expected = state();
+        (expected.view.vectors, expected.view.transmission) = (false, false);
+        assert_eq!(read(&older.to_string()).unwrap(), expected);
     }
 
     #[test]

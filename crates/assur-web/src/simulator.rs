@@ -4,7 +4,7 @@ use assur::catalog::mixer::{Case, Joint, Mixer};
 use assur::motion::extrema;
 use assur::{Cycle, Point, Pose};
 use assur_draw::chart::Chart;
-use assur_draw::{LABELS, ROLES, Scene};
+use assur_draw::{LABELS, Overlays, ROLES, Scene};
 use assur_file::{MixerDocument, Problem, State};
 use plotters::prelude::IntoDrawingArea;
 use serde::Serialize;
@@ -52,7 +52,14 @@ impl Simulator {
                 return Err(thrown(problems.into_iter().flatten().flatten()));
             }
         };
-        let scene = Scene::new(&mixer, state.view.traces);
+        let overlays = Overlays {
+            traces: state.view.traces,
+            centres: state.view.centres,
+            vectors: state.view.vectors,
+            loop_vectors: state.view.loop_vectors,
+            transmission: state.view.transmission,
+        };
+        let scene = Scene::new(&mixer, overlays);
         let extrema = extrema(&mixer.linkage, mixer.assembly, |pose| pose.rocker);
         let summary = Summary::new(&mixer, &extrema, scene.bounds());
         self.loaded = Some(Loaded {
