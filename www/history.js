@@ -1,9 +1,9 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { withDocument, withView } from "assur/state.js";
+import { OVERLAYS, withDocument, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
- * @typedef {Readonly<{ document: State["document"], traces: boolean }>} Moment
+ * @typedef {Readonly<{ document: State["document"], shown: Partial<State["view"]> }>} Moment
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
@@ -82,7 +82,7 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withDocument(now, next.document), { traces: next.traces }));
+      this.#store.update((now) => withView(withDocument(now, next.document), next.shown));
     } finally {
       this.#walking = false;
     }
@@ -93,8 +93,8 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ document, view: { traces } }) {
-  return { document, traces };
+function moment({ document, view }) {
+  return { document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -102,5 +102,5 @@ function moment({ document, view: { traces } }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  return one.document === other.document && one.traces === other.traces;
+  return one.document === other.document && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
 }
