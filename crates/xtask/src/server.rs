@@ -1,35 +1,38 @@
-//! A server for one directory, for this machine only.
+//! A server for one directory, for this machine only: GET and HEAD, a thread and
+//! a connection for every request.
+//!
+//! So plain on purpose: tiny_http's pool of threads was seen to leave one of the
+//! connections that a browser opens at once without a thread, and the page blank.
 
 use std::fs;
-use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::io::{BufRead, BufReader, Read, Result as IoResult, Write};
+use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use anyhow::{Context, Result, anyhow, bail};
 use percent_encoding::percent_decode_str;
-use tiny_http::{Header, Method, Request, Response, Server};
 
 use crate::media::media_type;
-
-/// A page asks for some twenty files at once; a few workers answer them without waiting in line.
-const WORKERS: usize = 4;
 
 /// How many ports after the wished one are tried.
 const PORTS: u16 = 100;
 
-/// The threads that answer.
-pub(crate) struct Workers(Vec<JoinHandle<()>>);
+/// The most that is read of a request: it has no body.
+const LONGEST_REQUEST: u64 = 64 * 1024;
+
+/// How long a browser may keep a connection open without asking.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The thread that takes connections.
+pub(crate) struct Workers(JoinHandle<()>);
 
 impl Workers {
     /// Waits as long as the server runs, which is for ever unless something breaks.
     pub(crate) fn wait(self) -> Result<()> {
-        for worker in self.0 {
-            worker
-                .join()
-                .map_err(|_| anyhow!("the server stopped unexpectedly"))?;
-        }
-        Ok(())
+        let ended = self.0.join();
+        ended.map_err(|_| anyhow!("the server stopped unexpectedly"))
     }
 }
 
@@ -49,49 +52,52 @@ pub(crate) fn listen(port: u16) -> Result<TcpListener> {
 /// Serves a directory from threads of its own.
 pub(crate) fn start(listener: TcpListener, root: &Path) -> Result<(SocketAddr, Workers)> {
     let address = listener.local_addr().context("the server has no address")?;
-    let server = Server::from_listener(listener, None)
-        .map_err(|error| anyhow!("the server did not start: {error}"))?;
-    let server = Arc::new(server);
-    let workers = (0..WORKERS)
-        .map(|_| {
-            let (server, root) = (Arc::clone(&server), root.to_owned());
-            thread::spawn(move || {
-                server
-                    .incoming_requests()
-                    .for_each(|request| answer(request, &root))
-            })
-        })
-        .collect();
-    Ok((address, Workers(workers)))
+    let root = root.to_owned();
+    let taking = thread::spawn(move || {
+        for stream in listener.incoming().flatten() {
+            let root = root.clone();
+            // Whoever asked may be gone by now, which harms no one else.
+            thread::spawn(move || answer(&stream, &root).ok());
+        }
+    });
+    Ok((address, Workers(taking)))
 }
 
-fn answer(request: Request, root: &Path) {
-    let (status, kind, body) = match *request.method() {
-        Method::Get | Method::Head => match read(root, request.url()) {
-            Some((kind, body)) => (200, kind, body),
-            None => (404, media_type("txt.txt"), b"not found\n".to_vec()),
-        },
-        _ => (
-            405,
-            media_type("txt.txt"),
-            b"only GET and HEAD are answered\n".to_vec(),
-        ),
-    };
-    let mut response = Response::from_data(body)
-        .with_status_code(status)
-        // The length is known, so it is always said.
-        .with_chunked_threshold(usize::MAX);
-    for (name, value) in [
-        ("Content-Type", kind),
-        ("Cache-Control", "no-store"),
-        ("Allow", "GET, HEAD"),
-    ] {
-        if let Ok(header) = Header::from_bytes(name, value) {
-            response.add_header(header);
-        }
+fn answer(stream: &TcpStream, root: &Path) -> IoResult<()> {
+    stream.set_read_timeout(Some(PATIENCE))?;
+    let mut request = BufReader::new(stream.take(LONGEST_REQUEST));
+    let mut first = String::new();
+    request.read_line(&mut first)?;
+    // All of the request is read: a connection closed before that is an error to a browser.
+    let mut line = String::new();
+    while request.read_line(&mut line)? > 2 {
+        line.clear();
     }
-    // Whoever asked may be gone by now, which harms no one else.
-    let _ = request.respond(response);
+    let mut words = first.split_ascii_whitespace();
+    let (method, url) = (
+        words.next().unwrap_or_default(),
+        words.next().unwrap_or_default(),
+    );
+    let plain = media_type("txt.txt");
+    let (status, kind, body) = match (method, read(root, url)) {
+        ("GET" | "HEAD", Some((kind, body))) => ("200 OK", kind, body),
+        ("GET" | "HEAD", None) => ("404 Not Found", plain, b"not found\n".to_vec()),
+        _ => {
+            let words = b"only GET and HEAD are answered\n";
+            ("405 Method Not Allowed", plain, words.to_vec())
+        }
+    };
+    let mut stream = stream;
+    write!(
+        stream,
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
+         Cache-Control: no-store\r\nAllow: GET, HEAD\r\nConnection: close\r\n\r\n",
+        body.len()
+    )?;
+    if method != "HEAD" {
+        stream.write_all(&body)?;
+    }
+    stream.flush()
 }
 
 fn read(root: &Path, url: &str) -> Option<(&'static str, Vec<u8>)> {
@@ -190,6 +196,20 @@ mod tests {
         assert!(ask(address, "GET /src").starts_with("http/1.1 404"));
         assert!(ask(address, "GET /..%2fxtask/Cargo.toml").starts_with("http/1.1 404"));
         assert!(ask(address, "POST /Cargo.toml").starts_with("http/1.1 405"));
+    }
+
+    /// A browser opens connections ahead of need and uses some of them only later.
+    #[test]
+    fn idle_connections_keep_no_one_waiting() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let (address, _workers) = start(listen(0).unwrap(), root).unwrap();
+        let idle: Vec<_> = (0..20)
+            .map(|_| TcpStream::connect(address).unwrap())
+            .collect();
+        for _ in 0..20 {
+            assert!(ask(address, "GET /Cargo.toml").starts_with("http/1.1 200"));
+        }
+        drop(idle);
     }
 
     #[test]
