@@ -97,10 +97,12 @@ impl FourBar {
         crank: f64,
     ) -> Result<Pose<N>, Unsolved> {
         let crank = crank + 0.0; // −0 would carry its sign into a change point
+        let (sin, cos) = half_angle(crank)?;
+        let roots = self.area_roots(crank, sin, cos)?;
         let [diagonal, at_b, at_d] = if self.is_deltoid() {
-            self.deltoid_angles(assembly, crank)?
+            self.deltoid_angles(assembly, crank, roots)?
         } else {
-            self.triangle_angles(assembly, crank)?
+            self.triangle_angles(assembly, crank, [sin, cos], roots)
         };
         let pose = Pose {
             crank: Jet::linear(crank, 1.0),
@@ -148,9 +150,9 @@ impl FourBar {
         &self,
         assembly: Assembly,
         crank: f64,
-    ) -> Result<[Jet<N>; 3], Unsolved> {
-        let (sin, cos) = half_angle(crank)?;
-        let [root_p, root_q] = self.area_roots(crank, sin, cos)?;
+        [sin, cos]: [Jet<N>; 2],
+        [root_p, root_q]: [Jet<N>; 2],
+    ) -> [Jet<N>; 3] {
         let [l1, l2, l3, l4] = self.lengths;
         let apart = self.frame_less_crank;
         // φ₅ without a jump: by the frame's side where the crank is the shorter,
@@ -168,7 +170,7 @@ impl FourBar {
         let [turns_b, turns_d] = self.turns(assembly, crank);
         let at_b = area.atan2(square + difference) + turns_b;
         let at_d = area.atan2(square + -difference) + turns_d;
-        Ok([diagonal, at_b, at_d])
+        [diagonal, at_b, at_d]
     }
 
     /// The same for a deltoid, where l₅ = √Q divides out: signed like the root,
@@ -177,9 +179,8 @@ impl FourBar {
         &self,
         assembly: Assembly,
         crank: f64,
+        [root_p, root_q]: [Jet<N>; 2],
     ) -> Result<[Jet<N>; 3], Unsolved> {
-        let (sin, cos) = half_angle(crank)?;
-        let [root_p, root_q] = self.area_roots(crank, sin, cos)?;
         if root_q.value().abs() <= tolerance(&self.lengths) {
             return Err(Unsolved::Undetermined { crank });
         }
