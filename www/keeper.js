@@ -1,5 +1,5 @@
 // Keeps the state beyond the page: in the address and in the browser. Both may be forbidden; the page then does without.
-import { fromAddress, fromFile, toAddress, toFile } from "assur/carrier.js";
+import { fromAddress, toAddress, toFile } from "assur/carrier.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
@@ -25,14 +25,6 @@ export function fromHere() {
 /** @returns {string | null} what was kept last */
 export function kept() {
   return guarded(() => localStorage.getItem(KEY));
-}
-
-/**
- * @param {string} text
- * @returns {unknown} for the engine to check
- */
-export function fromKept(text) {
-  return fromFile(text);
 }
 
 /** @param {string} text */

@@ -1,7 +1,7 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file.
 import { fromFile } from "assur/carrier.js";
 import { attempt } from "assur/engine.js";
-import { addressed, fromHere, fromKept, kept, putAside } from "assur/keeper.js";
+import { addressed, fromHere, kept, putAside } from "assur/keeper.js";
 import { initialState } from "assur/state.js";
 import { LANGUAGES } from "assur/words.js";
 
@@ -65,7 +65,7 @@ export function open(engine, habits) {
   if (address) failures.push(address.failure);
   const text = kept();
   if (text !== null) {
-    const { state, failure } = take("kept", () => fromKept(text), engine, habits);
+    const { state, failure } = take("kept", () => fromFile(text), engine, habits);
     if (state) return { state, failures };
     putAside(text);
     failures.push(failure);

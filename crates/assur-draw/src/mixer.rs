@@ -101,8 +101,9 @@ impl Scene {
             overlays::transmission(list, joints, self.unit);
         }
         // At a dead point there is a pose without derivatives.
-        let pose = self.mixer.linkage.pose::<3>(self.mixer.assembly, crank);
-        if let (Some(scales), Ok(pose)) = (self.scales, pose) {
+        if let Some(scales) = self.scales
+            && let Ok(pose) = self.mixer.linkage.pose::<3>(self.mixer.assembly, crank)
+        {
             overlays::analogues(list, &self.mixer, &pose, scales, self.unit);
         }
     }

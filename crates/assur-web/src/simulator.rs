@@ -2,7 +2,7 @@
 
 use assur::catalog::mixer::{Case, Joint, Mixer};
 use assur::motion::extrema;
-use assur::{Cycle, Point, Pose};
+use assur::{Cycle, Point, Pose, Unsolved};
 use assur_draw::chart::Chart;
 use assur_draw::{LABELS, Overlays, ROLES, Scene};
 use assur_file::{MixerDocument, Problem, State};
@@ -85,8 +85,7 @@ impl Simulator {
     /// # Errors
     /// Why there is no pose.
     pub fn frame(&self, phi: f64) -> Result<Vec<f32>, JsValue> {
-        let frame = self.loaded()?.scene.frame(phi);
-        frame.map_err(|unsolved| thrown([unsolved]))
+        solved(self.loaded()?.scene.frame(phi))
     }
 
     /// The values named by `readoutNames` at a crank angle.
@@ -95,14 +94,8 @@ impl Simulator {
     /// Why there are none: no pose, or derivatives unbounded.
     pub fn readouts(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
         let Loaded { mixer, .. } = self.loaded()?;
-        let pose: Pose<3> = mixer
-            .linkage
-            .pose(mixer.assembly, phi)
-            .map_err(|unsolved| thrown([unsolved]))?;
-        let transmission = mixer
-            .linkage
-            .transmission_angle(phi)
-            .map_err(|unsolved| thrown([unsolved]))?;
+        let pose: Pose<3> = solved(mixer.linkage.pose(mixer.assembly, phi))?;
+        let transmission = solved(mixer.linkage.transmission_angle(phi))?;
         let wheel5 = mixer.gears.driven(pose.rocker);
         let angles = [pose.coupler, pose.rocker, wheel5];
         let values = angles
@@ -121,10 +114,7 @@ impl Simulator {
     /// Why there is no pose.
     pub fn joints(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
         let Loaded { mixer, .. } = self.loaded()?;
-        let pose: Pose<1> = mixer
-            .linkage
-            .pose(mixer.assembly, phi)
-            .map_err(|unsolved| thrown([unsolved]))?;
+        let pose: Pose<1> = solved(mixer.linkage.pose(mixer.assembly, phi))?;
         let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
         Ok(joints.iter().flat_map(|at| [at.x, at.y]).collect())
     }
@@ -148,8 +138,7 @@ impl Simulator {
                 }]));
             }
         };
-        let dragged = mixer.dragged(joint, phi, Point::new(x, y));
-        let dragged = dragged.map_err(|unsolved| thrown([unsolved]))?;
+        let dragged = solved(mixer.dragged(joint, phi, Point::new(x, y)))?;
         Ok(to_js(&Change::new(joint, dragged)))
     }
 
@@ -197,6 +186,11 @@ impl Simulator {
             }])
         })
     }
+}
+
+/// What is solved, or the reason why not as it is thrown.
+fn solved<T>(result: Result<T, Unsolved>) -> Result<T, JsValue> {
+    result.map_err(|unsolved| thrown([unsolved]))
 }
 
 /// The names of the values of `readouts`, in order: angles are followed by their
