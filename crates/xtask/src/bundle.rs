@@ -125,7 +125,7 @@ fn data_address(name: &str, bytes: &[u8]) -> String {
 fn refuse_relative_imports(name: &str, module: &str) -> Result<()> {
     for (number, line) in module.lines().enumerate() {
         for keyword in ["from", "import", "import("] {
-            for quote in ['"', '\''] {
+            for quote in ['"', '\'', '`'] {
                 for dots in ["./", "../"] {
                     if [" ", ""]
                         .iter()
@@ -251,6 +251,11 @@ mod tests {
                 "main.js",
                 "\nimport { a } from './a.js';",
                 "main.js:2 imports by a relative path",
+            ),
+            (
+                "main.js",
+                "await import(`./a.js`)",
+                "main.js:1 imports by a relative path",
             ),
             (
                 "main.js",

@@ -8,6 +8,7 @@ mod bench;
 mod browser;
 mod bundle;
 mod media;
+mod minify;
 mod server;
 mod site;
 mod step;

@@ -1,11 +1,13 @@
 //! The built page: `www/` with its places for words filled in, `lang/`, and the release build of the
-//! wasm side in `pkg/`.
+//! wasm side in `pkg/`; scripts and style sheet made small.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use anyhow::{Context, Result};
 
+use crate::minify;
 use crate::step::{announce, run};
 use crate::tools::{self, WASM};
 use crate::words::Words;
@@ -39,6 +41,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         .arg(fresh.join("pkg"))
         .arg(wasm);
     run(&mut bindgen, "writing the bindings")?;
+    minify_all(&fresh)?;
 
     remove(&site)?;
     fs::rename(&fresh, &site)
@@ -88,6 +91,29 @@ fn fill_words(site: &Path) -> Result<()> {
     let page = fs::read_to_string(&index).context("www/index.html cannot be read")?;
     let filled = Words::load(&site.join("lang"))?.fill(&page, VERSION)?;
     fs::write(&index, filled).with_context(|| format!("{} cannot be written", index.display()))
+}
+
+/// Makes every script and style sheet of a directory small.
+fn minify_all(directory: &Path) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", directory.display());
+    for entry in fs::read_dir(directory).with_context(unreadable)? {
+        let path = entry.with_context(unreadable)?.path();
+        if path.is_dir() {
+            minify_all(&path)?;
+            continue;
+        }
+        let minified = match path.extension().and_then(OsStr::to_str) {
+            Some("js") => {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                minify::module(&name, &fs::read_to_string(&path).with_context(unreadable)?)?
+            }
+            Some("css") => minify::style(&fs::read_to_string(&path).with_context(unreadable)?)?,
+            _ => continue,
+        };
+        fs::write(&path, minified)
+            .with_context(|| format!("{} cannot be written", path.display()))?;
+    }
+    Ok(())
 }
 
 fn remove(directory: &Path) -> Result<()> {
