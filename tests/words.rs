@@ -52,6 +52,7 @@ fn every_problem_has_words() {
         "out_of_range",
         "not_whole",
         "unknown_choice",
+        "at_rest",
         "too_long",
         "concentric_wheels",
         "apart",
@@ -77,6 +78,9 @@ fn every_problem_has_words() {
         "phi_deg",
         "direction",
         "speed",
+        "omega",
+        "epsilon",
+        "plot",
     ];
     for (lang, words) in tables() {
         for code in codes {

@@ -2,7 +2,7 @@
 // pointer hovers, a second, dashed one.
 import { degrees, radians } from "assur/angles.js";
 import { setChartFont } from "assur/chart-text.js";
-import { READOUT_OF, across, down, shows } from "assur/panels.js";
+import { across, down, shows, written } from "assur/panels.js";
 import { setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
 import { Surface } from "assur/surface.js";
@@ -10,7 +10,6 @@ import { Surface } from "assur/surface.js";
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Panel} Panel
- * @typedef {import("assur/engine.js").Readouts} Readouts
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
@@ -66,10 +65,10 @@ export class ChartCursor {
     this.#surface.clear();
     const { context } = this.#surface;
     const hovered = this.#hovered;
-    const ghost = hovered === null ? null : attempt(() => this.#engine.readouts(hovered)).value;
+    const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
     const { panels } = this.#chart;
     // Two sets of numbers would cover each other: under a pointer only its own are written.
-    for (const panel of panels) this.#panel(panel, snapshot, radians(snapshot.phiDeg), snapshot.readouts, hovered === null);
+    for (const panel of panels) this.#panel(panel, snapshot, radians(snapshot.phiDeg), snapshot.plotted, hovered === null);
     if (hovered === null || panels.length === 0) return;
     for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, true, GHOST);
     this.#angle(panels[0], hovered, snapshot);
@@ -95,11 +94,11 @@ export class ChartCursor {
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {number} phi
-   * @param {Readouts | null} readouts
+   * @param {Float64Array | null} values of the plotted quantities
    * @param {boolean} tagged whether the numbers are written
    * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot, phi, readouts, tagged, dashes = WHOLE) {
+  #panel(panel, snapshot, phi, values, tagged, dashes = WHOLE) {
     const { context } = this.#surface;
     const { colours } = this.#theme;
     const x = across(panel, phi);
@@ -112,7 +111,7 @@ export class ChartCursor {
     context.setLineDash(dashes);
     context.stroke();
     context.setLineDash(WHOLE);
-    const dots = this.#dots(panel, snapshot, readouts);
+    const dots = this.#dots(panel, snapshot, values);
     if (dots.length === 0) return;
     context.lineWidth = 2;
     for (const { y, colour } of dots) {
@@ -129,16 +128,16 @@ export class ChartCursor {
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
-   * @param {Readouts | null} readouts
+   * @param {Float64Array | null} values of the plotted quantities
    * @returns {Dot[]} from the top down
    */
-  #dots(panel, { words }, readouts) {
-    if (!readouts) return [];
+  #dots(panel, { words }, values) {
+    if (!values) return [];
     const dots = [];
-    for (const { name, role } of panel.series) {
-      const value = readouts[READOUT_OF[name][panel.order]];
+    for (const [i, { role }] of panel.series.entries()) {
+      const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = panel.order === 0 ? `${words.numbers.fixed(degrees(value), 1)}°` : words.numbers.fixed(value, 3);
+      const text = written(panel, value, words.numbers);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

@@ -1,6 +1,6 @@
 // The text of the chart: titles with units and the numbers along the axes.
 import { radians } from "assur/angles.js";
-import { across, down } from "assur/panels.js";
+import { across, down, inDegrees, power, subscript, symbol } from "assur/panels.js";
 
 /**
  * @typedef {import("assur/chart-marks.js").Box} Box
@@ -9,8 +9,10 @@ import { across, down } from "assur/panels.js";
  * @typedef {import("assur/words.js").Words} Words
  */
 
-const SYMBOLS = Object.freeze(["φ", "φ′", "φ″"]);
 const SIZE = 11;
+
+/** So many curves are named in the title, each in its colour; of more only what they are. */
+const MOST_NAMED = 3;
 
 /** The room the engine leaves for text does not grow with it. */
 const LARGEST_SCALE = 1.09;
@@ -46,19 +48,63 @@ export function setChartFont(context, theme, size = SIZE) {
  * @param {Theme} theme
  * @returns {Box}
  */
-function drawTitle(context, { order, left, top }, words, theme) {
-  const symbol = SYMBOLS[order];
+function drawTitle(context, panel, words, theme) {
+  const { left, top } = panel;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
+  let right = left;
+  const write = (/** @type {string} */ text, /** @type {string} */ colour) => {
+    context.fillStyle = colour;
+    context.fillText(text, right, top - 9);
+    right += context.measureText(text).width;
+  };
   context.font = `600 ${14 * Math.min(theme.scale, LARGEST_SCALE)}px ${theme.font}`;
-  context.fillStyle = theme.colours.ink;
-  context.fillText(symbol, left, top - 9);
-  const width = context.measureText(`${symbol} `).width;
+  for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
   setChartFont(context, theme, 12);
-  context.fillStyle = theme.colours.secondary;
-  const unit = words.text(`plots.unit.${order}`);
-  context.fillText(unit, left + width, top - 9);
-  return { left, top: top - 22, right: left + width + context.measureText(unit).width + 4, bottom: top - 5 };
+  write(`  ${words.text(unitOf(panel), { power: powerOf(panel) })}`, theme.colours.secondary);
+  if (panel.differenced) write(`  • ${words.text("plots.differenced", { of: firsts(panel) })}`, theme.colours.ink);
+  return { left, top: top - 22, right: right + 4, bottom: top - 5 };
+}
+
+/**
+ * The symbols of a panel's title, each with the role of its curve.
+ * @param {Panel} panel
+ * @returns {[text: string, role?: string][]}
+ */
+function names({ kind, order, physical, series }) {
+  const symbols = series.map(({ name, role }) => /** @type {[string, string]} */ ([symbol(name, order, physical), role]));
+  if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
+  /** @type {[string, string?][]} */
+  const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
+  return kind === "length" ? [[`${subscript(series[0].name.split(".")[0])}: `], ...listed] : listed;
+}
+
+/**
+ * @param {Panel} panel
+ * @returns {string} the symbols of the first derivatives
+ */
+function firsts({ physical, series }) {
+  const symbols = series.map(({ name }) => symbol(name, 1, physical).replace(/[₀-₉]/g, ""));
+  return [...new Set(symbols)].join(", ");
+}
+
+/**
+ * @param {Panel} panel
+ * @returns {string} the key of the words that say what a panel shows, and in which unit
+ */
+function unitOf({ kind, order, physical }) {
+  return `plots.${kind}.${physical && order > 0 ? "by_time" : "unit"}.${order}`;
+}
+
+/**
+ * @param {Panel} panel
+ * @returns {string} before the unit, where numbers are written in a power of ten
+ */
+function powerOf(panel) {
+  const exponent = power(panel);
+  if (exponent === 0) return "";
+  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
+  return `10${exponent < 0 ? "⁻" : ""}${digits} `;
 }
 
 /**
@@ -72,10 +118,12 @@ function drawValues(context, panel, words, theme) {
   context.textAlign = "right";
   context.textBaseline = "middle";
   context.fillStyle = theme.colours.secondary;
-  const unit = panel.order === 0 ? "°" : "";
+  const angle = inDegrees(panel);
+  const unit = 10 ** power(panel);
   for (const { value } of panel.yticks) {
-    const at = down(panel, panel.order === 0 ? radians(value) : value);
-    context.fillText(words.numbers.upTo(value, 6) + unit, panel.left - 5, at, panel.left - 5);
+    const at = down(panel, angle ? radians(value) : value);
+    const text = words.numbers.upTo(value / unit, 6) + (angle ? "°" : "");
+    context.fillText(text, panel.left - 5, at, panel.left - 5);
   }
 }
 

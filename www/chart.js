@@ -1,6 +1,6 @@
 // The plots: curves by the engine, text by us, both on one canvas that is redrawn only when the curves change.
-import { drawMarks, marksOf, sampleCurves } from "assur/chart-marks.js";
-import { drawChartText, setChartFont } from "assur/chart-text.js";
+import { drawMarks } from "assur/chart-marks.js";
+import { drawChartText } from "assur/chart-text.js";
 import { attempt } from "assur/engine.js";
 import { setData } from "assur/dom.js";
 import { Surface } from "assur/surface.js";
@@ -51,20 +51,13 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     const { context, width, height } = this.#surface;
-    const { colours, inks, palette } = this.#theme;
+    const { palette } = this.#theme;
     this.#surface.clear();
     const drawn = attempt(() => this.#engine.chart(context, { width, height, palette }));
     this.#surface.toPixels();
     this.panels = drawn.value?.panels ?? [];
     const titles = drawChartText(context, this.panels, snapshot.words, this.#theme);
-    setChartFont(context, this.#theme);
-    const samples = this.panels.length > 0 ? sampleCurves(this.#engine, this.panels[0]) : [];
-    this.panels.forEach((panel, i) => {
-      const roles = new Map(panel.series.map(({ name, role }) => [name, role]));
-      const colour = (/** @type {import("assur/chart-marks.js").Mark} */ mark) => inks[roles.get(mark.series) ?? "ink"];
-      const marks = marksOf(snapshot.summary, panel, this.#engine);
-      drawMarks(context, panel, marks, samples, titles[i], snapshot.words, colour, colours.paper);
-    });
+    this.panels.forEach((panel, i) => drawMarks(context, panel, titles[i], snapshot.words, this.#theme));
     this.#redrawn();
   }
 }

@@ -1,14 +1,13 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
-import init, { Simulator, labelNames, presets, readState, readoutNames, roleNames } from "assur/pkg/assur_web.js";
+import init, { Simulator, labelNames, presets, readState, roleNames } from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
  * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
  * @typedef {{ min: number, max: number, stroke: number }} Swing
- * @typedef {"rocker" | "wheel5"} Series
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
- * @typedef {{ series: Series, order: 1 | 2, kind: "max" | "min", phi: number, value: number }} Extremum
+ * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
  * @typedef {{
  *   grashof: string,
  *   cycle: Cycle,
@@ -20,14 +19,14 @@ import init, { Simulator, labelNames, presets, readState, readoutNames, roleName
  *   ratio: number,
  *   dead_points: number[],
  *   change_points: number[],
- *   extrema: Extremum[],
  *   bounds: [number, number, number, number],
  * }} Summary
  * @typedef {{
- *   order: 0 | 1 | 2, left: number, top: number, width: number, height: number,
+ *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
+ *   left: number, top: number, width: number, height: number,
  *   x0: number, x1: number, y0: number, y1: number,
  *   xticks: { value: number }[], yticks: { value: number }[],
- *   series: { name: Series, role: string }[],
+ *   series: { name: string, role: string }[], marks: Mark[], points: number[],
  * }} Panel
  * @typedef {{ width: number, height: number, palette: [number, number, number][] }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
@@ -71,7 +70,7 @@ export class Engine {
   /** @type {readonly { id: string, document: MixerDocument }[]} */
   presets = presets();
   /** @type {readonly string[]} */
-  #names = readoutNames();
+  #names = [];
 
   /** @returns {Promise<Engine>} */
   static async load() {
@@ -84,7 +83,11 @@ export class Engine {
    * @returns {Summary}
    */
   set(state) {
-    const summary = this.#ask((simulator) => simulator.set(state));
+    const summary = this.#ask((simulator) => {
+      const taken = simulator.set(state);
+      this.#names = simulator.readoutNames();
+      return taken;
+    });
     this.#good = state;
     this.trapped = false;
     return summary;
@@ -133,7 +136,7 @@ export class Engine {
 
   /**
    * @param {number} phi
-   * @returns {Readouts} values by name
+   * @returns {Readouts} values by name; ′ and ″ are derivatives of the axes
    */
   readouts(phi) {
     const values = this.#ask((simulator) => simulator.readouts(phi));
@@ -141,6 +144,14 @@ export class Engine {
     const named = {};
     for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
     return named;
+  }
+
+  /**
+   * @param {number} phi
+   * @returns {Float64Array} of each series of the plots the value and both derivatives
+   */
+  plotted(phi) {
+    return this.#ask((simulator) => simulator.plotted(phi));
   }
 
   /**

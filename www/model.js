@@ -1,7 +1,7 @@
 // From the state to everything that is shown: asks the engine only for what a change makes necessary.
 import { degrees, ontoAxis, radians } from "assur/angles.js";
 import { attempt } from "assur/engine.js";
-import { OVERLAYS } from "assur/state.js";
+import { DRAWN } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -21,13 +21,14 @@ import { OVERLAYS } from "assur/state.js";
  *   frame: Float32Array,
  *   frameDeg: number,
  *   readouts: Readouts | null,
+ *   plotted: Float64Array | null,
  *   problems: readonly Problem[],
  *   stale: boolean,
  *   faded: boolean,
  *   legible: boolean,
  * }} Snapshot
  * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
- * of the last drawing; `readouts` is null where there are none at this
+ * of the last drawing; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
  */
@@ -56,6 +57,8 @@ export class Model {
   #frameDeg;
   /** @type {Readouts | null} */
   #readouts = null;
+  /** @type {Float64Array | null} */
+  #plotted = null;
   /** @type {readonly Problem[]} */
   #refused = [];
   /** @type {readonly Problem[]} */
@@ -106,7 +109,7 @@ export class Model {
    */
   follow(state) {
     const asked = this.#asked;
-    const other = !asked || asked.document !== state.document || OVERLAYS.some((name) => asked.view[name] !== state.view[name]);
+    const other = !asked || asked.document !== state.document || DRAWN.some((name) => asked.view[name] !== state.view[name]);
     const moved = !asked || asked.view.phi_deg !== state.view.phi_deg;
     if (other) this.#take(state);
     if (other || moved) this.#place(state);
@@ -139,6 +142,7 @@ export class Model {
       frame: this.#frame,
       frameDeg: this.#frameDeg,
       readouts: this.#readouts,
+      plotted: this.#plotted,
       problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
       stale,
       faded: stale || this.#unplaced.length > 0,
@@ -166,8 +170,9 @@ export class Model {
       this.#frame = placed.value;
       this.#frameDeg = phiDeg;
     }
-    const read = attempt(() => this.#engine.readouts(phi));
+    const read = attempt(() => ({ readouts: this.#engine.readouts(phi), plotted: this.#engine.plotted(phi) }));
     this.#unread = read.problems;
-    this.#readouts = read.value;
+    this.#readouts = read.value?.readouts ?? null;
+    this.#plotted = read.value?.plotted ?? null;
   }
 }

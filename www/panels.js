@@ -1,5 +1,7 @@
 // Where things are in a panel of the chart, from the layout the engine returns.
 
+import { degrees } from "assur/angles.js";
+
 /** @typedef {import("assur/engine.js").Panel} Panel */
 
 /**
@@ -38,8 +40,64 @@ export function shows(panel, value) {
   return value >= panel.y0 && value <= panel.y1;
 }
 
-/** The names of the read-outs a panel shows of a series: the value and its derivatives. */
-export const READOUT_OF = Object.freeze({
-  rocker: Object.freeze(/** @type {const} */ (["rocker", "drocker", "ddrocker"])),
-  wheel5: Object.freeze(/** @type {const} */ (["wheel5", "dwheel5", "ddwheel5"])),
+const STROKES = Object.freeze(["", "′", "″"]);
+const LETTERS = Object.freeze({
+  angle: Object.freeze(["φ", "ω", "ε"]),
+  x: Object.freeze(["x", "ẋ", "ẍ"]),
+  y: Object.freeze(["y", "ẏ", "ÿ"]),
 });
+
+/** The numbers of the links that are not called by them. */
+const LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ coupler: "2", rocker: "3" }));
+
+/**
+ * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ.
+ * @param {string} name as `rocker.angle`, `C2.x`
+ * @param {number} order
+ * @param {boolean} physical whether derivatives are by time
+ */
+export function symbol(name, order, physical) {
+  const [of, what] = name.split(".");
+  const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
+  const index = what === "angle" ? subscript(LINKS[of] ?? of.replace(/\D/g, "")) : "";
+  return physical ? letters[order] + index : letters[0] + index + STROKES[order];
+}
+
+/**
+ * @param {string} text
+ * @returns {string} the same with its digits written low
+ */
+export function subscript(text) {
+  return text.replace(/\d/g, (digit) => String.fromCharCode(0x2080 + Number(digit)));
+}
+
+/** Numbers beyond these would not fit beside an axis: it is labelled in thousands, millions, thousandths … */
+const LARGE = 1e5;
+const SMALL = 1e-2;
+
+/**
+ * The power of ten that the numbers of a panel are written in.
+ * @param {Panel} panel
+ */
+export function power(panel) {
+  const most = Math.max(Math.abs(panel.y0), Math.abs(panel.y1));
+  return inDegrees(panel) || (most < LARGE && most >= SMALL) ? 0 : 3 * Math.floor(Math.log10(most) / 3);
+}
+
+/** @param {Panel} panel */
+export function inDegrees({ kind, order }) {
+  return kind === "angle" && order === 0;
+}
+
+/**
+ * A value of a panel as its labels say it: with four digits of what the axis spans.
+ * @param {Panel} panel
+ * @param {number} value
+ * @param {import("assur/numbers.js").Numbers} numbers
+ */
+export function written(panel, value, numbers) {
+  if (inDegrees(panel)) return `${numbers.fixed(degrees(value), 1)}°`;
+  const unit = 10 ** power(panel);
+  const decimals = 4 - Math.ceil(Math.log10((panel.y1 - panel.y0) / unit));
+  return numbers.fixed(value / unit, Math.min(Math.max(decimals, 0), 4));
+}

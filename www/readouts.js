@@ -1,64 +1,107 @@
 // The table of current values; its rows are the legend of drawing and plots.
 import { degrees } from "assur/angles.js";
 import { byId, make, setData, write } from "assur/dom.js";
+import { subscript, symbol } from "assur/panels.js";
 
 /**
  * @typedef {import("assur/model.js").Snapshot} Snapshot
- * @typedef {{ name: string, angle: boolean, output: HTMLElement }} Cell
+ * @typedef {{ name: string, order: number, output: HTMLElement }} Cell
  */
 
-/** @type {readonly Readonly<{ name: string, role: string, symbol: string, curve?: boolean, values: readonly string[] }>[]} */
+/** @type {readonly Readonly<{ name: string, role: string, symbol: string, value: string, curve?: boolean }>[]} */
 const ROWS = Object.freeze([
-  { name: "crank", role: "crank", symbol: "φ₁", values: ["phi1"] },
-  { name: "coupler", role: "coupler", symbol: "φ₂", values: ["coupler", "dcoupler", "ddcoupler"] },
-  { name: "rocker", role: "rocker", symbol: "φ₃", curve: true, values: ["rocker", "drocker", "ddrocker"] },
-  { name: "wheel5", role: "wheel5", symbol: "φ₅", curve: true, values: ["wheel5", "dwheel5", "ddwheel5"] },
-  { name: "transmission", role: "secondary", symbol: "μ", values: ["transmission"] },
+  { name: "crank", role: "crank", symbol: "φ₁", value: "phi1" },
+  { name: "coupler", role: "coupler", symbol: "φ₂", value: "coupler.angle" },
+  { name: "rocker", role: "rocker", symbol: "φ₃", value: "rocker.angle", curve: true },
+  { name: "wheel5", role: "wheel5", symbol: "φ₅", value: "wheel5.angle", curve: true },
+  { name: "transmission", role: "secondary", symbol: "μ", value: "transmission" },
 ]);
 
-const HEAD = Object.freeze(["φ", "φ′", "φ″"]);
+/** Both coordinates of the point that is plotted, if one is. */
+const AXES = Object.freeze(/** @type {const} */ (["x", "y"]));
+
+/** What has no derivatives to be read. */
+const BARE = Object.freeze(["phi1", "transmission"]);
+/** @type {Readonly<Record<string, string>>} */
+const IDS = Object.freeze({ phi1: "phi1", transmission: "mu" });
+const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
+
+/** From here on digits after the point would only take room. */
+const LARGE = 1e5;
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
+  #heads = STROKES.map(() => make("th", { scope: "col" }));
   /** @type {Cell[]} */
   #cells = [];
+  /** @type {HTMLElement[]} what stands beside the names of plotted angles */
+  #swatches = [];
+  /** @type {{ row: HTMLTableRowElement, point: HTMLElement }[]} */
+  #coordinates = [];
 
   constructor() {
-    const head = HEAD.map((symbol) => make("th", { scope: "col" }, [symbol]));
-    this.#table.tHead?.append(make("tr", {}, [make("td"), ...head]));
-    for (const row of ROWS) this.#table.tBodies[0].append(this.#row(row));
+    this.#table.tHead?.append(make("tr", {}, [make("td"), ...this.#heads]));
+    const body = this.#table.tBodies[0];
+    for (const row of ROWS) body.append(this.#row(row, make("span", { "data-t": `readouts.${row.name}` })));
+    for (const axis of AXES) {
+      const point = make("span");
+      const row = this.#row({ name: axis, role: axis, symbol: axis, value: axis, curve: true }, point);
+      this.#coordinates.push({ row, point });
+      body.append(row);
+    }
   }
 
   /** @param {Snapshot} snapshot */
-  render({ readouts, phiDeg, words, stale, legible }) {
+  render({ state, readouts, phiDeg, words, stale, legible }) {
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
-    for (const { name, angle, output } of this.#cells) {
-      const value = name === "phi1" ? phiDeg : readouts && (angle ? degrees(readouts[name]) : readouts[name]);
-      if (value === null) {
+    const { plot, axes } = state.view;
+    const ofPoint = plot !== "angles";
+    this.#heads.forEach((head, order) => {
+      const shown = ofPoint ? ["rocker.angle", "C1.x"] : ["rocker.angle"];
+      const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
+      write(head, symbols.join(", "));
+    });
+    for (const swatch of this.#swatches) swatch.classList.toggle("curve", !ofPoint);
+    for (const { row, point } of this.#coordinates) {
+      row.hidden = !ofPoint;
+      write(point, subscript(plot));
+    }
+    for (const { name, order, output } of this.#cells) {
+      const point = AXES.some((axis) => axis === name);
+      if (point && !ofPoint) continue;
+      const key = (point ? `${plot}.${name}` : name) + STROKES[order];
+      const angle = !point && order === 0;
+      const value = key === "phi1" ? phiDeg : readouts && (angle ? degrees(readouts[key]) : readouts[key]);
+      if (value === null || value === undefined) {
         write(output, NONE);
         output.removeAttribute("data-value");
         continue;
       }
-      write(output, words.numbers.fixed(value, 3) + (angle ? "°" : ""));
+      const { numbers } = words;
+      write(output, Math.abs(value) < LARGE ? numbers.fixed(value, 3) + (angle ? "°" : "") : numbers.brief(value));
       output.dataset.value = String(value);
     }
   }
 
-  /** @param {(typeof ROWS)[number]} row */
-  #row({ name, role, symbol, curve, values }) {
+  /**
+   * @param {(typeof ROWS)[number]} row
+   * @param {HTMLElement} label
+   */
+  #row({ name, role, symbol, value, curve }, label) {
+    const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
     const title = make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [
-      make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" }),
+      swatch,
       make("b", {}, [symbol]),
       " ",
-      make("span", { "data-t": `readouts.${name}` }),
+      label,
     ]);
-    const cells = HEAD.map((_, order) => {
-      const value = values[order];
-      if (!value) return make("td");
-      const output = make("td", { id: value === "transmission" ? "out-mu" : `out-${value}` });
-      this.#cells.push({ name: value, angle: order === 0, output });
+    if (curve && value.includes(".")) this.#swatches.push(swatch);
+    const cells = STROKES.map((_, order) => {
+      if (order > 0 && BARE.includes(value)) return make("td");
+      const output = make("td", { id: `out-${IDS[value] ?? "d".repeat(order) + name}` });
+      this.#cells.push({ name: value, order, output });
       return output;
     });
     return make("tr", {}, [title, ...cells]);

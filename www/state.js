@@ -12,6 +12,8 @@
  * @typedef {Readonly<{
  *   phi_deg: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
  *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean,
+ *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
+ *   true_time: boolean, differenced: boolean,
  * }>} View
  *
  * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State
@@ -19,6 +21,11 @@
 
 /** What can be laid over the drawing. */
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission"]));
+
+/** What of the view the engine draws by, or may refuse. */
+export const DRAWN = Object.freeze(
+  /** @type {const} */ ([...OVERLAYS, "plot", "axes", "omega", "epsilon", "true_time", "differenced"]),
+);
 
 /**
  * @param {MixerDocument} document
@@ -40,6 +47,13 @@ export function initialState(document, view) {
       vectors: false,
       loop_vectors: false,
       transmission: false,
+      plot: "angles",
+      axes: "analogues",
+      omega: 1,
+      omega_unit: "rad_per_s",
+      epsilon: 0,
+      true_time: false,
+      differenced: false,
       lang: "en",
       ...view,
     }),

@@ -1,9 +1,10 @@
-//! Plots of φ, φ′ and φ″ of the rocker and of wheel 5, stacked on one
+//! Plots of quantities and of their first two derivatives, stacked on one
 //! crank-angle axis, drawn by plotters on any backend.
 //!
-//! plotters draws lines and dots only. Tick labels and titles are the caller's:
-//! each [`Panel`] says where they stand (plotters' own text measuring inserts
-//! elements into the page, and the decimal sign is the reader's).
+//! plotters draws lines and dots only. Tick labels, titles and the labels of
+//! zeros and extrema are the caller's: each [`Panel`] says where they stand
+//! (plotters' own text measuring inserts elements into the page, and the decimal
+//! sign is the reader's).
 
 mod curves;
 mod ticks;
@@ -12,11 +13,12 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use assur::catalog::mixer::Mixer;
-use assur::motion::Extremum;
+use assur::Cycle;
+use assur::motion::{Features, Input};
 
 use crate::list::{ROLES, Role};
-use curves::{Curve, Range};
+pub use curves::{Mark, MarkKind, Sample};
+use curves::{Plot, Range};
 pub use ticks::Tick;
 
 /// Units of a backend's whole-numbered coordinates to a pixel of the reader:
@@ -41,10 +43,42 @@ struct Margin {
 /// A colour for every role, in the order of [`ROLES`].
 pub type Palette = [RGBColor; ROLES.len()];
 
+/// What the quantities of a chart are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Angles, in radians; the values' axis is labelled in degrees.
+    Angle,
+    /// Lengths.
+    Length,
+}
+
+/// A quantity that is plotted.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Its name.
+    pub name: String,
+    /// Whose colour its curves have.
+    pub role: Role,
+    /// Zeros and extrema of it and of its first two derivatives.
+    pub features: [Features; 3],
+}
+
+/// How a motion is plotted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// How the crank turns: what the derivatives are by.
+    pub input: Input,
+    /// Whether the input is that of a machine, so that derivatives are by time.
+    pub physical: bool,
+    /// The second derivative is also shown as differences of the first one's
+    /// samples.
+    pub differenced: bool,
+}
+
 /// One plot: where it stands, in pixels of the reader, and what its axes span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// 0: the angle, 1 and 2: its derivatives.
+    /// 0: the quantity, 1 and 2: its derivatives.
     pub order: usize,
     /// Left edge of the plot rectangle.
     pub left: f64,
@@ -60,26 +94,58 @@ pub struct Panel {
     pub y: [f64; 2],
     /// Places for labels along x, values in degrees.
     pub x_ticks: Vec<Tick>,
-    /// Places for labels along y, values in degrees where `order` is 0.
+    /// Places for labels along y, values of angles in degrees.
     pub y_ticks: Vec<Tick>,
+    /// What is to be labelled on each curve, in the order of the series.
+    pub marks: Vec<Vec<Mark>>,
+    /// Points of the curves a few pixels apart, in pixels of the reader: x and y
+    /// of each, one after the other. Labels keep off them.
+    pub points: Vec<f64>,
 }
 
 /// A chart ready to be drawn: the curves, sampled once for every drawing.
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
-    /// For each order the range and the rocker's and wheel 5's curves.
-    plots: [(Range, [Curve; 2]); 3],
+    kind: Kind,
+    settings: Settings,
+    series: Vec<Series>,
+    /// For each order.
+    plots: [Plot; 3],
 }
 
 impl Chart {
-    /// The chart of a mixer over its cycle; `extrema` of the rocker's φ′ and φ″
-    /// are marked by dots, as are those of φ.
-    pub fn new(mixer: &Mixer, extrema: &[Vec<Extremum>; 2]) -> Self {
+    /// The chart of quantities of one kind over a cycle: `sample` gives them, in
+    /// the order of `series`, at a crank angle.
+    pub fn new(
+        cycle: &Cycle,
+        kind: Kind,
+        series: Vec<Series>,
+        sample: &dyn Fn(f64) -> Option<Sample>,
+        settings: Settings,
+    ) -> Self {
         Self {
-            axis: mixer.linkage.cycle().axis(),
-            plots: curves::plots(mixer, extrema),
+            axis: cycle.axis(),
+            kind,
+            settings,
+            plots: curves::plots(cycle, &series, sample, settings),
+            series,
         }
+    }
+
+    /// What the quantities are.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// How they are plotted.
+    pub fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// The quantities.
+    pub fn series(&self) -> &[Series] {
+        &self.series
     }
 
     /// Draws the chart on an area [`FINE`] times as many units wide and high as
@@ -94,8 +160,8 @@ impl Chart {
         palette: &Palette,
     ) -> Result<Vec<Panel>, DrawingAreaErrorKind<B::ErrorType>> {
         let panels = self.panels(area.dim_in_pixel());
-        for (panel, (_, curves)) in panels.iter().zip(&self.plots) {
-            draw_panel(area, panel, curves, palette)?;
+        for (panel, plot) in panels.iter().zip(&self.plots) {
+            self.draw_panel(area, panel, plot, palette)?;
         }
         Ok(panels)
     }
@@ -108,69 +174,114 @@ impl Chart {
         if inner < 20 || each < 20 {
             return Vec::new();
         }
-        let panel = |(order, (range, _)): (usize, &(Range, [Curve; 2]))| Panel {
-            order,
-            left: f64::from(MARGIN.left),
-            top: f64::from(MARGIN.top + order as i32 * (MARGIN.top + each)),
-            width: f64::from(inner),
-            height: f64::from(each),
-            x: self.axis,
-            y: [range.min, range.max],
-            x_ticks: ticks::crank(self.axis, f64::from(inner)),
-            y_ticks: ticks::values(*range, order == 0, f64::from(each)),
+        let panel = |(order, plot): (usize, &Plot)| {
+            let Range { min, max } = plot.range;
+            let mut panel = Panel {
+                order,
+                left: f64::from(MARGIN.left),
+                top: f64::from(MARGIN.top + order as i32 * (MARGIN.top + each)),
+                width: f64::from(inner),
+                height: f64::from(each),
+                x: self.axis,
+                y: [min, max],
+                x_ticks: ticks::crank(self.axis, f64::from(inner)),
+                y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each)),
+                marks: plot.curves.iter().map(|c| c.marks(min, max)).collect(),
+                points: Vec::new(),
+            };
+            panel.points = panel.along(plot);
+            panel
         };
         self.plots.iter().enumerate().map(panel).collect()
     }
-}
 
-type Plot = Cartesian2d<RangedCoordf64, RangedCoordf64>;
-
-fn draw_panel<B: DrawingBackend>(
-    area: &DrawingArea<B, Shift>,
-    panel: &Panel,
-    curves: &[Curve; 2],
-    palette: &Palette,
-) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
-    let fine = |pixels: f64| pixels as i32 * FINE;
-    let (left, top) = (fine(panel.left), fine(panel.top));
-    let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
-    let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
-    // y grows upwards: its pixels run from the bottom to the top.
-    let plot = area.apply_coord_spec(Plot::new(x0..x1, y0..y1, (left..right, bottom..top)));
-    let line = |points: Vec<(f64, f64)>, colour: &RGBColor, width: f64| {
-        let style = colour.stroke_width((width * f64::from(FINE)) as u32);
-        plot.draw(&PathElement::new(points, style))
-    };
-    for tick in &panel.x_ticks {
-        let x = tick.value.to_radians();
-        line(vec![(x, y0), (x, y1)], &palette[Role::Line as usize], 1.0)?;
+    /// Whether the values of an order are labelled in degrees.
+    fn in_degrees(&self, order: usize) -> bool {
+        order == 0 && self.kind == Kind::Angle
     }
-    for tick in &panel.y_ticks {
-        let y = if panel.order == 0 {
-            tick.value.to_radians()
-        } else {
-            tick.value
+
+    fn draw_panel<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        panel: &Panel,
+        plot: &Plot,
+        palette: &Palette,
+    ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+        let fine = |pixels: f64| pixels as i32 * FINE;
+        let (left, top) = (fine(panel.left), fine(panel.top));
+        let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
+        let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
+        // y grows upwards: its pixels run from the bottom to the top.
+        let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
+        let line = |points: Vec<(f64, f64)>, colour: &RGBColor, width: f64| {
+            let style = colour.stroke_width((width * f64::from(FINE)) as u32);
+            area.draw(&PathElement::new(points, style))
         };
-        line(vec![(x0, y), (x1, y)], &palette[Role::Line as usize], 1.0)?;
-    }
-    if y0 < 0.0 && y1 > 0.0 {
-        line(
-            vec![(x0, 0.0), (x1, 0.0)],
-            &palette[Role::Secondary as usize],
-            1.0,
-        )?;
-    }
-    for (curve, colour) in curves
-        .iter()
-        .zip([Role::Rocker, Role::Wheel5].map(|role| &palette[role as usize]))
-    {
-        for run in curve.within(y0, y1) {
-            line(run, colour, 2.0)?;
+        let dot = |at: (f64, f64), colour: &RGBColor, radius: f64| {
+            let radius = (radius * f64::from(FINE)) as i32;
+            area.draw(&Circle::new(at, radius, colour.filled()))
+        };
+        let [paper, ink, grid, axis] =
+            [Role::Paper, Role::Ink, Role::Line, Role::Secondary].map(|r| &palette[r as usize]);
+        for tick in &panel.x_ticks {
+            let x = tick.value.to_radians();
+            line(vec![(x, y0), (x, y1)], grid, 1.0)?;
         }
-        for &(x, y) in curve.extrema.iter().filter(|(_, y)| (y0..=y1).contains(y)) {
-            let style = colour.filled();
-            plot.draw(&Circle::new((x, y), 3 * FINE, style))?;
+        for tick in &panel.y_ticks {
+            let y = if self.in_degrees(panel.order) {
+                tick.value.to_radians()
+            } else {
+                tick.value
+            };
+            line(vec![(x0, y), (x1, y)], grid, 1.0)?;
         }
+        if y0 < 0.0 && y1 > 0.0 {
+            line(vec![(x0, 0.0), (x1, 0.0)], axis, 1.0)?;
+        }
+        for (curve, series) in plot.curves.iter().zip(&self.series) {
+            let colour = &palette[series.role as usize];
+            for run in curve.within(y0, y1) {
+                line(run, colour, 2.0)?;
+            }
+            for mark in curve.marks(y0, y1) {
+                let at = (mark.crank, mark.value);
+                dot(at, colour, 3.0)?;
+                if mark.kind == MarkKind::Zero {
+                    dot(at, paper, 1.5)?;
+                }
+            }
+            let shown = |at: &&(f64, f64)| (y0..=y1).contains(&at.1);
+            for at in curve.differences.iter().filter(shown) {
+                dot(*at, ink, 1.5)?;
+            }
+        }
+        Ok(())
     }
-    Ok(())
 }
+
+impl Panel {
+    /// Points of the curves at least this far from each other, pixels.
+    const APART: f64 = 4.0;
+
+    /// Points along the curves of a plot.
+    fn along(&self, plot: &Plot) -> Vec<f64> {
+        let ([x0, x1], [y0, y1]) = (self.x, self.y);
+        let mut points = Vec::new();
+        for run in plot.curves.iter().flat_map(|curve| curve.within(y0, y1)) {
+            let mut last = [f64::INFINITY; 2];
+            for (x, y) in run {
+                let at = [
+                    self.left + self.width * (x - x0) / (x1 - x0),
+                    self.top + self.height * (y1 - y) / (y1 - y0),
+                ];
+                if (at[0] - last[0]).hypot(at[1] - last[1]) >= Self::APART {
+                    points.extend(at);
+                    last = at;
+                }
+            }
+        }
+        points
+    }
+}
+
+type Place = Cartesian2d<RangedCoordf64, RangedCoordf64>;

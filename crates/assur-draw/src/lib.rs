@@ -9,7 +9,9 @@ mod list;
 mod mixer;
 mod overlays;
 mod parts;
+mod plots;
 
-pub use list::{LABELS, List, ROLES};
+pub use list::{LABELS, List, ROLES, Role};
 pub use mixer::Scene;
 pub use overlays::Overlays;
+pub use plots::chart as plot;

@@ -16,7 +16,8 @@ use assur::Point;
 /// What is drawn; the painter has a colour for each, the same in drawing and
 /// plots. (`Paper` is the background.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
+#[expect(missing_docs, reason = "a role is its name")]
+pub enum Role {
     Ink,
     Secondary,
     Line,
@@ -29,10 +30,19 @@ pub(crate) enum Role {
     Paper,
     Velocity,
     Acceleration,
+    X,
+    Y,
+}
+
+impl Role {
+    /// The name, as in [`ROLES`].
+    pub fn name(self) -> &'static str {
+        ROLES[self as usize]
+    }
 }
 
 /// The names of the roles in the order of their numbers.
-pub const ROLES: [&str; 12] = [
+pub const ROLES: [&str; 14] = [
     "ink",
     "secondary",
     "line",
@@ -45,6 +55,8 @@ pub const ROLES: [&str; 12] = [
     "paper",
     "velocity",
     "acceleration",
+    "x",
+    "y",
 ];
 
 /// How it is drawn.
@@ -159,6 +171,7 @@ mod tests {
         assert_eq!(ROLES[Role::Paper as usize], "paper");
         assert_eq!(ROLES[Role::Wheel5 as usize], "wheel5");
         assert_eq!(ROLES[Role::Acceleration as usize], "acceleration");
+        assert_eq!(ROLES[Role::Y as usize], "y");
         assert_eq!(LABELS[Label::Phi1 as usize], "phi1");
         assert_eq!(LABELS[Label::C3 as usize], "C3");
         assert_eq!(LABELS[Label::L5 as usize], "l5");

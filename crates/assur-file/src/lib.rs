@@ -8,4 +8,4 @@ mod state;
 
 pub use mixer::MixerDocument;
 pub use problem::Problem;
-pub use state::{Lesson, State, View};
+pub use state::{Axes, Lesson, SpeedUnit, State, View};

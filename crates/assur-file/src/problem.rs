@@ -27,6 +27,8 @@ pub enum Problem {
     NotWhole { field: &'static str, value: f64 },
     /// A field holds none of the values it may have.
     UnknownChoice { field: &'static str },
+    /// In true time a crank that stands still shows nothing.
+    AtRest { field: &'static str },
     /// A link is at least as long as the others together.
     TooLong { field: &'static str, by: f64 },
     /// Internal mesh of equal wheels.

@@ -1,5 +1,7 @@
 //! The whole state of the page: what an address, a file and an undo step hold.
 
+use assur::catalog::mixer::{Mixer, Quantity};
+use assur::motion::Input;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{MixerDocument, Problem};
@@ -12,6 +14,10 @@ const PHI_LIMIT: f64 = 1e6;
 
 /// The greatest speed; beyond it the motion is no more seen.
 const SPEED_LIMIT: f64 = 1000.0;
+
+/// The greatest ω₁ in rad/s and ε₁ in rad/s², in either sense.
+const OMEGA_LIMIT: f64 = 1e4;
+const EPSILON_LIMIT: f64 = 1e6;
 
 /// A state of the page that has the right form; keys it does not know are passed
 /// over. What its numbers mean is checked by [`State::check`].
@@ -60,8 +66,72 @@ pub struct View {
     /// Arc of the transmission angle shown.
     #[serde(default)]
     pub transmission: bool,
+    /// What is plotted: `angles`, or the name of a point (`C2`).
+    #[serde(default = "angles")]
+    pub plot: String,
+    /// What the derivatives are by.
+    #[serde(default)]
+    pub axes: Axes,
+    /// ω₁ of the crank, rad/s.
+    #[serde(default = "one")]
+    pub omega: f64,
+    /// The unit in which ω₁ is written.
+    #[serde(default)]
+    pub omega_unit: SpeedUnit,
+    /// ε₁ of the crank, rad/s².
+    #[serde(default)]
+    pub epsilon: f64,
+    /// Played with ω₁ instead of `speed`.
+    #[serde(default)]
+    pub true_time: bool,
+    /// Differences of φ′ shown over φ″.
+    #[serde(default)]
+    pub differenced: bool,
     /// Language of the page.
     pub lang: String,
+}
+
+/// What derivatives are by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axes {
+    /// The crank angle.
+    #[default]
+    Analogues,
+    /// Time, with ω₁ and ε₁ of the crank.
+    Physical,
+}
+
+/// A unit of angular velocity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SpeedUnit {
+    /// Radians in a second.
+    #[default]
+    RadPerS,
+    /// Turns in a minute.
+    PerMin,
+}
+
+fn angles() -> String {
+    "angles".to_owned()
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl View {
+    /// How the crank turns for the plots and read-outs.
+    pub fn input(&self) -> Input {
+        match self.axes {
+            Axes::Analogues => Input::ANALOGUES,
+            Axes::Physical => Input {
+                speed: self.omega,
+                acceleration: self.epsilon,
+            },
+        }
+    }
 }
 
 impl State {
@@ -76,6 +146,23 @@ impl State {
         })
     }
 
+    /// The mixer that is described, and the quantities of it that are plotted.
+    ///
+    /// # Errors
+    /// Every problem of the whole state at once, each naming its field.
+    pub fn mixer(&self) -> Result<(Mixer, Vec<Quantity>), Vec<Problem>> {
+        match (self.check(), self.document.mixer()) {
+            (Ok(()), Ok(mixer)) => match mixer.plot(&self.view.plot) {
+                Some(plotted) => Ok((mixer, plotted)),
+                None => Err(vec![Problem::UnknownChoice { field: "plot" }]),
+            },
+            (checked, mixer) => {
+                let problems = [checked.err(), mixer.err()];
+                Err(problems.into_iter().flatten().flatten().collect())
+            }
+        }
+    }
+
     /// Checks format and view. The document is checked by making its mechanism.
     ///
     /// # Errors
@@ -85,15 +172,25 @@ impl State {
         if self.format != FORMAT {
             problems.push(Problem::UnknownChoice { field: "format" });
         }
-        if !self.view.phi_deg.is_finite() {
-            problems.push(Problem::NotANumber { field: "phi_deg" });
-        } else if self.view.phi_deg.abs() > PHI_LIMIT {
-            problems.push(Problem::OutOfRange {
-                field: "phi_deg",
-                value: self.view.phi_deg,
-                min: -PHI_LIMIT,
-                max: PHI_LIMIT,
-            });
+        let View { omega, epsilon, .. } = self.view;
+        for (field, value, limit) in [
+            ("phi_deg", self.view.phi_deg, PHI_LIMIT),
+            ("omega", omega, OMEGA_LIMIT),
+            ("epsilon", epsilon, EPSILON_LIMIT),
+        ] {
+            if !value.is_finite() {
+                problems.push(Problem::NotANumber { field });
+            } else if value.abs() > limit {
+                problems.push(Problem::OutOfRange {
+                    field,
+                    value,
+                    min: -limit,
+                    max: limit,
+                });
+            }
+        }
+        if self.view.true_time && omega == 0.0 {
+            problems.push(Problem::AtRest { field: "omega" });
         }
         if self.view.direction.abs() != 1.0 {
             problems.push(Problem::UnknownChoice { field: "direction" });
@@ -126,6 +223,7 @@ impl State {
 mod tests {
     use super::*;
     use assur::catalog::mixer::Case;
+    use serde_json::json;
 
     fn state() -> State {
         State {
@@ -142,6 +240,13 @@ mod tests {
                 vectors: true,
                 loop_vectors: false,
                 transmission: true,
+                plot: "C2".to_owned(),
+                axes: Axes::Physical,
+                omega: -2.5,
+                omega_unit: SpeedUnit::PerMin,
+                epsilon: 0.5,
+                true_time: true,
+                differenced: true,
                 lang: "en".to_owned(),
             },
         }
@@ -157,17 +262,83 @@ mod tests {
         assert_eq!(read(&text).unwrap(), state());
         assert_eq!(state().check(), Ok(()));
         assert!(state().document.mixer().is_ok());
+        let (mixer, plotted) = state().mixer().unwrap();
+        assert_eq!(Some(plotted), mixer.plot("C2"));
     }
 
     #[test]
-    fn older_views_show_no_overlays() {
+    fn plots_and_inputs_are_checked() {
+        for (key, value, problem) in [
+            ("plot", json!("C4"), "unknown_choice plot"),
+            ("plot", json!(""), "unknown_choice plot"),
+            ("omega", json!(1.1e4), "out_of_range omega"),
+            ("omega", json!(-1.1e4), "out_of_range omega"),
+            ("omega", json!(0.0), "at_rest omega"),
+            ("epsilon", json!(1e7), "out_of_range epsilon"),
+        ] {
+            let mut bad = serde_json::to_value(state()).unwrap();
+            bad["view"][key] = value;
+            let problems = read(&bad.to_string()).unwrap().mixer().unwrap_err();
+            let problems = serde_json::to_value(problems).unwrap();
+            let found = [&problems[0]["code"], &problems[0]["field"]];
+            let found = found.map(|text| text.as_str().unwrap()).join(" ");
+            assert_eq!(found, problem, "{problems}");
+        }
+        for (key, value) in [
+            ("axes", json!("log")),
+            ("omega_unit", json!("km_per_h")),
+            ("true_time", json!(1)),
+        ] {
+            let mut bad = serde_json::to_value(state()).unwrap();
+            bad["view"][key] = value;
+            assert!(read(&bad.to_string()).is_err(), "{key}");
+        }
+    }
+
+    #[test]
+    fn axes_say_what_derivatives_are_by() {
+        let mut view = state().view;
+        let input = Input {
+            speed: -2.5,
+            acceleration: 0.5,
+        };
+        assert_eq!(view.input(), input);
+        view.axes = Axes::Analogues;
+        assert_eq!(view.input(), Input::ANALOGUES);
+    }
+
+    #[test]
+    fn older_views_say_less() {
         let mut older = serde_json::to_value(state()).unwrap();
         let view = older["view"].as_object_mut().unwrap();
-        for added in ["centres", "vectors", "loop_vectors", "transmission"] {
+        for added in [
+            "centres",
+            "vectors",
+            "loop_vectors",
+            "transmission",
+            "plot",
+            "axes",
+            "omega",
+            "omega_unit",
+            "epsilon",
+            "true_time",
+            "differenced",
+        ] {
             assert!(view.remove(added).is_some(), "{added}");
         }
         let mut expected = state();
-        (expected.view.vectors, expected.view.transmission) = (false, false);
+        expected.view = View {
+            vectors: false,
+            transmission: false,
+            plot: "angles".to_owned(),
+            axes: Axes::Analogues,
+            omega: 1.0,
+            omega_unit: SpeedUnit::RadPerS,
+            epsilon: 0.0,
+            true_time: false,
+            differenced: false,
+            ..expected.view
+        };
         assert_eq!(read(&older.to_string()).unwrap(), expected);
     }
 

@@ -13,6 +13,8 @@ fn good() -> Value {
         "view": {
             "phi_deg": 62, "playing": false, "direction": 1,
             "speed": 1, "traces": true, "lang": "en",
+            "plot": "C2", "axes": "physical", "omega": 2, "omega_unit": "per_min",
+            "epsilon": 0.5, "true_time": true, "differenced": true,
         },
     })
 }
@@ -20,10 +22,7 @@ fn good() -> Value {
 fn problems(text: &str) -> Vec<Problem> {
     match State::read(&mut serde_json::Deserializer::from_str(text)) {
         Err(problem) => vec![problem],
-        Ok(state) => {
-            let found = [state.check().err(), state.document.mixer().err()];
-            found.into_iter().flatten().flatten().collect()
-        }
+        Ok(state) => state.mixer().err().unwrap_or_default(),
     }
 }
 
@@ -73,7 +72,10 @@ fn three_hundred_damaged_states_are_refused() {
             let text = place == "/view/lang" && value.is_string();
             let angle = place.ends_with("_deg") && value.is_number();
             let slow = place == "/view/speed" && *value == json!(1e-320);
-            harmless += usize::from(text || slow);
+            // ε₁ may be any number that is not too large, ω₁ any that is not zero.
+            let input = ["/view/omega", "/view/epsilon"].contains(&place.as_str());
+            let input = input && value.as_f64().is_some_and(|x| x.abs() < 1e4);
+            harmless += usize::from(text || slow || input);
             if !angle {
                 see(&state.to_string());
             }

@@ -3,7 +3,7 @@
 use assur::Assembly;
 use assur::catalog::mixer::{Dragged, Joint};
 use assur_draw::ROLES;
-use assur_draw::chart::{Palette, Panel, Tick};
+use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
 use assur_file::Problem;
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
@@ -84,13 +84,16 @@ impl ChartRequest {
 
 /// Where the page writes the chart's text.
 #[derive(Serialize)]
-pub(crate) struct ChartLayout {
-    panels: Vec<PanelLayout>,
+pub(crate) struct ChartLayout<'a> {
+    panels: Vec<PanelLayout<'a>>,
 }
 
 #[derive(Serialize)]
-struct PanelLayout {
+struct PanelLayout<'a> {
     order: usize,
+    kind: &'static str,
+    physical: bool,
+    differenced: bool,
     left: f64,
     top: f64,
     width: f64,
@@ -101,7 +104,9 @@ struct PanelLayout {
     y1: f64,
     xticks: Vec<TickLayout>,
     yticks: Vec<TickLayout>,
-    series: [Series; 2],
+    series: Vec<SeriesLayout<'a>>,
+    marks: Vec<MarkLayout>,
+    points: Vec<f64>,
 }
 
 #[derive(Serialize)]
@@ -111,24 +116,45 @@ struct TickLayout {
 }
 
 #[derive(Serialize)]
-struct Series {
-    name: &'static str,
+struct SeriesLayout<'a> {
+    name: &'a str,
     role: &'static str,
 }
 
-impl From<Vec<Panel>> for ChartLayout {
-    fn from(panels: Vec<Panel>) -> Self {
-        let panels = panels.into_iter().map(PanelLayout::from).collect();
-        Self { panels }
+#[derive(Serialize)]
+struct MarkLayout {
+    role: &'static str,
+    kind: &'static str,
+    phi: f64,
+    value: f64,
+}
+
+impl<'a> ChartLayout<'a> {
+    pub(crate) fn new(chart: &'a Chart, panels: Vec<Panel>) -> Self {
+        let panels = panels.into_iter();
+        Self {
+            panels: panels.map(|panel| PanelLayout::new(chart, panel)).collect(),
+        }
     }
 }
 
-impl From<Panel> for PanelLayout {
-    fn from(panel: Panel) -> Self {
+impl<'a> PanelLayout<'a> {
+    fn new(chart: &'a Chart, panel: Panel) -> Self {
         let ticks = |ticks: Vec<Tick>| ticks.into_iter().map(TickLayout::from).collect();
-        let series = |name| Series { name, role: name };
+        let series = chart.series().iter();
+        let marks = series.clone().zip(&panel.marks);
+        let marks = marks.flat_map(|(series, marks)| {
+            let role = series.role.name();
+            marks.iter().map(move |mark| MarkLayout::new(role, mark))
+        });
         Self {
             order: panel.order,
+            kind: match chart.kind() {
+                Kind::Angle => "angle",
+                Kind::Length => "length",
+            },
+            physical: chart.settings().physical,
+            differenced: chart.settings().differenced && panel.order == 2,
             left: panel.left,
             top: panel.top,
             width: panel.width,
@@ -137,9 +163,31 @@ impl From<Panel> for PanelLayout {
             x1: panel.x[1],
             y0: panel.y[0],
             y1: panel.y[1],
+            marks: marks.collect(),
             xticks: ticks(panel.x_ticks),
             yticks: ticks(panel.y_ticks),
-            series: [series("rocker"), series("wheel5")],
+            series: series
+                .map(|series| SeriesLayout {
+                    name: &series.name,
+                    role: series.role.name(),
+                })
+                .collect(),
+            points: panel.points,
+        }
+    }
+}
+
+impl MarkLayout {
+    fn new(role: &'static str, mark: &Mark) -> Self {
+        Self {
+            role,
+            kind: match mark.kind {
+                MarkKind::Max => "max",
+                MarkKind::Min => "min",
+                MarkKind::Zero => "zero",
+            },
+            phi: mark.crank,
+            value: mark.value,
         }
     }
 }

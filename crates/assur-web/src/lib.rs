@@ -6,6 +6,4 @@ mod convert;
 mod simulator;
 mod summary;
 
-pub use simulator::{
-    Simulator, label_names, presets, read_state, readout_names, role_names, version,
-};
+pub use simulator::{Simulator, label_names, presets, read_state, role_names, version};

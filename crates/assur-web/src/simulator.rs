@@ -1,11 +1,10 @@
 //! The one object the page talks to.
 
-use assur::catalog::mixer::{Case, Joint, Mixer};
-use assur::motion::extrema;
-use assur::{Cycle, Point, Pose, Unsolved};
-use assur_draw::chart::Chart;
-use assur_draw::{LABELS, Overlays, ROLES, Scene};
-use assur_file::{MixerDocument, Problem, State};
+use assur::catalog::mixer::{Case, Joint, Mixer, Quantity};
+use assur::{Cycle, Jet, Point, Pose, Unsolved};
+use assur_draw::chart::{Chart, Settings};
+use assur_draw::{LABELS, Overlays, ROLES, Scene, plot};
+use assur_file::{Axes, MixerDocument, Problem, State};
 use plotters::prelude::IntoDrawingArea;
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -26,6 +25,8 @@ pub struct Simulator {
 struct Loaded {
     mixer: Mixer,
     cycle: Cycle,
+    quantities: Vec<Quantity>,
+    plotted: Vec<Quantity>,
     scene: Scene,
     chart: Chart,
 }
@@ -45,13 +46,7 @@ impl Simulator {
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let source = serde_wasm_bindgen::Deserializer::from(state);
         let state = State::read(source).map_err(|problem| thrown([problem]))?;
-        let mixer = match (state.check(), state.document.mixer()) {
-            (Ok(()), Ok(mixer)) => mixer,
-            (checked, mixer) => {
-                let problems = [checked.err(), mixer.err()];
-                return Err(thrown(problems.into_iter().flatten().flatten()));
-            }
-        };
+        let (mixer, plotted) = state.mixer().map_err(thrown)?;
         let overlays = Overlays {
             traces: state.view.traces,
             centres: state.view.centres,
@@ -60,12 +55,18 @@ impl Simulator {
             transmission: state.view.transmission,
         };
         let scene = Scene::new(&mixer, overlays);
-        let extrema = extrema(&mixer.linkage, mixer.assembly, |pose| pose.rocker);
-        let summary = Summary::new(&mixer, &extrema, scene.bounds());
+        let summary = Summary::new(&mixer, scene.bounds());
+        let settings = Settings {
+            input: state.view.input(),
+            physical: state.view.axes == Axes::Physical,
+            differenced: state.view.differenced,
+        };
         self.loaded = Some(Loaded {
             mixer,
             cycle: mixer.linkage.cycle(),
-            chart: Chart::new(&mixer, &extrema),
+            quantities: mixer.quantities(),
+            chart: plot(&mixer, &plotted, settings),
+            plotted,
             scene,
         });
         Ok(to_js(&summary))
@@ -88,24 +89,40 @@ impl Simulator {
         solved(self.loaded()?.scene.frame(phi))
     }
 
-    /// The values named by `readoutNames` at a crank angle.
+    /// The names of the values of `readouts`, in order: the crank angle, the
+    /// transmission angle, then every quantity with its first (′) and second (″)
+    /// derivative.
+    ///
+    /// # Errors
+    /// Before the first `set`.
+    #[wasm_bindgen(js_name = readoutNames)]
+    pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
+        let names = self.loaded()?.quantities.iter().map(|q| q.name());
+        let names = names.flat_map(|name| ["", "′", "″"].map(|stroke| [&name, stroke].concat()));
+        let first = ["phi1", "transmission"].map(str::to_owned);
+        Ok(first.into_iter().chain(names).collect())
+    }
+
+    /// The values named by `readoutNames` at a crank angle; derivatives are those
+    /// of the axes, by the crank angle or by time.
     ///
     /// # Errors
     /// Why there are none: no pose, or derivatives unbounded.
     pub fn readouts(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
-        let Loaded { mixer, .. } = self.loaded()?;
-        let pose: Pose<3> = solved(mixer.linkage.pose(mixer.assembly, phi))?;
-        let transmission = solved(mixer.linkage.transmission_angle(phi))?;
-        let wheel5 = mixer.gears.driven(pose.rocker);
-        let angles = [pose.coupler, pose.rocker, wheel5];
-        let values = angles
-            .iter()
-            .flat_map(|angle| [0, 1, 2].map(|k| angle.derivative(k)));
-        Ok([phi]
-            .into_iter()
-            .chain(values)
-            .chain([transmission])
-            .collect())
+        let loaded = self.loaded()?;
+        let transmission = solved(loaded.mixer.linkage.transmission_angle(phi))?;
+        let values = loaded.rates(&loaded.quantities, phi)?;
+        Ok([phi, transmission].into_iter().chain(values).collect())
+    }
+
+    /// The quantities that are plotted at a crank angle: of each in the order of
+    /// the chart's series the value and the first two derivatives of the axes.
+    ///
+    /// # Errors
+    /// As of `readouts`.
+    pub fn plotted(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
+        let loaded = self.loaded()?;
+        loaded.rates(&loaded.plotted, phi)
     }
 
     /// Where the joints A, B, C, D are at a crank angle: x and y of each.
@@ -175,7 +192,7 @@ impl Simulator {
                 detail: error.to_string(),
             }])
         })?;
-        Ok(to_js(&ChartLayout::from(panels)))
+        Ok(to_js(&ChartLayout::new(&loaded.chart, panels)))
     }
 
     fn loaded(&self) -> Result<&Loaded, JsValue> {
@@ -188,22 +205,19 @@ impl Simulator {
     }
 }
 
+impl Loaded {
+    /// Quantities at a crank angle, each with its derivatives of the axes.
+    fn rates(&self, quantities: &[Quantity], phi: f64) -> Result<Vec<f64>, JsValue> {
+        let jets: Vec<Jet<3>> = solved(self.mixer.jets(quantities, phi))?;
+        let input = self.chart.settings().input;
+        let rates = |jet: &Jet<3>| [0, 1, 2].map(|order| input.rate(jet, order));
+        Ok(jets.iter().flat_map(rates).collect())
+    }
+}
+
 /// What is solved, or the reason why not as it is thrown.
 fn solved<T>(result: Result<T, Unsolved>) -> Result<T, JsValue> {
     result.map_err(|unsolved| thrown([unsolved]))
-}
-
-/// The names of the values of `readouts`, in order: angles are followed by their
-/// first (d) and second (dd) derivative by the crank angle.
-#[wasm_bindgen(js_name = readoutNames)]
-pub fn readout_names() -> Vec<String> {
-    let angles = ["coupler", "rocker", "wheel5"];
-    let values = angles
-        .iter()
-        .flat_map(|name| ["", "d", "dd"].map(|d| format!("{d}{name}")));
-    let first = ["phi1".to_owned()];
-    let last = ["transmission".to_owned()];
-    first.into_iter().chain(values).chain(last).collect()
 }
 
 /// The names of the roles of display lists and palettes, in order.
@@ -246,13 +260,8 @@ pub fn presets() -> JsValue {
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let source = serde_wasm_bindgen::Deserializer::from(state);
     let state = State::read(source).map_err(|problem| thrown([problem]))?;
-    match (state.check(), state.document.mixer()) {
-        (Ok(()), Ok(_)) => Ok(to_js(&state)),
-        (checked, mixer) => {
-            let problems = [checked.err(), mixer.err()];
-            Err(thrown(problems.into_iter().flatten().flatten()))
-        }
-    }
+    state.mixer().map_err(thrown)?;
+    Ok(to_js(&state))
 }
 
 /// The version of Assur.

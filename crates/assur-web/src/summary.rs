@@ -1,7 +1,6 @@
 //! What the page shows of a whole motion, under the names it knows.
 
 use assur::catalog::mixer::Mixer;
-use assur::motion::{Extremum, Kind};
 use assur::{Grashof, Swing};
 use serde::Serialize;
 
@@ -17,7 +16,6 @@ pub(crate) struct Summary {
     ratio: f64,
     dead_points: Vec<f64>,
     change_points: Vec<f64>,
-    extrema: Vec<ExtremumSummary>,
     bounds: [f64; 4],
 }
 
@@ -55,17 +53,8 @@ struct Transmission {
     phi: f64,
 }
 
-#[derive(Serialize)]
-struct ExtremumSummary {
-    series: &'static str,
-    order: u8,
-    kind: &'static str,
-    phi: f64,
-    value: f64,
-}
-
 impl Summary {
-    pub(crate) fn new(mixer: &Mixer, extrema: &[Vec<Extremum>; 2], bounds: [f64; 4]) -> Self {
+    pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
@@ -92,7 +81,6 @@ impl Summary {
             ratio,
             dead_points: linkage.dead_points(),
             change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
-            extrema: summarised(extrema, ratio),
             bounds,
             cycle: CycleSummary {
                 start,
@@ -102,26 +90,6 @@ impl Summary {
             },
         }
     }
-}
-
-/// The rocker's extrema and wheel 5's, which turns `ratio` times as fast.
-fn summarised(extrema: &[Vec<Extremum>; 2], ratio: f64) -> Vec<ExtremumSummary> {
-    let mut all = Vec::new();
-    for (order, found) in (1..).zip(extrema) {
-        let summary = |series, extremum: Extremum| ExtremumSummary {
-            series,
-            order,
-            kind: match extremum.kind {
-                Kind::Max => "max",
-                Kind::Min => "min",
-            },
-            phi: extremum.crank,
-            value: extremum.value,
-        };
-        all.extend(found.iter().map(|e| summary("rocker", *e)));
-        all.extend(found.iter().map(|e| summary("wheel5", e.scaled(ratio))));
-    }
-    all
 }
 
 fn between(swing: Swing) -> Option<Between> {

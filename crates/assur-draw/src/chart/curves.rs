@@ -3,15 +3,46 @@
 
 use std::f64::consts::PI;
 
-use assur::catalog::mixer::Mixer;
-use assur::motion::Extremum;
-use assur::{Pose, Swing};
+use assur::motion::{Features, Input, Kind};
+use assur::{Cycle, Jet};
+
+use super::{Series, Settings};
 
 /// Samples of an arc of the crank.
 const SAMPLES: usize = 720;
-/// Where the crank cannot turn fully, derivatives grow without bound towards the
-/// dead points: ranges are taken where the transmission angle exceeds this.
-const CLEAR: f64 = 15.0 * PI / 180.0;
+/// Every so many samples a difference is shown beside the exact derivative.
+const DIFFERENCED: usize = 10;
+
+/// The quantities of a chart at one crank angle.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Each with its first two derivatives.
+    pub jets: Vec<Jet<3>>,
+    /// Whether the derivatives are far from growing without bound.
+    pub clear: bool,
+}
+
+/// What is to be labelled on a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// What it is.
+    pub kind: MarkKind,
+    /// At which crank angle.
+    pub crank: f64,
+    /// The value there.
+    pub value: f64,
+}
+
+/// What a mark stands at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A local maximum.
+    Max,
+    /// A local minimum.
+    Min,
+    /// A zero.
+    Zero,
+}
 
 /// What an axis spans.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,66 +51,77 @@ pub(crate) struct Range {
     pub(crate) max: f64,
 }
 
+/// The curves of one order, in the order of the series.
+#[derive(Clone, Debug)]
+pub(crate) struct Plot {
+    pub(crate) range: Range,
+    pub(crate) curves: Vec<Curve>,
+}
+
 /// A curve over the crank angle.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Curve {
     /// Unbroken runs of points.
     runs: Vec<Vec<(f64, f64)>>,
-    /// Its extrema, marked by dots.
-    pub(crate) extrema: Vec<(f64, f64)>,
+    /// Its zeros and extrema, marked by dots.
+    marks: Vec<Mark>,
+    /// Differences of samples of the derivative before it.
+    pub(crate) differences: Vec<(f64, f64)>,
 }
 
-/// For φ, φ′, φ″: the range, and the curves of the rocker and of wheel 5.
-/// `extrema` are those of the rocker's φ′ and φ″.
-pub(crate) fn plots(mixer: &Mixer, extrema: &[Vec<Extremum>; 2]) -> [(Range, [Curve; 2]); 3] {
-    let runs = sample(mixer);
-    let [first, second] = extrema.each_ref().map(|found| {
-        let place = |extremum: &Extremum| (extremum.crank, extremum.value);
-        found.iter().map(place).collect()
-    });
-    let marks = [swing_marks(mixer), first, second];
-    let full = mixer.linkage.cycle().is_full();
-    let ratio = mixer.gears.ratio();
-    let mut order = 0;
-    marks.map(|marks| {
-        let curve = |factor: f64| Curve {
-            runs: runs
+/// A sample in its place.
+type At = (f64, Sample);
+
+/// The plots of the series and of their derivatives.
+pub(crate) fn plots(
+    cycle: &Cycle,
+    series: &[Series],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    Settings {
+        input, differenced, ..
+    }: Settings,
+) -> [Plot; 3] {
+    let runs = sampled(cycle, sample);
+    [0, 1, 2].map(|order| {
+        let rate = |at: &At, index: usize| input.rate(&at.1.jets[index], order);
+        let curve = |(index, series): (usize, &Series)| {
+            let point = |at: &At| (at.0, rate(at, index));
+            let differences = runs
                 .iter()
-                .map(|run| {
-                    run.iter()
-                        .map(|s| (s.crank, factor * s.rocker[order]))
-                        .collect()
-                })
-                .collect(),
-            extrema: marks.iter().map(|(x, y)| (*x, factor * y)).collect(),
+                .filter(|_| differenced && order == 2)
+                .flat_map(|run| differences(run, index, input));
+            Curve {
+                runs: runs
+                    .iter()
+                    .map(|run| run.iter().map(point).collect())
+                    .collect(),
+                marks: marks(&series.features[order]),
+                differences: differences.collect(),
+            }
         };
         let shown = runs.iter().flatten();
-        let shown = shown.filter(|s| order == 0 || full || s.transmission > CLEAR);
-        let values = shown.map(|s| s.rocker[order]).flat_map(|y| [y, ratio * y]);
-        let plot = (range(values), [curve(1.0), curve(ratio)]);
-        order += 1;
-        plot
+        let shown = shown.filter(|at| order == 0 || cycle.is_full() || at.1.clear);
+        let values = shown.flat_map(|at| (0..series.len()).map(move |index| rate(at, index)));
+        Plot {
+            range: range(values),
+            curves: series.iter().enumerate().map(curve).collect(),
+        }
     })
 }
 
-struct Sample {
-    crank: f64,
-    rocker: [f64; 3],
-    transmission: f64,
+/// The second derivative by time from centred differences of the samples of the
+/// first one by the crank angle: a proof for the eye, nothing is computed from it.
+fn differences(run: &[At], index: usize, input: Input) -> impl Iterator<Item = (f64, f64)> {
+    run.windows(3).step_by(DIFFERENCED).map(move |three| {
+        let [before, here, after] = [0, 1, 2].map(|i| three[i].1.jets[index].derivative(1));
+        let second = (after - before) / (three[2].0 - three[0].0);
+        let steady = input.speed * input.speed * second;
+        (three[1].0, steady + input.acceleration * here)
+    })
 }
 
 /// The motion, an unbroken run for every stretch without a gap.
-fn sample(mixer: &Mixer) -> Vec<Vec<Sample>> {
-    let linkage = &mixer.linkage;
-    let at = |crank: f64| -> Option<Sample> {
-        let pose: Pose<3> = linkage.pose(mixer.assembly, crank).ok()?;
-        Some(Sample {
-            crank,
-            rocker: [0, 1, 2].map(|order| pose.rocker.derivative(order)),
-            transmission: linkage.transmission_angle(crank).ok()?,
-        })
-    };
-    let cycle = linkage.cycle();
+fn sampled(cycle: &Cycle, sample: &dyn Fn(f64) -> Option<Sample>) -> Vec<Vec<At>> {
     let turns = if cycle.is_full() {
         cycle.arcs().len()
     } else {
@@ -96,32 +138,36 @@ fn sample(mixer: &Mixer) -> Vec<Vec<Sample>> {
     };
     let mut runs = Vec::new();
     for [from, to] in cycle.arcs() {
-        let cranks = (0..=count).map(|i| from + (to - from) * place(i as f64 / count as f64));
-        let samples: Vec<Option<Sample>> = cranks.map(at).collect();
         let mut run = Vec::new();
-        for sample in samples.into_iter().chain([None]) {
-            match sample {
-                Some(sample) => run.push(sample),
-                None if run.is_empty() => {}
-                None => runs.push(std::mem::take(&mut run)),
+        for i in 0..=count {
+            let crank = from + (to - from) * place(i as f64 / count as f64);
+            if let Some(sample) = sample(crank) {
+                run.push((crank, sample));
+            } else if !run.is_empty() {
+                runs.push(std::mem::take(&mut run));
             }
         }
+        runs.push(run);
     }
+    runs.retain(|run| !run.is_empty());
     runs
 }
 
-/// The limit positions with the rocker's extreme angles.
-fn swing_marks(mixer: &Mixer) -> Vec<(f64, f64)> {
-    let swings = mixer.linkage.swings(mixer.assembly);
-    let extreme = |angle: f64| {
-        swings.iter().any(|swing| match swing {
-            Swing::Between { min, max } => [*min, *max].contains(&angle),
-            Swing::Turns => false,
-        })
-    };
-    let limits = mixer.linkage.limits(mixer.assembly).into_iter();
-    let extreme = limits.filter(|limit| extreme(limit.rocker));
-    extreme.map(|limit| (limit.crank, limit.rocker)).collect()
+fn marks(features: &Features) -> Vec<Mark> {
+    let zeros = features.zeros.iter().map(|crank| Mark {
+        kind: MarkKind::Zero,
+        crank: *crank,
+        value: 0.0,
+    });
+    let extrema = features.extrema.iter().map(|extremum| Mark {
+        kind: match extremum.kind {
+            Kind::Max => MarkKind::Max,
+            Kind::Min => MarkKind::Min,
+        },
+        crank: extremum.crank,
+        value: extremum.value,
+    });
+    extrema.chain(zeros).collect()
 }
 
 /// The range of the values with a margin; of a constant, room around it.
@@ -148,6 +194,12 @@ fn range(values: impl Iterator<Item = f64>) -> Range {
 }
 
 impl Curve {
+    /// The marks between `min` and `max`.
+    pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
+        let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
+        self.marks.iter().filter(inside).copied().collect()
+    }
+
     /// The runs cut to the values between `min` and `max`.
     pub(crate) fn within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
         let inside = |y: f64| (min..=max).contains(&y);
@@ -194,7 +246,7 @@ mod tests {
                 (3.0, -4.0),
                 (4.0, 4.0),
             ]],
-            extrema: Vec::new(),
+            ..Curve::default()
         };
         let parts = curve.within(-1.0, 1.0);
         let expected = [

@@ -2,10 +2,12 @@
 //! 4, which drives wheel 5 (Smelyagin and Prikhodko, fig. 1 and 4).
 
 mod drag;
+mod quantity;
 
 use std::f64::consts::PI;
 
 pub use drag::{Dragged, Joint};
+pub use quantity::{Axis, Quantity, Tracked, Turning};
 
 use crate::gears::{GearPair, Mesh};
 use crate::{Assembly, FourBar, Invalid};

@@ -1,5 +1,9 @@
 //! What is read off a whole motion rather than one pose.
 
 mod extrema;
+mod features;
+mod input;
 
 pub use extrema::{Extremum, Kind, extrema};
+pub use features::{Features, features};
+pub use input::Input;

@@ -1,0 +1,267 @@
+//! Zeros and extrema of quantities over a motion, refined to rounding.
+
+use std::f64::consts::PI;
+
+use super::{Extremum, Input, Kind};
+use crate::{Cycle, Jet};
+
+/// What stands out of a quantity over a motion, in ascending crank angle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Features {
+    /// Crank angles at which it passes zero.
+    pub zeros: Vec<f64>,
+    /// Its local extrema.
+    pub extrema: Vec<Extremum>,
+}
+
+impl Features {
+    /// Those of a multiple of the quantity.
+    pub fn scaled(&self, ratio: f64) -> Self {
+        Self {
+            zeros: self.zeros.clone(),
+            extrema: self.extrema.iter().map(|e| e.scaled(ratio)).collect(),
+        }
+    }
+}
+
+/// Samples a turn; between two of them an extremum is found by the signs of two
+/// more derivatives.
+const GRID: usize = 360;
+/// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
+/// vanishing diagonal, and only there, a motion changes within any small angle.
+const GRADES: i32 = 52;
+/// A derivative that varies by less than this beside its size is constant.
+const CONSTANT: f64 = 1e-9;
+
+/// Zeros and extrema of quantities and of their first two derivatives by time
+/// over a cycle: `motion` gives the quantities at a crank angle, `units` the size
+/// that counts as one for each (1 for an angle, a length of the mechanism for a
+/// coordinate).
+///
+/// Each is a root of the quantity or of the next derivative, found by safeguarded
+/// Newton steps with the exact one after that. None where it is constant.
+pub fn features(
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    input: Input,
+) -> Vec<[Features; 3]> {
+    let sweeps: Vec<Vec<_>> = stretches(cycle)
+        .into_iter()
+        .map(|stretch| {
+            let at = |crank: f64| Some((crank, motion(crank)?));
+            stretch.into_iter().map(at).collect()
+        })
+        .collect();
+    let of = |index: usize, order: usize| {
+        let sample = |(crank, jets): &(f64, Vec<Jet<5>>)| Sample {
+            crank: *crank,
+            f: input.rates(&jets[index], order),
+        };
+        let sweeps = sweeps.iter().map(|stretch| {
+            let samples = stretch.iter().map(|at| at.as_ref().map(sample)).collect();
+            if order == 0 && cycle.is_full() {
+                from_the_start(cycle, samples)
+            } else {
+                samples
+            }
+        });
+        let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
+        let at = |crank: f64| Some(sample(&(crank, motion(crank)?)));
+        let size = units[index] * (input.scale(order).abs() + input.acceleration.abs());
+        features_of(cycle, &sweeps, &at, size)
+    };
+    (0..units.len())
+        .map(|index| [0, 1, 2].map(|order| of(index, order)))
+        .collect()
+}
+
+/// Zeros and extrema of one function of the crank angle, from samples of the
+/// whole motion; beside `size` its values are seen.
+fn features_of(
+    cycle: &Cycle,
+    sweeps: &[Vec<Option<Sample>>],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    size: f64,
+) -> Features {
+    let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    if most - least <= CONSTANT * least.abs().max(most.abs()).max(size) {
+        return Features::default();
+    }
+    let in_cycle = |crank: f64| {
+        let [start, end] = cycle.axis();
+        let wrapped = cycle.wrap(crank);
+        if cycle.is_full() && wrapped >= end {
+            start
+        } else {
+            wrapped
+        }
+    };
+    let extremum = |sample: &Sample| {
+        let bend = sample.f[2];
+        let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
+        (bend != 0.0).then_some(Extremum {
+            kind,
+            crank: in_cycle(sample.crank),
+            value: sample.f[0],
+        })
+    };
+    let seam = 0.5 * (most - least);
+    let [zeros, turns] = [0, 1].map(|order| all_roots(cycle, sweeps, sample, order, seam));
+    let mut zeros: Vec<f64> = zeros.iter().map(|sample| in_cycle(sample.crank)).collect();
+    let mut extrema: Vec<Extremum> = turns.iter().filter_map(extremum).collect();
+    zeros.sort_by(f64::total_cmp);
+    extrema.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+    Features { zeros, extrema }
+}
+
+/// Samples of a full cycle around φ₁ = 0, put in order from its start to its end:
+/// an angle that turns fully goes on from where it was a cycle before.
+fn from_the_start(cycle: &Cycle, samples: Vec<Option<Sample>>) -> Vec<Option<Sample>> {
+    let [start, end] = cycle.axis();
+    let turned = match samples[..] {
+        [Some(first), .., Some(last)] => last.f[0] - first.f[0],
+        _ => 0.0,
+    };
+    let later = |mut sample: Sample| {
+        sample.crank += end - start;
+        sample.f[0] += turned;
+        sample
+    };
+    let middle = samples
+        .iter()
+        .position(|sample| sample.is_some_and(|sample| sample.crank >= start));
+    let (before, after) = samples.split_at(middle.unwrap_or(0));
+    let before = before.iter().map(|sample| sample.map(later));
+    after.iter().copied().chain(before).collect()
+}
+
+/// The samples at which the derivative `order`, 0 or 1, of the function vanishes.
+/// From the end of a cycle to its start the function itself moves by less than
+/// `seam`, or else it does not close.
+fn all_roots(
+    cycle: &Cycle,
+    sweeps: &[Vec<Option<Sample>>],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    order: usize,
+    seam: f64,
+) -> Vec<Sample> {
+    let mut found: Vec<Sample> = Vec::new();
+    for samples in sweeps {
+        // A full cycle closes: from its last sample to its first.
+        if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..])
+            && last.f[order] * first.f[order] < 0.0
+            && (order > 0 || (last.f[0] - first.f[0]).abs() < seam)
+        {
+            found.push(*first);
+        }
+        for pair in samples.windows(2) {
+            if let [Some(a), Some(b)] = pair {
+                found.extend(roots(sample, order, *a, *b));
+            }
+        }
+    }
+    found
+}
+
+/// A function of the crank angle and its first two derivatives by it.
+#[derive(Clone, Copy)]
+struct Sample {
+    crank: f64,
+    f: [f64; 3],
+}
+
+/// The grid of each arc: even, and graded towards multiples of π. A full cycle is
+/// taken around φ₁ = 0, beside which numbers lie closest.
+fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
+    let cell = 2.0 * PI / GRID as f64;
+    let graded = |[from, to]: &[f64; 2]| {
+        let count = ((to - from) / cell).ceil();
+        let mut cranks: Vec<f64> = (0..=count as usize)
+            .map(|i| from + (to - from) * (i as f64 / count))
+            .collect();
+        for half_turn in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+            for grade in 0..GRADES {
+                let step = cell * 0.5_f64.powi(grade);
+                cranks.extend([half_turn * PI - step, half_turn * PI + step]);
+            }
+        }
+        cranks.retain(|crank| (from..=to).contains(&crank));
+        cranks.sort_by(f64::total_cmp);
+        cranks
+    };
+    if cycle.is_full() {
+        let [start, end] = cycle.axis();
+        let half = 0.5 * (end - start);
+        return vec![graded(&[start - half, start + half])];
+    }
+    cycle.arcs().iter().map(graded).collect()
+}
+
+/// Roots of the derivative `order` between two neighbouring samples: none, one
+/// where it changes its sign, two where it turns within the cell and passes zero
+/// there and back.
+fn roots(
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    order: usize,
+    a: Sample,
+    b: Sample,
+) -> Vec<Sample> {
+    let [slope, bend] = [0, 1].map(|k| move |s: &Sample| s.f[order + k]);
+    if slope(&a) == 0.0 || slope(&a) * slope(&b) < 0.0 {
+        return bracketed(sample, a, b, slope, bend).into_iter().collect();
+    }
+    let towards_zero = slope(&a) * bend(&a) < 0.0 && slope(&b) * bend(&b) > 0.0;
+    if !towards_zero {
+        return Vec::new();
+    }
+    match bracketed(sample, a, b, bend, |_| f64::NAN) {
+        Some(turn) if slope(&turn) * slope(&a) < 0.0 => [(a, turn), (turn, b)]
+            .into_iter()
+            .filter_map(|(a, b)| bracketed(sample, a, b, slope, bend))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The sample where `f` vanishes between `a` and `b`, at which its signs differ:
+/// Newton steps with `slope` while they stay inside, every third a halving.
+fn bracketed(
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    a: Sample,
+    b: Sample,
+    f: impl Fn(&Sample) -> f64,
+    slope: impl Fn(&Sample) -> f64,
+) -> Option<Sample> {
+    let (mut low, mut high) = (a, b);
+    let mut best = if f(&a).abs() < f(&b).abs() { a } else { b };
+    for step in 0..180 {
+        let inside = |crank: &f64| *crank > low.crank && *crank < high.crank;
+        let middle = 0.5 * (low.crank + high.crank);
+        let newton = best.crank - f(&best) / slope(&best);
+        let crank = [newton, middle]
+            .into_iter()
+            .skip(usize::from(step % 3 == 2))
+            .find(inside);
+        // Nothing lies between two neighbouring numbers: the root is found.
+        let Some(next) = crank.map(sample) else { break };
+        let next = next?;
+        if f(&next) * f(&low) > 0.0 {
+            low = next;
+        } else {
+            high = next;
+        }
+        let moved = (next.crank - best.crank).abs();
+        if f(&next).abs() < f(&best).abs() {
+            best = next;
+        }
+        if f(&best) == 0.0 || moved <= f64::EPSILON * next.crank.abs() {
+            break;
+        }
+    }
+    Some(best)
+}
