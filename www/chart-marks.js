@@ -16,6 +16,9 @@ const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
 
+/** Between points of the line at zero, in pixels. */
+const SPARSE = 12;
+
 /** A label that would cover more points of the curves than this is left out. */
 const MOST_COVERED = 4;
 
@@ -33,12 +36,11 @@ export function drawMarks(context, panel, title, words, theme) {
   context.lineJoin = "round";
   context.lineWidth = 3;
   context.strokeStyle = theme.colours.paper;
-  const curves = [];
-  for (let i = 0; i < panel.points.length; i += 2) curves.push({ x: panel.points[i], y: panel.points[i + 1] });
+  const points = [...panel.points, ...zeroLine(panel)];
   const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value)))];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, words);
-    const box = freePlace(panel, mark, context.measureText(text).width, taken, curves);
+    const box = freePlace(panel, mark, context.measureText(text).width, taken, points);
     if (!box) continue;
     taken.push(box);
     const middle = (box.top + box.bottom) / 2;
@@ -76,15 +78,25 @@ function markText({ kind, phi, value }, panel, words) {
 }
 
 /**
+ * @param {Panel} panel
+ * @returns {number[]} points along the line at zero: labels keep off it, too
+ */
+function zeroLine({ left, width, y0, y1, top, height }) {
+  if (y0 >= 0 || y1 <= 0) return [];
+  const y = top + (height * y1) / (y1 - y0);
+  return Array.from({ length: Math.floor(width / SPARSE) }, (_, i) => [left + i * SPARSE, y]).flat();
+}
+
+/**
  * The place near a mark that covers nothing, or least of the curves.
  * @param {Panel} panel
  * @param {Mark} mark
  * @param {number} width
  * @param {readonly Box[]} taken
- * @param {readonly { x: number, y: number }[]} curves
+ * @param {readonly number[]} points of the curves, x and y of each
  * @returns {Box | null} null where every place is taken
  */
-function freePlace(panel, mark, width, taken, curves) {
+function freePlace(panel, mark, width, taken, points) {
   const x = across(panel, mark.phi);
   const y = down(panel, mark.value);
   const [above, below] = [y - GAP - HEIGHT, y + GAP];
@@ -98,7 +110,7 @@ function freePlace(panel, mark, width, taken, curves) {
       const left = Math.min(Math.max(wanted, panel.left + 2), panel.left + panel.width - width);
       const box = { left, top, right: left + width, bottom: top + HEIGHT };
       if (taken.some((other) => overlap(box, other))) continue;
-      const covered = curves.filter((point) => overlap(box, around(point.x, point.y, 1))).length;
+      const covered = count(points, box);
       if (covered >= least) continue;
       least = covered;
       best = box;
@@ -108,13 +120,27 @@ function freePlace(panel, mark, width, taken, curves) {
 }
 
 /**
+ * @param {readonly number[]} points x and y of each
+ * @param {Box} box
+ * @returns {number} how many lie in the box or beside it
+ */
+function count(points, { left, top, right, bottom }) {
+  let inside = 0;
+  for (let i = 0; i < points.length; i += 2) {
+    const x = points[i];
+    const y = points[i + 1];
+    if (x > left - 1 && x < right + 1 && y > top - 1 && y < bottom + 1) inside += 1;
+  }
+  return inside;
+}
+
+/**
  * @param {number} x
  * @param {number} y
- * @param {number} [by]
  * @returns {Box}
  */
-function around(x, y, by = 3) {
-  return { left: x - by, top: y - by, right: x + by, bottom: y + by };
+function around(x, y) {
+  return { left: x - 3, top: y - 3, right: x + 3, bottom: y + 3 };
 }
 
 /**

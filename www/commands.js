@@ -33,7 +33,7 @@ export function commands({ store, model, drafts, history, presets }) {
     store.update((state) => {
       const { speed } = state.view;
       const next = by > 0 ? SPEEDS.find((one) => one > speed) : SPEEDS.findLast((one) => one < speed);
-      return next === undefined ? state : withView(state, { speed: next });
+      return next === undefined ? state : withView(state, { speed: next, true_time: false });
     });
   };
 

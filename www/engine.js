@@ -71,6 +71,8 @@ export class Engine {
   presets = presets();
   /** @type {readonly string[]} */
   #names = [];
+  /** @type {readonly string[]} the points whose coordinates can be plotted */
+  points = [];
 
   /** @returns {Promise<Engine>} */
   static async load() {
@@ -85,7 +87,7 @@ export class Engine {
   set(state) {
     const summary = this.#ask((simulator) => {
       const taken = simulator.set(state);
-      this.#names = simulator.readoutNames();
+      this.#name(simulator.readoutNames());
       return taken;
     });
     this.#good = state;
@@ -188,6 +190,13 @@ export class Engine {
       this.#recover();
       throw new Refusal([{ code: "trapped" }]);
     }
+  }
+
+  /** @param {readonly string[]} names of the read-outs */
+  #name(names) {
+    if (names.join() === this.#names.join()) return;
+    this.#names = names;
+    this.points = names.filter((name) => name.endsWith(".x")).map((name) => name.slice(0, -2));
   }
 
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */

@@ -17,6 +17,7 @@ import { Model } from "assur/model.js";
 import { Notices } from "assur/notices.js";
 import { open, takeAddress, takeFile } from "assur/opening.js";
 import { played } from "assur/player.js";
+import { PlotBar } from "assur/plot-bar.js";
 import { ProblemView } from "assur/problems.js";
 import { Rail } from "assur/rail.js";
 import { ReadoutTable } from "assur/readouts.js";
@@ -75,6 +76,7 @@ function run(engine, habits, opening, startWords) {
     cursor,
     new Transport(store, model, drafts),
     new Rail(store, engine, drafts),
+    new PlotBar(store, engine, drafts),
     new StatusLine(),
     new ReadoutTable(),
     new ProblemView(),

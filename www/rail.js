@@ -1,7 +1,7 @@
 // The left rail: presets, lengths, wheels, mesh, assembly, what to show.
 import { byId, make } from "assur/dom.js";
 import { NumberRow } from "assur/number-row.js";
-import { OVERLAYS, contains, withDocument, withView } from "assur/state.js";
+import { SWITCHES, contains, withDocument, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -41,7 +41,7 @@ export class Rail {
   #presets = [];
   /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
   #choices = [];
-  #overlays = OVERLAYS.map((name) => ({ name, input: byId(name, HTMLInputElement) }));
+  #switches = SWITCHES.map((name) => ({ name, input: byId(name, HTMLInputElement) }));
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
@@ -72,7 +72,7 @@ export class Rail {
     }
     for (const mesh of MESHES) this.#choice("mesh", mesh, () => edit({ mesh }));
     for (const assembly of ASSEMBLIES) this.#choice("assembly", assembly, () => edit({ assembly }));
-    for (const { name, input } of this.#overlays) {
+    for (const { name, input } of this.#switches) {
       input.addEventListener("change", () => store.update((state) => withView(state, { [name]: input.checked })));
     }
   }
@@ -81,7 +81,7 @@ export class Rail {
   render(snapshot) {
     const { state, problems, words } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, ...OVERLAYS.map((name) => state.view[name]), words, ...wrong];
+    const shown = [state.document, ...SWITCHES.map((name) => state.view[name]), words, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     for (const row of this.#rows) row.show(state.document[row.field], words.numbers, wrong.has(row.field));
@@ -89,7 +89,7 @@ export class Rail {
       button.setAttribute("aria-pressed", String(contains(state.document, document)));
     }
     for (const { input, field, value } of this.#choices) input.checked = state.document[field] === value;
-    for (const { name, input } of this.#overlays) input.checked = state.view[name];
+    for (const { name, input } of this.#switches) input.checked = state.view[name];
   }
 
   /**

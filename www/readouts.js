@@ -27,8 +27,9 @@ const IDS = Object.freeze({ phi1: "phi1", transmission: "mu" });
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** From here on digits after the point would only take room. */
-const LARGE = 1e5;
+/** From these sizes on digits after the point would only take room. */
+const LARGE = 1e3;
+const HUGE = 1e6;
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
@@ -79,8 +80,9 @@ export class ReadoutTable {
         output.removeAttribute("data-value");
         continue;
       }
-      const { numbers } = words;
-      write(output, Math.abs(value) < LARGE ? numbers.fixed(value, 3) + (angle ? "°" : "") : numbers.brief(value));
+      const size = Math.abs(value);
+      const text = size < HUGE ? words.numbers.fixed(value, angle || size < LARGE ? 3 : 1) : words.numbers.brief(value);
+      write(output, text + (angle ? "°" : ""));
       output.dataset.value = String(value);
     }
   }

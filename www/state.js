@@ -22,9 +22,12 @@
 /** What can be laid over the drawing. */
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission"]));
 
+/** What is shown or not: over the drawing, and over the plots. */
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "differenced"]));
+
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
-  /** @type {const} */ ([...OVERLAYS, "plot", "axes", "omega", "epsilon", "true_time", "differenced"]),
+  /** @type {const} */ ([...SWITCHES, "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
 /**

@@ -14,6 +14,9 @@ import { withView } from "assur/state.js";
  * @typedef {import("assur/words.js").Words} Words
  */
 
+/** The choice of speed with which the crank turns by ω₁. */
+const TRUE_TIME = "true_time";
+
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
 
 export class Transport {
@@ -57,9 +60,11 @@ export class Transport {
       put(value);
       return store.get().view.phi_deg;
     });
-    for (const speed of SPEEDS) this.#speed.append(make("option", { value: String(speed) }));
+    for (const speed of [...SPEEDS, TRUE_TIME]) this.#speed.append(make("option", { value: String(speed) }));
     this.#speed.addEventListener("change", () => {
-      store.update((state) => withView(state, { speed: Number(this.#speed.value) }));
+      const { value } = this.#speed;
+      const change = value === TRUE_TIME ? { true_time: true } : { speed: Number(value), true_time: false };
+      store.update((state) => withView(state, change));
     });
   }
 
@@ -96,30 +101,31 @@ export class Transport {
     this.#view = view;
     if (previous?.playing !== view.playing) this.#name(words, view.playing);
     if (previous?.direction !== view.direction) this.#reverse.setAttribute("aria-pressed", String(view.direction < 0));
-    if (previous?.speed !== view.speed) this.#hasten(view.speed, words);
+    if (previous?.speed !== view.speed || previous.true_time !== view.true_time) this.#hasten(view, words);
   }
 
   /**
    * A speed from a link may be none of the list: it joins it.
-   * @param {number} speed
+   * @param {View} view
    * @param {Words} words
    */
-  #hasten(speed, words) {
+  #hasten({ speed, true_time: trueTime }, words) {
     const value = String(speed);
     const options = [...this.#speed.options];
     if (!options.some((option) => option.value === value)) {
-      const next = options.find((option) => Number(option.value) > speed) ?? null;
+      const next = options.find((option) => !(Number(option.value) <= speed)) ?? null;
       const text = words.text("transport.times", { value: words.numbers.upTo(speed, 2) });
       this.#speed.insertBefore(make("option", { value }, [text]), next);
     }
-    this.#speed.value = value;
+    this.#speed.value = trueTime ? TRUE_TIME : value;
   }
 
   /** @param {Words} words */
   #translate(words) {
     this.#lang = words.lang;
     for (const option of this.#speed.options) {
-      option.textContent = words.text("transport.times", { value: words.numbers.upTo(Number(option.value), 2) });
+      const times = { value: words.numbers.upTo(Number(option.value), 2) };
+      option.textContent = option.value === TRUE_TIME ? words.text("transport.true_time") : words.text("transport.times", times);
     }
     this.#view = null;
   }
