@@ -6,6 +6,6 @@ mod mixer;
 mod problem;
 mod state;
 
-pub use mixer::MixerDocument;
-pub use problem::Problem;
+pub use mixer::{MixerDocument, TracerDocument, WheelDocument};
+pub use problem::{Field, Problem};
 pub use state::{Axes, Lesson, SpeedUnit, State, View};

@@ -1,15 +1,17 @@
 //! The mixer's dimensions as they are saved.
 
 use assur::Assembly;
-use assur::catalog::mixer::{Dimensions, Mixer};
-use assur::gears::Mesh;
+use assur::catalog::mixer::{Carrier, Dimensions, Mixer, Tracer};
+use assur::gears::{Mate, Mesh};
 use serde::{Deserialize, Serialize};
 
 use crate::Problem;
 
-/// The mixer: lengths in metres, numbers of teeth, and how the wheels are set.
-/// Numbers are taken as they come; [`MixerDocument::mixer`] checks them.
+/// The mixer: lengths in metres, numbers of teeth, how the wheels are set, and
+/// which points are traced. Numbers are taken as they come;
+/// [`MixerDocument::mixer`] checks them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
     /// Crank AB.
     pub l1: f64,
@@ -21,16 +23,78 @@ pub struct MixerDocument {
     pub l4: f64,
     /// Teeth of the wheel on the rocker's shaft.
     pub z4: f64,
-    /// Teeth of the wheel it drives.
-    pub z5: f64,
+    /// The peripheral wheels it drives: wheel 5, 6, …
+    pub wheels: Vec<WheelDocument>,
     /// `external`, `internal` or `as_printed`.
     pub mesh: String,
     /// Module of the wheels, metres.
     pub module: f64,
-    /// Direction from the shaft of wheel 4 to that of wheel 5, degrees.
-    pub centre_line_deg: f64,
     /// 1 or 2.
     pub assembly: f64,
+    /// The points traced: P₁, P₂, …
+    pub tracers: Vec<TracerDocument>,
+}
+
+/// A peripheral wheel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WheelDocument {
+    /// Its teeth.
+    pub z: f64,
+    /// Direction from the shaft of wheel 4 to its own, degrees.
+    pub centre_line_deg: f64,
+}
+
+/// A traced point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TracerDocument {
+    /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+    pub link: String,
+    /// Along the link from its first joint, metres.
+    pub x: f64,
+    /// Across it, to the left, metres.
+    pub y: f64,
+}
+
+/// A document of any age: at first there was one wheel, and no points.
+#[derive(Deserialize)]
+struct AnyDocument {
+    l1: f64,
+    l2: f64,
+    l3: f64,
+    l4: f64,
+    z4: f64,
+    wheels: Option<Vec<WheelDocument>>,
+    z5: Option<f64>,
+    centre_line_deg: Option<f64>,
+    mesh: String,
+    module: f64,
+    assembly: f64,
+    #[serde(default)]
+    tracers: Vec<TracerDocument>,
+}
+
+impl TryFrom<AnyDocument> for MixerDocument {
+    type Error = &'static str;
+
+    fn try_from(any: AnyDocument) -> Result<Self, Self::Error> {
+        let wheels = match (any.wheels, any.z5, any.centre_line_deg) {
+            (Some(wheels), ..) => wheels,
+            (None, Some(z), Some(centre_line_deg)) => vec![WheelDocument { z, centre_line_deg }],
+            _ => return Err("missing field `wheels`"),
+        };
+        Ok(Self {
+            l1: any.l1,
+            l2: any.l2,
+            l3: any.l3,
+            l4: any.l4,
+            z4: any.z4,
+            wheels,
+            mesh: any.mesh,
+            module: any.module,
+            assembly: any.assembly,
+            tracers: any.tracers,
+        })
+    }
 }
 
 const MESHES: [(Mesh, &str); 3] = [
@@ -39,26 +103,62 @@ const MESHES: [(Mesh, &str); 3] = [
     (Mesh::AsPrinted, "as_printed"),
 ];
 
+const CARRIERS: [(Carrier, &str); 9] = [
+    (Carrier::Crank, "crank"),
+    (Carrier::Coupler, "coupler"),
+    (Carrier::Rocker, "rocker"),
+    (Carrier::Wheel(0), "wheel5"),
+    (Carrier::Wheel(1), "wheel6"),
+    (Carrier::Wheel(2), "wheel7"),
+    (Carrier::Wheel(3), "wheel8"),
+    (Carrier::Wheel(4), "wheel9"),
+    (Carrier::Wheel(5), "wheel10"),
+];
+
+/// The saved name of a value, of a table of names.
+fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str {
+    let found = names.iter().find(|(one, _)| one == value);
+    found.map_or("", |(_, name)| name)
+}
+
+/// The value of a saved name.
+fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
+    let found = names.iter().find(|(_, one)| *one == name);
+    found.map(|(value, _)| *value)
+}
+
+impl From<&Tracer> for TracerDocument {
+    fn from(tracer: &Tracer) -> Self {
+        Self {
+            link: name_of(&CARRIERS, &tracer.carrier).to_owned(),
+            x: tracer.x,
+            y: tracer.y,
+        }
+    }
+}
+
 impl MixerDocument {
     /// The saved form of these dimensions.
     pub fn new(dimensions: &Dimensions) -> Self {
         let [l1, l2, l3, l4] = dimensions.lengths;
-        let [z4, z5] = dimensions.teeth;
-        let name = MESHES.iter().find(|(mesh, _)| *mesh == dimensions.mesh);
+        let wheel = |mate: &Mate| WheelDocument {
+            z: mate.teeth,
+            centre_line_deg: mate.centre_line.to_degrees(),
+        };
         Self {
             l1,
             l2,
             l3,
             l4,
-            z4,
-            z5,
-            mesh: name.map_or("", |(_, name)| name).to_owned(),
+            z4: dimensions.z4,
+            wheels: dimensions.wheels.iter().map(wheel).collect(),
+            mesh: name_of(&MESHES, &dimensions.mesh).to_owned(),
             module: dimensions.module,
-            centre_line_deg: dimensions.centre_line.to_degrees(),
             assembly: match dimensions.assembly {
                 Assembly::First => 1.0,
                 Assembly::Second => 2.0,
             },
+            tracers: dimensions.tracers.iter().map(Into::into).collect(),
         }
     }
 
@@ -68,9 +168,10 @@ impl MixerDocument {
     /// Every problem at once, each naming its field.
     pub fn mixer(&self) -> Result<Mixer, Vec<Problem>> {
         let mut problems = Vec::new();
-        let mesh = MESHES.iter().find(|(_, name)| *name == self.mesh);
+        let mut unknown = |field: crate::Field| problems.push(Problem::UnknownChoice { field });
+        let mesh = value_of(&MESHES, &self.mesh);
         if mesh.is_none() {
-            problems.push(Problem::UnknownChoice { field: "mesh" });
+            unknown("mesh".into());
         }
         let assembly = match self.assembly {
             1.0 => Some(Assembly::First),
@@ -78,15 +179,32 @@ impl MixerDocument {
             _ => None,
         };
         if assembly.is_none() {
-            problems.push(Problem::UnknownChoice { field: "assembly" });
+            unknown("assembly".into());
         }
+        let mut tracers = Vec::new();
+        for (index, TracerDocument { link, x, y }) in self.tracers.iter().enumerate() {
+            let carrier = value_of(&CARRIERS, link);
+            if carrier.is_none() {
+                unknown(format!("tracers[{index}].link").into());
+            }
+            tracers.push(Tracer {
+                carrier: carrier.unwrap_or(Carrier::Crank),
+                x: *x,
+                y: *y,
+            });
+        }
+        let mate = |wheel: &WheelDocument| Mate {
+            teeth: wheel.z,
+            centre_line: wheel.centre_line_deg.to_radians(),
+        };
         let made = Mixer::new(&Dimensions {
             lengths: [self.l1, self.l2, self.l3, self.l4],
-            teeth: [self.z4, self.z5],
-            mesh: mesh.map_or(Mesh::External, |(mesh, _)| *mesh),
+            z4: self.z4,
+            wheels: self.wheels.iter().map(mate).collect(),
+            mesh: mesh.unwrap_or(Mesh::External),
             module: self.module,
-            centre_line: self.centre_line_deg.to_radians(),
             assembly: assembly.unwrap_or(Assembly::First),
+            tracers,
         });
         match made {
             Ok(mixer) if problems.is_empty() => Ok(mixer),

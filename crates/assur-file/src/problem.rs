@@ -1,8 +1,13 @@
 //! Everything that can be wrong with what a person, a file or an address gives,
 //! as a code with parameters. The words are in `lang/`.
 
+use std::borrow::Cow;
+
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
+
+/// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
+pub type Field = Cow<'static, str>;
 
 /// A problem; serialised as `{"code": "…", parameters}`. Angles in radians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -13,34 +18,32 @@ use serde::Serialize;
 )]
 pub enum Problem {
     /// A field holds NaN or an infinity.
-    NotANumber { field: &'static str },
+    NotANumber { field: Field },
     /// A field must be greater than zero.
-    NotPositive { field: &'static str, value: f64 },
+    NotPositive { field: Field, value: f64 },
     /// A field is outside its range.
     OutOfRange {
-        field: &'static str,
+        field: Field,
         value: f64,
         min: f64,
         max: f64,
     },
     /// A field must be a whole number.
-    NotWhole { field: &'static str, value: f64 },
+    NotWhole { field: Field, value: f64 },
     /// A field holds none of the values it may have.
-    UnknownChoice { field: &'static str },
+    UnknownChoice { field: Field },
     /// In true time a crank that stands still shows nothing.
-    AtRest { field: &'static str },
+    AtRest { field: Field },
     /// A link is at least as long as the others together.
-    TooLong { field: &'static str, by: f64 },
+    TooLong { field: Field, by: f64 },
     /// Internal mesh of equal wheels.
-    ConcentricWheels,
+    ConcentricWheels { field: Field },
+    /// Internal mesh of one wheel with smaller and with larger ones.
+    MixedWheels { field: Field },
     /// Coupler and rocker together do not reach at this crank angle.
     Apart { phi: f64, by: f64 },
     /// One of coupler and rocker is too long at this crank angle.
-    Inside {
-        phi: f64,
-        by: f64,
-        field: &'static str,
-    },
+    Inside { phi: f64, by: f64, field: Field },
     /// The pose at this crank angle is undetermined.
     Undetermined { phi: f64 },
     /// The derivatives at this crank angle are unbounded.
@@ -63,7 +66,9 @@ impl From<Invalid> for Problem {
             },
             Fault::NotWhole { value } => Self::NotWhole { field, value },
             Fault::TooLong { by } => Self::TooLong { field, by },
-            Fault::Concentric => Self::ConcentricWheels,
+            Fault::Concentric => Self::ConcentricWheels { field },
+            Fault::BothSides => Self::MixedWheels { field },
+            Fault::Absent => Self::UnknownChoice { field },
         }
     }
 }
@@ -71,12 +76,14 @@ impl From<Invalid> for Problem {
 impl From<Unsolved> for Problem {
     fn from(unsolved: Unsolved) -> Self {
         match unsolved {
-            Unsolved::NotAnAngle => Self::NotANumber { field: "phi_deg" },
+            Unsolved::NotAnAngle => Self::NotANumber {
+                field: "phi_deg".into(),
+            },
             Unsolved::Apart { crank, by } => Self::Apart { phi: crank, by },
             Unsolved::Inside { crank, by, longer } => Self::Inside {
                 phi: crank,
                 by,
-                field: link_field(longer),
+                field: link_field(longer).into(),
             },
             Unsolved::Undetermined { crank } => Self::Undetermined { phi: crank },
             Unsolved::DeadPoint { crank } => Self::DeadPoint { phi: crank },
@@ -85,17 +92,23 @@ impl From<Unsolved> for Problem {
 }
 
 /// The saved name of a dimension.
-fn field(dimension: Dimension) -> &'static str {
-    match dimension {
+fn field(dimension: Dimension) -> Field {
+    let name = match dimension {
         Dimension::Crank => "l1",
         Dimension::Coupler => "l2",
         Dimension::Rocker => "l3",
         Dimension::Frame => "l4",
         Dimension::DriverTeeth => "z4",
-        Dimension::DrivenTeeth => "z5",
+        Dimension::Wheels => "wheels",
+        Dimension::DrivenTeeth(wheel) => return format!("wheels[{wheel}].z").into(),
         Dimension::Module => "module",
-        Dimension::CentreLine => "centre_line_deg",
-    }
+        Dimension::CentreLine(wheel) => return format!("wheels[{wheel}].centre_line_deg").into(),
+        Dimension::Tracers => "tracers",
+        Dimension::TracerCarrier(tracer) => return format!("tracers[{tracer}].link").into(),
+        Dimension::TracerX(tracer) => return format!("tracers[{tracer}].x").into(),
+        Dimension::TracerY(tracer) => return format!("tracers[{tracer}].y").into(),
+    };
+    name.into()
 }
 
 /// The saved name of a link's length.

@@ -154,7 +154,9 @@ impl State {
         match (self.check(), self.document.mixer()) {
             (Ok(()), Ok(mixer)) => match mixer.plot(&self.view.plot) {
                 Some(plotted) => Ok((mixer, plotted)),
-                None => Err(vec![Problem::UnknownChoice { field: "plot" }]),
+                None => Err(vec![Problem::UnknownChoice {
+                    field: "plot".into(),
+                }]),
             },
             (checked, mixer) => {
                 let problems = [checked.err(), mixer.err()];
@@ -170,7 +172,9 @@ impl State {
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
         if self.format != FORMAT {
-            problems.push(Problem::UnknownChoice { field: "format" });
+            problems.push(Problem::UnknownChoice {
+                field: "format".into(),
+            });
         }
         let View { omega, epsilon, .. } = self.view;
         for (field, value, limit) in [
@@ -179,10 +183,12 @@ impl State {
             ("epsilon", epsilon, EPSILON_LIMIT),
         ] {
             if !value.is_finite() {
-                problems.push(Problem::NotANumber { field });
+                problems.push(Problem::NotANumber {
+                    field: field.into(),
+                });
             } else if value.abs() > limit {
                 problems.push(Problem::OutOfRange {
-                    field,
+                    field: field.into(),
                     value,
                     min: -limit,
                     max: limit,
@@ -190,22 +196,28 @@ impl State {
             }
         }
         if self.view.true_time && omega == 0.0 {
-            problems.push(Problem::AtRest { field: "omega" });
+            problems.push(Problem::AtRest {
+                field: "omega".into(),
+            });
         }
         if self.view.direction.abs() != 1.0 {
-            problems.push(Problem::UnknownChoice { field: "direction" });
+            problems.push(Problem::UnknownChoice {
+                field: "direction".into(),
+            });
         }
         let speed = self.view.speed;
         if !speed.is_finite() {
-            problems.push(Problem::NotANumber { field: "speed" });
+            problems.push(Problem::NotANumber {
+                field: "speed".into(),
+            });
         } else if speed <= 0.0 {
             problems.push(Problem::NotPositive {
-                field: "speed",
+                field: "speed".into(),
                 value: speed,
             });
         } else if speed > SPEED_LIMIT {
             problems.push(Problem::OutOfRange {
-                field: "speed",
+                field: "speed".into(),
                 value: speed,
                 min: 0.0,
                 max: SPEED_LIMIT,
@@ -222,6 +234,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{TracerDocument, WheelDocument};
     use assur::catalog::mixer::Case;
     use serde_json::json;
 
@@ -342,6 +355,26 @@ mod tests {
         assert_eq!(read(&older.to_string()).unwrap(), expected);
     }
 
+    /// The form of one wheel, before there were several, is read and written anew.
+    #[test]
+    fn one_wheel_of_old_is_a_list_of_one() {
+        let mut older = serde_json::to_value(state()).unwrap();
+        let document = older["document"].as_object_mut().unwrap();
+        let wheels = document.remove("wheels").unwrap();
+        assert!(document.remove("tracers").is_some());
+        document.insert("z5".to_owned(), wheels[0]["z"].clone());
+        let line = wheels[0]["centre_line_deg"].clone();
+        document.insert("centre_line_deg".to_owned(), line);
+        assert_eq!(read(&older.to_string()).unwrap(), state());
+        let text = serde_json::to_string(&read(&older.to_string()).unwrap()).unwrap();
+        assert!(!text.contains("z5") && text.contains("\"wheels\":[{\"z\":18.0,"));
+        // Half of it is none.
+        older["document"].as_object_mut().unwrap().remove("z5");
+        assert!(
+            matches!(read(&older.to_string()), Err(Problem::BadState { path, .. }) if path == "document")
+        );
+    }
+
     #[test]
     fn broken_form_names_its_path() {
         let text = serde_json::to_string(&state()).unwrap();
@@ -350,6 +383,8 @@ mod tests {
             ("\"l2\":0.85", "\"l2\":null", "document.l2"),
             ("\"mixer\"", "\"mixture\"", "lesson"),
             ("\"z4\":36.0,", "", "document"),
+            ("\"z\":18.0", "\"z\":[]", "document.wheels[0].z"),
+            ("\"tracers\":[]", "\"tracers\":[7]", "document.tracers[0]"),
             ("\"playing\":true", "\"playing\":1", "view.playing"),
         ] {
             assert!(text.contains(from), "{from}");
@@ -366,18 +401,37 @@ mod tests {
         (bad.format, bad.view.direction, bad.view.speed) = (2.0, 0.5, f64::NAN);
         bad.view.phi_deg = f64::INFINITY;
         let fields = [
-            Problem::UnknownChoice { field: "format" },
-            Problem::NotANumber { field: "phi_deg" },
-            Problem::UnknownChoice { field: "direction" },
-            Problem::NotANumber { field: "speed" },
+            Problem::UnknownChoice {
+                field: "format".into(),
+            },
+            Problem::NotANumber {
+                field: "phi_deg".into(),
+            },
+            Problem::UnknownChoice {
+                field: "direction".into(),
+            },
+            Problem::NotANumber {
+                field: "speed".into(),
+            },
         ];
         assert_eq!(bad.check(), Err(fields.to_vec()));
 
         let mut document = state().document;
         (document.l1, document.l2, document.l3) = (f64::NAN, -0.85, 0.0);
-        (document.l4, document.z4, document.z5) = (1e300, 0.0, 1.5);
+        (document.l4, document.z4, document.module) = (1e300, 0.0, 0.0);
         (document.mesh, document.assembly) = ("worm".to_owned(), 3.0);
-        (document.module, document.centre_line_deg) = (0.0, f64::NAN);
+        let wheel = |z, centre_line_deg| WheelDocument { z, centre_line_deg };
+        document.wheels = vec![wheel(18.0, 0.0), wheel(1.5, f64::NAN)];
+        let tracer = |link: &str, x, y| TracerDocument {
+            link: link.to_owned(),
+            x,
+            y,
+        };
+        document.tracers = vec![
+            tracer("frame", 0.0, 0.0),
+            tracer("wheel6", 0.0, 1e300),
+            tracer("wheel7", f64::NAN, 0.0),
+        ];
         let problems = document.mixer().unwrap_err();
         let text = serde_json::to_value(&problems).unwrap();
         let named: Vec<(&str, &str)> = text
@@ -396,14 +450,18 @@ mod tests {
             [
                 ("unknown_choice", "mesh"),
                 ("unknown_choice", "assembly"),
+                ("unknown_choice", "tracers[0].link"),
                 ("not_a_number", "l1"),
                 ("not_positive", "l2"),
                 ("not_positive", "l3"),
                 ("out_of_range", "l4"),
                 ("not_positive", "z4"),
-                ("not_whole", "z5"),
                 ("not_positive", "module"),
-                ("not_a_number", "centre_line_deg"),
+                ("not_whole", "wheels[1].z"),
+                ("not_a_number", "wheels[1].centre_line_deg"),
+                ("out_of_range", "tracers[1].y"),
+                ("unknown_choice", "tracers[2].link"),
+                ("not_a_number", "tracers[2].x"),
             ]
         );
     }

@@ -1,8 +1,12 @@
-//! A pair of meshing wheels, the first (driver) turning with a given angle.
+//! Meshing wheels: a pair, the first (driver) turning with a given angle, and a
+//! [`GearSet`] of several wheels around one driver.
+
+mod set;
 
 use std::f64::consts::PI;
 
 use crate::{Dimension, Fault, Invalid, Jet, Vector};
+pub use set::{GearSet, Mate};
 
 /// Fewest and most teeth a wheel may have: below 3 there is no wheel, above
 /// 1000 no screen shows the teeth.
@@ -59,7 +63,7 @@ impl GearPair {
     /// one's, radians.
     ///
     /// # Errors
-    /// Every reason at once: teeth that are not whole, positive and within
+    /// Every reason at once, the driven wheel being wheel 0: teeth that are not whole, positive and within
     /// [`TEETH`]; a module not positive; anything not finite; equal teeth in
     /// internal mesh.
     pub fn new(
@@ -70,20 +74,20 @@ impl GearPair {
     ) -> Result<Self, Vec<Invalid>> {
         let mut reasons = Vec::new();
         let driver = count(Dimension::DriverTeeth, teeth[0]).map_err(|e| reasons.push(e));
-        let driven = count(Dimension::DrivenTeeth, teeth[1]).map_err(|e| reasons.push(e));
+        let driven = count(Dimension::DrivenTeeth(0), teeth[1]).map_err(|e| reasons.push(e));
         if let Err(e) = Invalid::check_positive(Dimension::Module, module, MODULE) {
             reasons.push(e);
         }
         if !centre_line.is_finite() {
             reasons.push(Invalid {
-                dimension: Dimension::CentreLine,
+                dimension: Dimension::CentreLine(0),
                 fault: Fault::NotFinite,
             });
         }
         match (driver, driven) {
             (Ok(driver), Ok(driven)) if driver == driven && mesh == Mesh::Internal => {
                 reasons.push(Invalid {
-                    dimension: Dimension::DrivenTeeth,
+                    dimension: Dimension::DrivenTeeth(0),
                     fault: Fault::Concentric,
                 });
                 Err(reasons)
@@ -162,6 +166,15 @@ impl GearPair {
         (self.mesh == Mesh::AsPrinted).then(|| self.outer(&self.driver_wheel(), teeth))
     }
 
+    /// The wheels in the order in which they mesh: driver, idler if any, driven.
+    pub fn train(&self) -> Vec<Wheel> {
+        let (driver, driven) = (Some(self.driver_wheel()), Some(self.driven_wheel()));
+        [driver, self.idler(), driven]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
     /// A wheel of `teeth` outer teeth beyond `previous` on the centre line.
     fn outer(&self, previous: &Wheel, teeth: u32) -> Wheel {
         let step = f64::from(previous.teeth) / f64::from(teeth);
@@ -225,22 +238,22 @@ mod tests {
             for (z4, z5) in [(36.0, 18.0), (18.0, 36.0), (31.0, 17.0), (12.0, 85.0)] {
                 for line in [-2.0, 0.0, 0.6, 3.0] {
                     let gears = pair(z4, z5, mesh, line);
-                    let chain: Vec<Wheel> = [gears.driver_wheel()]
-                        .into_iter()
-                        .chain(gears.idler())
-                        .chain([gears.driven_wheel()])
-                        .collect();
-                    for link in chain.windows(2) {
-                        for driver in [0.0, 0.123, -4.0] {
-                            check_phases(&gears, &link[0], &link[1], driver, line);
-                        }
-                    }
+                    check_train(&gears);
                 }
             }
         }
     }
 
-    fn check_phases(gears: &GearPair, a: &Wheel, b: &Wheel, driver: f64, line: f64) {
+    pub(super) fn check_train(gears: &GearPair) {
+        for link in gears.train().windows(2) {
+            for driver in [0.0, 0.123, -4.0] {
+                check_phases(gears, &link[0], &link[1], driver);
+            }
+        }
+    }
+
+    fn check_phases(gears: &GearPair, a: &Wheel, b: &Wheel, driver: f64) {
+        let line = gears.centre_line();
         let phase = |wheel: &Wheel, contact: f64| {
             let angle = wheel.ratio * driver + wheel.mounting;
             (contact - angle) * f64::from(wheel.teeth) / (2.0 * PI)
@@ -300,14 +313,14 @@ mod tests {
             ),
         ] {
             let expected = vec![Invalid {
-                dimension: DrivenTeeth,
+                dimension: DrivenTeeth(0),
                 fault,
             }];
             assert_eq!(reasons([36.0, value], Mesh::External, 1.0, 0.0), expected);
         }
         let all = reasons([0.0, 1.5], Mesh::Internal, -1.0, f64::NAN);
         let named: Vec<Dimension> = all.iter().map(|reason| reason.dimension).collect();
-        assert_eq!(named, [DriverTeeth, DrivenTeeth, Module, CentreLine]);
+        assert_eq!(named, [DriverTeeth, DrivenTeeth(0), Module, CentreLine(0)]);
         let concentric = reasons([20.0, 20.0], Mesh::Internal, 1.0, 0.0);
         assert_eq!(concentric[0].fault, Fault::Concentric);
     }

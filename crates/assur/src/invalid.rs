@@ -16,12 +16,22 @@ pub enum Dimension {
     Frame,
     /// Number of teeth of the driving wheel.
     DriverTeeth,
-    /// Number of teeth of the driven wheel.
-    DrivenTeeth,
-    /// Module of a pair of wheels.
+    /// How many wheels are driven.
+    Wheels,
+    /// Number of teeth of a driven wheel, counted from 0.
+    DrivenTeeth(usize),
+    /// Module of the wheels.
     Module,
-    /// Direction of the line from the driving to the driven wheel's centre.
-    CentreLine,
+    /// Direction of the line from the driving to a driven wheel's centre.
+    CentreLine(usize),
+    /// How many points are traced.
+    Tracers,
+    /// The body that carries a traced point, counted from 0.
+    TracerCarrier(usize),
+    /// A traced point's place along its body.
+    TracerX(usize),
+    /// A traced point's place across its body.
+    TracerY(usize),
 }
 
 /// Why a dimension cannot be taken.
@@ -56,6 +66,11 @@ pub enum Fault {
     },
     /// Internal mesh of wheels with equally many teeth: their centres coincide.
     Concentric,
+    /// Internal mesh of one driver with larger and with smaller wheels: it would
+    /// have to be a ring to these and inside of those.
+    BothSides,
+    /// There is no such part.
+    Absent,
 }
 
 /// One reason why dimensions do not make a mechanism.
@@ -68,6 +83,19 @@ pub struct Invalid {
 }
 
 impl Invalid {
+    /// `value` if its size is not beyond `most`; else the reason.
+    pub(crate) fn check_size(dimension: Dimension, value: f64, most: f64) -> Result<f64, Self> {
+        let fault = if !value.is_finite() {
+            Fault::NotFinite
+        } else if value.abs() > most {
+            let (min, max) = (-most, most);
+            Fault::OutOfRange { value, min, max }
+        } else {
+            return Ok(value);
+        };
+        Err(Self { dimension, fault })
+    }
+
     /// `value` if it lies in the range, which is positive; else the reason.
     pub(crate) fn check_positive(
         dimension: Dimension,

@@ -1,15 +1,18 @@
 //! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel
-//! 4, which drives wheel 5 (Smelyagin and Prikhodko, fig. 1 and 4).
+//! 4, which drives wheel 5, or several wheels around it (Smelyagin and Prikhodko,
+//! fig. 1 and 4).
 
 mod drag;
 mod quantity;
+mod tracer;
 
 use std::f64::consts::PI;
 
 pub use drag::{Dragged, Joint};
 pub use quantity::{Axis, Quantity, Tracked, Turning};
+pub use tracer::{Carrier, Tracer};
 
-use crate::gears::{GearPair, Mesh};
+use crate::gears::{GearSet, Mate, Mesh};
 use crate::{Assembly, FourBar, Invalid};
 
 /// The three cases of fig. 4. Lengths are in metres.
@@ -37,41 +40,50 @@ impl Case {
         };
         Dimensions {
             lengths: [0.37, 0.85, rocker, 0.85],
-            teeth: [z4, z5],
+            z4,
+            wheels: vec![Mate {
+                teeth: z5,
+                centre_line: -2.0 * PI / 9.0,
+            }],
             mesh: Mesh::External,
             module: 0.0165,
-            centre_line: -2.0 * PI / 9.0,
             assembly: Assembly::First,
+            tracers: Vec::new(),
         }
     }
 }
 
 /// The free dimensions of a mixer, sound or not.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Dimensions {
     /// l₁ … l₄: crank, coupler, rocker, frame.
     pub lengths: [f64; 4],
-    /// z₄ on the rocker's shaft and z₅.
-    pub teeth: [f64; 2],
+    /// z₄, of the wheel on the rocker's shaft.
+    pub z4: f64,
+    /// The peripheral wheels around it: wheel 5, 6, …, each with its direction
+    /// from the shaft of wheel 4.
+    pub wheels: Vec<Mate>,
     /// How the wheels engage.
     pub mesh: Mesh,
     /// Module of the wheels, in the unit of the lengths.
     pub module: f64,
-    /// Direction from the shaft of wheel 4 to that of wheel 5, radians.
-    pub centre_line: f64,
     /// Which way the loop is closed.
     pub assembly: Assembly,
+    /// The points P₁, P₂, … that are traced.
+    pub tracers: Vec<Tracer>,
 }
 
 /// A mixer that can move.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Mixer {
     /// The linkage.
     pub linkage: FourBar,
     /// Which way its loop is closed.
     pub assembly: Assembly,
-    /// Wheel 4, which turns with the rocker, and wheel 5.
-    pub gears: GearPair,
+    /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around it.
+    pub gears: GearSet,
+    /// The points that are traced; on wheels there are.
+    tracers: Vec<Tracer>,
 }
 
 impl Mixer {
@@ -81,20 +93,22 @@ impl Mixer {
     /// Every reason why they make none, at once.
     pub fn new(dimensions: &Dimensions) -> Result<Self, Vec<Invalid>> {
         let linkage = FourBar::new(dimensions.lengths);
-        let gears = GearPair::new(
-            dimensions.teeth,
+        let gears = GearSet::new(
+            dimensions.z4,
+            &dimensions.wheels,
             dimensions.mesh,
             dimensions.module,
-            dimensions.centre_line,
         );
-        match (linkage, gears) {
-            (Ok(linkage), Ok(gears)) => Ok(Self {
+        let tracers = tracer::check(&dimensions.tracers, dimensions.wheels.len());
+        match (linkage, gears, tracers) {
+            (Ok(linkage), Ok(gears), Ok(())) => Ok(Self {
                 linkage,
                 assembly: dimensions.assembly,
                 gears,
+                tracers: dimensions.tracers.clone(),
             }),
-            (linkage, gears) => {
-                let reasons = [linkage.err(), gears.err()];
+            (linkage, gears, tracers) => {
+                let reasons = [linkage.err(), gears.err(), tracers.err()];
                 Err(reasons.into_iter().flatten().flatten().collect())
             }
         }

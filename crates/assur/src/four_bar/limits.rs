@@ -114,10 +114,7 @@ impl FourBar {
                 return vec![Swing::Turns];
             }
         }
-        // Where all links are in line the rocker may turn back as well.
-        let limits = self.limits(assembly).into_iter().map(|limit| limit.crank);
-        let in_line = self.change_points().into_iter().map(|point| point.crank);
-        let extremes: Vec<f64> = limits.chain(in_line).chain(self.dead_points()).collect();
+        let extremes = self.turnings(assembly);
         let between = |[from, to]: &[f64; 2]| {
             let of_arc = extremes
                 .iter()
@@ -130,6 +127,42 @@ impl FourBar {
             Swing::Between { min, max }
         };
         cycle.arcs().iter().map(between).collect()
+    }
+
+    /// How far the rocker goes on each arc of the cycle in this assembly, there
+    /// and back added up: over the whole cycle, or over the arc and back again.
+    pub fn travels(&self, assembly: Assembly) -> Vec<f64> {
+        let cycle = self.cycle();
+        let rocker = |crank: f64| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
+        let turnings = self.turnings(assembly);
+        let travel = |[from, to]: &[f64; 2]| {
+            // A full cycle may begin anywhere but at a deltoid's undetermined angle.
+            let (shift, ways) = if cycle.is_full() {
+                (1.0, 1.0)
+            } else {
+                (0.0, 2.0)
+            };
+            let [start, end] = [from + shift, to + shift];
+            let inside = turnings.iter().map(|crank| {
+                let before = cycle.is_full() && *crank < start;
+                if before { crank + (to - from) } else { *crank }
+            });
+            let mut stops: Vec<f64> = inside.filter(|at| (start..=end).contains(at)).collect();
+            stops.extend([start, end]);
+            stops.sort_by(f64::total_cmp);
+            let angles: Vec<f64> = stops.into_iter().filter_map(rocker).collect();
+            let steps = angles.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+            ways * steps.sum::<f64>()
+        };
+        cycle.arcs().iter().map(travel).collect()
+    }
+
+    /// The crank angles at which the rocker may turn back: limit positions, angles
+    /// with all links in line, dead points.
+    fn turnings(&self, assembly: Assembly) -> Vec<f64> {
+        let limits = self.limits(assembly).into_iter().map(|limit| limit.crank);
+        let in_line = self.change_points().into_iter().map(|point| point.crank);
+        limits.chain(in_line).chain(self.dead_points()).collect()
     }
 
     /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed;

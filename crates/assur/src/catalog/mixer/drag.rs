@@ -152,7 +152,7 @@ mod tests {
                     let after = Mixer {
                         linkage,
                         assembly,
-                        ..mixer
+                        ..mixer.clone()
                     };
                     let off = (c_of(&after, crank) - to).norm();
                     assert!(off < 1e-9, "{crank} {to}: off by {off}");

@@ -1,8 +1,11 @@
 //! The quantities of a mixer: every value that can be read off, plotted or
 //! listed, with its derivatives by the crank angle.
 
+use std::borrow::Cow;
+
 use super::Mixer;
-use crate::{Jet, JetPoint, Link, Offset, Pose, Unsolved};
+use crate::gears::GearPair;
+use crate::{Jet, JetPoint, Link, Offset, Point, Pose, Unsolved};
 
 /// A value that changes with the crank angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,8 +23,8 @@ pub enum Turning {
     Coupler,
     /// Rocker DC and wheel 4, φ₃.
     Rocker,
-    /// Wheel 5, φ₅.
-    Wheel5,
+    /// A peripheral wheel, counted from 0: wheel 5, φ₅.
+    Wheel(usize),
 }
 
 /// A point that is tracked.
@@ -33,6 +36,8 @@ pub enum Tracked {
     C,
     /// Centre of mass of a link, in the middle of it: C₁, C₂, C₃.
     Centre(Link),
+    /// A traced point, counted from 0: P₁.
+    Traced(usize),
 }
 
 /// An axis of the plane.
@@ -52,7 +57,7 @@ impl Quantity {
             Self::Coordinate(point, Axis::X) => (point.name(), "x"),
             Self::Coordinate(point, Axis::Y) => (point.name(), "y"),
         };
-        [of, what].join(".")
+        [&of, what].join(".")
     }
 
     /// True for an angle, false for a length.
@@ -62,32 +67,38 @@ impl Quantity {
 }
 
 impl Turning {
-    fn name(self) -> &'static str {
+    fn name(self) -> Cow<'static, str> {
         match self {
-            Self::Coupler => "coupler",
-            Self::Rocker => "rocker",
-            Self::Wheel5 => "wheel5",
+            Self::Coupler => "coupler".into(),
+            Self::Rocker => "rocker".into(),
+            Self::Wheel(index) => format!("wheel{}", index + 5).into(),
         }
     }
 }
 
 impl Tracked {
-    fn name(self) -> &'static str {
-        match self {
+    fn name(self) -> Cow<'static, str> {
+        let name = match self {
             Self::B => "B",
             Self::C => "C",
             Self::Centre(Link::Crank) => "C1",
             Self::Centre(Link::Coupler) => "C2",
             Self::Centre(Link::Rocker) => "C3",
             Self::Centre(Link::Frame) => "C4",
-        }
+            Self::Traced(index) => return format!("P{}", index + 1).into(),
+        };
+        name.into()
     }
 }
 
 impl Mixer {
     /// What turns, in the order of the quantities.
     fn turning(&self) -> Vec<Turning> {
-        vec![Turning::Coupler, Turning::Rocker, Turning::Wheel5]
+        let wheels = (0..self.gears.pairs().len()).map(Turning::Wheel);
+        [Turning::Coupler, Turning::Rocker]
+            .into_iter()
+            .chain(wheels)
+            .collect()
     }
 
     /// The points that are tracked, in the order of the quantities.
@@ -96,6 +107,7 @@ impl Mixer {
         [Tracked::B, Tracked::C]
             .into_iter()
             .chain(centres)
+            .chain((0..self.tracers().len()).map(Tracked::Traced))
             .collect()
     }
 
@@ -126,7 +138,7 @@ impl Mixer {
         match quantity {
             Quantity::Angle(Turning::Coupler) => pose.coupler,
             Quantity::Angle(Turning::Rocker) => pose.rocker,
-            Quantity::Angle(Turning::Wheel5) => self.gears.driven(pose.rocker),
+            Quantity::Angle(Turning::Wheel(_)) => pose.rocker * self.multiple(quantity).1,
             Quantity::Coordinate(point, Axis::X) => self.point(point, pose).x,
             Quantity::Coordinate(point, Axis::Y) => self.point(point, pose).y,
         }
@@ -150,8 +162,11 @@ impl Mixer {
     /// wheel turns in a constant ratio to the rocker.
     pub fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
         match quantity {
-            Quantity::Angle(Turning::Wheel5) => {
-                (Quantity::Angle(Turning::Rocker), self.gears.ratio())
+            Quantity::Angle(Turning::Wheel(index)) => {
+                // A wheel there is not stands still: `quantities` names none such.
+                let pair = self.gears.pairs().get(index);
+                let ratio = pair.map_or(0.0, GearPair::ratio);
+                (Quantity::Angle(Turning::Rocker), ratio)
             }
             other => (other, 1.0),
         }
@@ -163,6 +178,10 @@ impl Mixer {
             Tracked::B => self.linkage.joints(pose)[1],
             Tracked::C => self.linkage.joints(pose)[2],
             Tracked::Centre(link) => self.linkage.carried(pose, link, Offset::MIDDLE),
+            Tracked::Traced(index) => match self.tracers().get(index) {
+                Some(tracer) => self.traced(pose, tracer),
+                None => JetPoint::fixed(Point::origin()),
+            },
         }
     }
 }
@@ -174,10 +193,53 @@ fn coordinates(point: Tracked) -> [Quantity; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::mixer::Case;
+    use crate::catalog::mixer::{Carrier, Case, Tracer};
+    use crate::gears::Mate;
 
     fn mixer() -> Mixer {
         Mixer::new(&Case::A.dimensions()).unwrap()
+    }
+
+    /// With three wheels, and points on the coupler and on the last wheel.
+    fn full() -> Mixer {
+        let mut dimensions = Case::A.dimensions();
+        for teeth in [24.0, 12.0] {
+            let centre_line = teeth;
+            dimensions.wheels.push(Mate { teeth, centre_line });
+        }
+        dimensions.tracers = [
+            (Carrier::Coupler, 0.425, 0.0),
+            (Carrier::Wheel(2), 0.1, 0.0),
+        ]
+        .map(|(carrier, x, y)| Tracer { carrier, x, y })
+        .to_vec();
+        Mixer::new(&dimensions).unwrap()
+    }
+
+    /// Wheels and traced points are quantities as all others, in their places.
+    #[test]
+    fn wheels_and_traced_points_are_quantities() {
+        let full = full();
+        let names: Vec<String> = full.quantities().iter().map(|q| q.name()).collect();
+        assert_eq!(
+            names[2..5],
+            ["wheel5.angle", "wheel6.angle", "wheel7.angle"]
+        );
+        assert_eq!(names[names.len() - 4..], ["P1.x", "P1.y", "P2.x", "P2.y"]);
+        assert_eq!(full.plot("angles").unwrap().len(), 4);
+        assert_eq!(full.plot("P3"), None);
+        let value = |name: &str| full.jets::<4>(&full.plot(name).unwrap(), 1.2).unwrap();
+        assert_eq!(value("P1"), value("C2"));
+        let [rocker, _, wheel6, wheel7] = value("angles")[..] else {
+            panic!("four angles")
+        };
+        assert_eq!([wheel6, wheel7], [rocker * -1.5, rocker * -3.0]);
+        // A point on a wheel goes round with it, 0.1 from its shaft.
+        let [x, y] = value("P2")[..] else {
+            panic!("two coordinates")
+        };
+        let speed = x.derivative(1).hypot(y.derivative(1));
+        assert!((speed - 0.1 * wheel7.derivative(1).abs()).abs() < 1e-14);
     }
 
     #[test]
@@ -244,7 +306,7 @@ mod tests {
 
     #[test]
     fn multiples_are_multiples() {
-        let mixer = mixer();
+        let mixer = full();
         for quantity in mixer.quantities() {
             let (base, factor) = mixer.multiple(quantity);
             let [one, other] = mixer.jets::<5>(&[quantity, base], 1.2).unwrap()[..] else {

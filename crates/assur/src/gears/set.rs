@@ -1,0 +1,288 @@
+//! Several wheels around one driver, each in mesh with it.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::{GearPair, Mesh};
+use crate::{Dimension, Fault, Invalid, Vector};
+
+/// Height of a tooth above the pitch circle, in modules: what a wheel needs
+/// beyond it.
+const ADDENDUM: f64 = 1.0;
+
+/// A wheel around the driver, sound or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mate {
+    /// Number of teeth.
+    pub teeth: f64,
+    /// Direction from the driver's centre to its own, radians.
+    pub centre_line: f64,
+}
+
+/// A driver and 1 to [`GearSet::MOST`] wheels that it drives, all of one module
+/// and in one kind of mesh: a pair for each of them, all with the same driver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GearSet {
+    pairs: Vec<GearPair>,
+}
+
+impl GearSet {
+    /// The most wheels that are driven.
+    pub const MOST: usize = 6;
+
+    /// A set from numbers as a person gives them: the driver's teeth (z₄), the
+    /// wheels around it, their mesh, their module in the unit of the lengths.
+    ///
+    /// Wheels may overlap: see [`GearSet::overlaps`].
+    ///
+    /// # Errors
+    /// Every reason at once: those of [`GearPair::new`] by wheel; a number of
+    /// wheels out of range; internal mesh with wheels smaller and larger than the
+    /// driver.
+    pub fn new(driver: f64, mates: &[Mate], mesh: Mesh, module: f64) -> Result<Self, Vec<Invalid>> {
+        let mut reasons = Vec::new();
+        if !(1..=Self::MOST).contains(&mates.len()) {
+            reasons.push(Invalid {
+                dimension: Dimension::Wheels,
+                fault: Fault::OutOfRange {
+                    value: mates.len() as f64,
+                    min: 1.0,
+                    max: Self::MOST as f64,
+                },
+            });
+        }
+        let mut pairs: Vec<GearPair> = Vec::new();
+        for (wheel, mate) in mates.iter().enumerate().take(Self::MOST) {
+            match GearPair::new([driver, mate.teeth], mesh, module, mate.centre_line) {
+                Ok(pair) => {
+                    let first = pairs.first().unwrap_or(&pair);
+                    if mesh == Mesh::Internal && pair.is_within() != first.is_within() {
+                        reasons.push(Invalid {
+                            dimension: Dimension::DrivenTeeth(wheel),
+                            fault: Fault::BothSides,
+                        });
+                    }
+                    pairs.push(pair);
+                }
+                Err(found) => {
+                    for reason in found.into_iter().map(|reason| of_wheel(reason, wheel)) {
+                        // What is wrong with the driver is wrong in every pair.
+                        if !reasons.contains(&reason) {
+                            reasons.push(reason);
+                        }
+                    }
+                }
+            }
+        }
+        if reasons.is_empty() {
+            Ok(Self { pairs })
+        } else {
+            Err(reasons)
+        }
+    }
+
+    /// The driver with each of its wheels, in the order given.
+    pub fn pairs(&self) -> &[GearPair] {
+        &self.pairs
+    }
+
+    /// The wheels (counted from 0, the smaller first) whose discs to the tips of
+    /// the teeth overlap, or those of their idlers: in one plane they foul each
+    /// other. Two rings around one driver always do.
+    pub fn overlaps(&self) -> Vec<[usize; 2]> {
+        let mut found = Vec::new();
+        for (second, pair) in self.pairs.iter().enumerate() {
+            for (first, other) in self.pairs[..second].iter().enumerate() {
+                let discs = pair.discs();
+                let fouls = |a: &Disc| discs.iter().any(|b| a.overlaps(b));
+                if other.discs().iter().any(fouls) {
+                    found.push([first, second]);
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// The middle of the widest gap between the discs around the driver, as seen
+    /// from its centre: where another wheel has most room. Radians, in [−π, π].
+    pub fn free_direction(&self) -> f64 {
+        let mut taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
+        taken.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut next: Vec<f64> = taken.iter().skip(1).map(|[from, _]| *from).collect();
+        next.extend(taken.first().map(|[from, _]| from + TAU));
+        let gaps = taken.iter().zip(next).map(|([_, to], from)| [*to, from]);
+        let widest = gaps.reduce(|best, gap| {
+            if gap[1] - gap[0] > best[1] - best[0] {
+                gap
+            } else {
+                best
+            }
+        });
+        let middle = widest.map_or(0.0, |[from, to]| 0.5 * (from + to));
+        middle - TAU * (middle / TAU).round()
+    }
+}
+
+/// A reason of a pair as one of the set's wheel.
+fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
+    let dimension = match reason.dimension {
+        Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),
+        Dimension::CentreLine(_) => Dimension::CentreLine(wheel),
+        other => other,
+    };
+    Invalid {
+        dimension,
+        ..reason
+    }
+}
+
+/// The room a wheel takes, to the tips of its teeth.
+struct Disc {
+    centre: Vector,
+    radius: f64,
+}
+
+impl Disc {
+    fn overlaps(&self, other: &Self) -> bool {
+        (self.centre - other.centre).norm() < self.radius + other.radius
+    }
+}
+
+impl GearPair {
+    /// Whether the driver is a ring around the driven wheel.
+    fn is_within(&self) -> bool {
+        self.driver_wheel().ring
+    }
+
+    /// What the pair has beside its driver.
+    fn discs(&self) -> Vec<Disc> {
+        let mates = self.train().into_iter().skip(1);
+        mates
+            .map(|wheel| Disc {
+                centre: wheel.centre,
+                radius: self.pitch_radius(wheel.teeth) + ADDENDUM * self.module,
+            })
+            .collect()
+    }
+
+    /// The directions from the driver's centre that the driven wheel takes,
+    /// ascending, from one in [−π, π].
+    fn shadow(&self) -> [f64; 2] {
+        let disc = |disc: Disc| {
+            let share = disc.radius / disc.centre.norm();
+            if share < 1.0 { share.asin() } else { FRAC_PI_2 }
+        };
+        let half = self.discs().into_iter().map(disc).fold(0.0, f64::max);
+        let from = self.centre_line - half;
+        let from = from - TAU * (from / TAU).round();
+        [from, from + 2.0 * half.min(PI)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::check_train;
+    use super::*;
+
+    fn mates(teeth: &[f64], degrees: &[f64]) -> Vec<Mate> {
+        let mate = |(teeth, degrees): (&f64, &f64)| Mate {
+            teeth: *teeth,
+            centre_line: degrees.to_radians(),
+        };
+        teeth.iter().zip(degrees).map(mate).collect()
+    }
+
+    fn set(driver: f64, teeth: &[f64], degrees: &[f64], mesh: Mesh) -> GearSet {
+        GearSet::new(driver, &mates(teeth, degrees), mesh, 0.02).unwrap()
+    }
+
+    const SIXTY: [f64; 6] = [-40.0, 20.0, 80.0, 140.0, 200.0, 260.0];
+
+    /// Every wheel of a set meets the one driver's gaps.
+    #[test]
+    fn teeth_of_every_wheel_meet_gaps() {
+        for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+            let gears = set(36.0, &[18.0, 17.0, 12.0, 31.0, 9.0, 24.0], &SIXTY, mesh);
+            assert_eq!(gears.pairs().len(), 6);
+            for pair in gears.pairs() {
+                assert_eq!(pair.driver_wheel(), gears.pairs()[0].driver_wheel());
+                check_train(pair);
+            }
+        }
+    }
+
+    #[test]
+    fn reasons_name_the_wheel() {
+        use Dimension::*;
+        let named = |driver, mates: &[Mate], mesh, module| -> Vec<(Dimension, Fault)> {
+            let reasons = GearSet::new(driver, mates, mesh, module).unwrap_err();
+            reasons.iter().map(|r| (r.dimension, r.fault)).collect()
+        };
+        let mut bad = mates(&[18.0, 1.5, 20.0], &[0.0, 90.0, f64::NAN]);
+        assert_eq!(
+            named(0.0, &bad, Mesh::External, -1.0),
+            [
+                (DriverTeeth, Fault::NotPositive { value: 0.0 }),
+                (Module, Fault::NotPositive { value: -1.0 }),
+                (DrivenTeeth(1), Fault::NotWhole { value: 1.5 }),
+                (CentreLine(2), Fault::NotFinite),
+            ]
+        );
+        bad = mates(&[18.0, 36.0, 60.0], &[0.0, 90.0, 180.0]);
+        assert_eq!(
+            named(36.0, &bad, Mesh::Internal, 1.0),
+            [
+                (DrivenTeeth(1), Fault::Concentric),
+                (DrivenTeeth(2), Fault::BothSides),
+            ]
+        );
+        for count in [0, 7] {
+            let fault = Fault::OutOfRange {
+                value: f64::from(count),
+                min: 1.0,
+                max: 6.0,
+            };
+            let wheels = mates(&[18.0; 7][..count as usize], &[0.0; 7]);
+            let found = named(36.0, &wheels, Mesh::External, 1.0);
+            assert_eq!(found, [(Wheels, fault)]);
+        }
+    }
+
+    #[test]
+    fn overlaps_are_where_tips_pass() {
+        // Six of 36 : 18 stand free of each other; their centres are 27 modules
+        // away, so at an angle β they are 54 sin(β/2) apart and need 20.
+        let even = set(36.0, &[18.0; 6], &SIXTY, Mesh::External);
+        assert_eq!(even.overlaps(), [] as [[usize; 2]; 0]);
+        let clear = 2.0 * (20.0 / 54.0_f64).asin().to_degrees();
+        for (degrees, fouls) in [(clear + 1e-6, false), (clear - 1e-6, true)] {
+            let near = set(36.0, &[18.0; 2], &[350.0, 350.0 + degrees], Mesh::External);
+            assert_eq!(near.overlaps() == [[0, 1]], fouls, "{degrees}");
+        }
+        let three = set(36.0, &[18.0; 3], &[0.0, 170.0, 190.0], Mesh::External);
+        assert_eq!(three.overlaps(), [[1, 2]]);
+        let rings = set(36.0, &[60.0, 72.0], &[0.0, 180.0], Mesh::Internal);
+        assert_eq!(rings.overlaps(), [[0, 1]]);
+        // The driven wheels stand free; idlers of 12 teeth, at 35° and not at 37°,
+        // do not.
+        for (degrees, fouls) in [(37.0, false), (35.0, true)] {
+            let idlers = set(34.0, &[3.0; 2], &[0.0, degrees], Mesh::AsPrinted);
+            assert_eq!(idlers.overlaps() == [[0, 1]], fouls, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn the_next_wheel_stands_in_the_widest_gap() {
+        let free = |teeth: &[f64], degrees: &[f64]| {
+            let set = set(36.0, teeth, degrees, Mesh::External);
+            set.free_direction().to_degrees()
+        };
+        assert!((free(&[18.0], &[-40.0]) - 140.0).abs() < 1e-9);
+        assert!((free(&[18.0; 2], &[-40.0, 50.0]) + 175.0).abs() < 1e-9);
+        // A large wheel takes more of the gap: the middle is off the bisector.
+        let beside = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
+        assert!(beside < 80.0 && beside > 40.0, "{beside}");
+        let last = free(&[18.0; 5], &SIXTY[..5]);
+        assert!((last + 100.0).abs() < 1e-9, "{last}");
+    }
+}
