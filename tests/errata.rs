@@ -107,7 +107,7 @@ fn mixer_26_sense_of_wheel_5() {
             mesh,
             ..Case::A.dimensions()
         };
-        let wheel5 = Mixer::new(&dimensions).unwrap().gears.driven(driver);
+        let wheel5 = Mixer::new(&dimensions).unwrap().gears.pairs()[0].driven(driver);
         assert_near(wheel5.derivative(1), rate, 1e-15, "φ₅′");
         assert_near(wheel5.value(), rate * 0.3, 1e-15, "φ₅");
     }

@@ -22,8 +22,13 @@ fn swings_of_fig_4() {
             let swing = mixer.linkage.swings(assembly)[0];
             let degrees = swing.stroke().unwrap().to_degrees();
             assert_near(degrees, rocker, 1e-13, "rocker's swing");
-            let driven = swing.scaled(mixer.gears.ratio()).stroke().unwrap();
+            let driven = swing
+                .scaled(mixer.gears.pairs()[0].ratio())
+                .stroke()
+                .unwrap();
             assert_near(driven.to_degrees(), wheel5, 1e-10, "wheel 5's swing");
+            let travel = mixer.linkage.travels(assembly)[0].to_degrees();
+            assert_near(travel, 2.0 * rocker, 1e-13, "there and back");
         }
     }
 }

@@ -75,7 +75,7 @@ async fn mechanism_is_drawn_to_scale() {
             let seen = bar.length / (scale * LENGTHS[1]);
             assert!((0.93..0.98).contains(&seen), "{bar:?} {scale}");
         }
-        let centre = Point::new(LENGTHS[3], 0.0) + mixer().gears.driven_wheel().centre;
+        let centre = Point::new(LENGTHS[3], 0.0) + mixer().gears.pairs()[0].driven_wheel().centre;
         let wheel = page.picture("mechanism").await.cloud(WHEEL5);
         assert!(wheel.count > 200, "{wheel:?}");
         assert!(off((wheel.x, wheel.y), centre) < 4.0, "{wheel:?} {centre}");

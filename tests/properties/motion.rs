@@ -161,6 +161,36 @@ proptest! {
         }
     }
 
+    /// The rocker's travel is what a fine sweep adds up to.
+    #[test]
+    fn travel_is_the_sweeps((linkage, assembly) in linkage()) {
+        let rocker = |crank| linkage.pose::<1>(assembly, crank).map(|pose| pose.rocker.value());
+        let cycle = linkage.cycle();
+        let travels = linkage.travels(assembly);
+        prop_assert_eq!(travels.len(), cycle.arcs().len());
+        for (([from, to], swing), travel) in
+            cycle.arcs().iter().zip(linkage.swings(assembly)).zip(travels)
+        {
+            let mut seen = 0.0;
+            let mut last = None;
+            for step in 0..=2000 {
+                let Ok(angle) = rocker(from + (to - from) * f64::from(step) / 2000.0) else { continue };
+                seen += last.map_or(0.0, |last: f64| (angle - last).abs());
+                last = Some(angle);
+            }
+            let ways = if cycle.is_full() { 1.0 } else { 2.0 };
+            // A sweep misses no more than the turnings' own steps, and adds nothing.
+            prop_assert!(travel >= ways * seen - 1e-6, "{linkage:?} {travel} {seen}");
+            prop_assert!(travel <= ways * seen + 0.1, "{linkage:?} {travel} {seen}");
+            match swing {
+                Swing::Turns => prop_assert!(travel > TAU - 1e-9, "{linkage:?}: {travel}"),
+                Swing::Between { min, max } => {
+                    prop_assert!(travel >= 2.0 * (max - min) - 1e-6, "{linkage:?}: {travel}");
+                }
+            }
+        }
+    }
+
     /// Extrema are extreme: no sample of a fine sweep lies beyond them.
     #[test]
     fn extrema_bound_a_sweep((linkage, assembly) in linkage()) {

@@ -116,7 +116,9 @@ impl Teeth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur::gears::{GearPair, Mesh, Wheel};
+    use assur::gears::{GearSet, Mate, Mesh, Wheel};
+
+    use crate::wheels::drawn;
 
     /// How far `point` is from the polygon's line, negative inside.
     fn distance(point: Point, polygon: &[Point]) -> f64 {
@@ -148,8 +150,53 @@ mod tests {
         outline.map(|p| turned(p) + wheel.centre).collect()
     }
 
-    /// At every angle no tooth cuts into the other wheel by more than a fiftieth
-    /// of a module, and tips reach well into each other's gaps.
+    /// At every angle no tooth of a pair cuts into the other wheel by more than a
+    /// fiftieth of a module, and tips reach well into each other's gaps.
+    fn check_pair(wheels: [&Wheel; 2], teeth: [Teeth; 2], what: &str) {
+        for step in 0..12 {
+            let driver = f64::from(step) * 0.0573;
+            let outlines = [0, 1].map(|i| placed(wheels[i], teeth[i], driver));
+            for (i, j) in [(0, 1), (1, 0)] {
+                // A ring is solid outside its toothed line, a wheel inside; a
+                // ring's own points are compared with the wheel as they are.
+                let sense = if wheels[j].ring { -1.0 } else { 1.0 };
+                let depth = |p: &Point| -sense * distance(*p, &outlines[j]);
+                let near = |p: &&Point| (*p - wheels[j].centre).coords.norm() < teeth[j].outer();
+                let met = outlines[i].iter().filter(near);
+                let deepest = met.map(depth).fold(0.0, f64::max);
+                assert!(deepest < 0.02, "{what} at {driver}: {deepest}");
+            }
+        }
+        let apart = (wheels[1].centre - wheels[0].centre).norm();
+        let overlap = match (wheels[0].ring, wheels[1].ring) {
+            (true, _) => teeth[1].tip + apart - teeth[0].tip,
+            (_, true) => teeth[0].tip + apart - teeth[1].tip,
+            _ => teeth[0].tip + teeth[1].tip - apart,
+        };
+        assert!(overlap > 0.8, "{what}: tips overlap by {overlap}");
+    }
+
+    fn check_set(z4: f64, teeth: &[f64], mesh: Mesh) {
+        let wheel = |(index, teeth): (usize, &f64)| Mate {
+            teeth: *teeth,
+            centre_line: 0.5 + 1.1 * index as f64,
+        };
+        let mates: Vec<Mate> = teeth.iter().enumerate().map(wheel).collect();
+        let wheels = drawn(&GearSet::new(z4, &mates, mesh, 1.0).unwrap());
+        for (index, driven) in wheels.iter().enumerate().skip(1) {
+            // Idlers come after all driven wheels, in the same order; where there
+            // are any, each driven wheel meshes with its own.
+            let near = if mesh == Mesh::AsPrinted && index <= mates.len() {
+                &wheels[index + mates.len()]
+            } else {
+                &wheels[0]
+            };
+            let what = format!("{z4}:{teeth:?} {mesh:?}, wheel {index}");
+            let pair = [&near.wheel, &driven.wheel];
+            check_pair(pair, [near.teeth(), driven.teeth()], &what);
+        }
+    }
+
     #[test]
     fn wheels_mesh_at_every_angle() {
         for (z4, z5, mesh) in [
@@ -162,36 +209,16 @@ mod tests {
             (60.0, 54.0, Mesh::Internal),
             (20.0, 90.0, Mesh::Internal),
         ] {
-            let gears = GearPair::new([z4, z5], mesh, 1.0, 0.5).unwrap();
-            let wheels = [gears.driver_wheel(), gears.driven_wheel()];
-            let mate = |wheel: &Wheel| [(wheel.teeth, wheel.ring)];
-            let teeth =
-                [0, 1].map(|i| Teeth::new(wheels[i].teeth, wheels[i].ring, &mate(&wheels[1 - i])));
-            for step in 0..12 {
-                let driver = f64::from(step) * 0.0573;
-                let outlines = [0, 1].map(|i| placed(&wheels[i], teeth[i], driver));
-                for (i, j) in [(0, 1), (1, 0)] {
-                    // A ring is solid outside its toothed line, a wheel inside; a
-                    // ring's own points are compared with the wheel as they are.
-                    let sense = if wheels[j].ring { -1.0 } else { 1.0 };
-                    let depth = |p: &Point| -sense * distance(*p, &outlines[j]);
-                    let near =
-                        |p: &&Point| (*p - wheels[j].centre).coords.norm() < teeth[j].outer();
-                    let met = outlines[i].iter().filter(near);
-                    let deepest = met.map(depth).fold(0.0, f64::max);
-                    assert!(deepest < 0.02, "{z4}:{z5} {mesh:?} at {driver}: {deepest}");
-                }
-            }
-            let apart = wheels[1].centre.norm();
-            let overlap = match (wheels[0].ring, wheels[1].ring) {
-                (true, _) => teeth[1].tip + apart - teeth[0].tip,
-                (_, true) => teeth[0].tip + apart - teeth[1].tip,
-                _ => teeth[0].tip + teeth[1].tip - apart,
-            };
-            assert!(
-                overlap > 0.8,
-                "{z4}:{z5} {mesh:?}: tips overlap by {overlap}"
-            );
+            check_set(z4, &[z5], mesh);
         }
+    }
+
+    /// Also where one wheel meshes with six others, each of its own size.
+    #[test]
+    fn every_wheel_of_a_set_meshes_at_every_angle() {
+        for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+            check_set(36.0, &[18.0, 13.0, 24.0, 16.0, 21.0, 12.0], mesh);
+        }
+        check_set(12.0, &[60.0, 12.0, 30.0], Mesh::External);
     }
 }

@@ -10,6 +10,8 @@ mod mixer;
 mod overlays;
 mod parts;
 mod plots;
+mod tracers;
+mod wheels;
 
 pub use list::{LABELS, List, ROLES, Role};
 pub use mixer::Scene;

@@ -32,6 +32,11 @@ pub enum Role {
     Acceleration,
     X,
     Y,
+    Wheel6,
+    Wheel7,
+    Wheel8,
+    Wheel9,
+    Wheel10,
 }
 
 impl Role {
@@ -42,7 +47,7 @@ impl Role {
 }
 
 /// The names of the roles in the order of their numbers.
-pub const ROLES: [&str; 14] = [
+pub const ROLES: [&str; 19] = [
     "ink",
     "secondary",
     "line",
@@ -57,6 +62,11 @@ pub const ROLES: [&str; 14] = [
     "acceleration",
     "x",
     "y",
+    "wheel6",
+    "wheel7",
+    "wheel8",
+    "wheel9",
+    "wheel10",
 ];
 
 /// How it is drawn.
@@ -101,14 +111,25 @@ pub(crate) enum Label {
     BAcceleration,
     CVelocity,
     CAcceleration,
+    Six,
+    Seven,
+    Eight,
+    Nine,
+    Ten,
+    P1,
+    P2,
+    P3,
+    P4,
+    P5,
+    P6,
 }
 
 /// The names of the labels in the order of their numbers; `phi1` and `mu` stand
 /// for the crank angle and the transmission angle, which the painter writes with
 /// their values. Strokes are derivatives of a point's place by the crank angle.
-pub const LABELS: [&str; 20] = [
+pub const LABELS: [&str; 31] = [
     "A", "B", "C", "D", "4", "5", "phi1", "mu", "C1", "C2", "C3", "l1", "l2", "l3", "l4", "l5",
-    "B′", "B″", "C′", "C″",
+    "B′", "B″", "C′", "C″", "6", "7", "8", "9", "10", "P1", "P2", "P3", "P4", "P5", "P6",
 ];
 
 /// A display list under construction.
@@ -176,6 +197,9 @@ mod tests {
         assert_eq!(LABELS[Label::C3 as usize], "C3");
         assert_eq!(LABELS[Label::L5 as usize], "l5");
         assert_eq!(LABELS[Label::CAcceleration as usize], "C″");
+        assert_eq!(LABELS[Label::Ten as usize], "10");
+        assert_eq!(LABELS[Label::P6 as usize], "P6");
+        assert_eq!(ROLES[Role::Wheel10 as usize], "wheel10");
         assert_eq!(Look::Soft as u8, 6);
     }
 

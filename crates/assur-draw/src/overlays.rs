@@ -35,31 +35,38 @@ impl Scales {
     /// The longest usual vector beside the drawing's size.
     const LONGEST: f64 = 0.3;
 
+    /// Of the longest, what is made room for beside the drawing's size.
+    const ROOM: f64 = 0.5;
+
     /// The scales for a drawing of this size: constant over the cycle. Next to
     /// dead points C's vectors grow without bounds, so the longest tenth of them
-    /// does not count.
-    pub(crate) fn new(mixer: &Mixer, size: f64) -> Self {
-        let cycle = mixer.linkage.cycle();
-        let mut lengths = [Vec::new(), Vec::new()];
-        for [from, to] in cycle.arcs() {
+    /// does not count. With them the tips for which there must be room.
+    pub(crate) fn new(mixer: &Mixer, size: f64) -> (Self, Vec<Point>) {
+        let mut joints = Vec::new();
+        for [from, to] in mixer.linkage.cycle().arcs() {
             for i in 0..Self::SAMPLES {
                 let share = (f64::from(i) + 0.5) / f64::from(Self::SAMPLES);
                 let crank = from + (to - from) * share;
-                let Ok(pose) = mixer.linkage.pose::<3>(mixer.assembly, crank) else {
-                    continue;
-                };
-                let c = mixer.linkage.joints(&pose)[2];
-                for (order, lengths) in (1..).zip(&mut lengths) {
-                    lengths.push(c.derivative(order).norm());
+                if let Ok(pose) = mixer.linkage.pose::<3>(mixer.assembly, crank) {
+                    let [_, b, c, _] = mixer.linkage.joints(&pose);
+                    joints.push([b, c]);
                 }
             }
         }
         let l1 = mixer.linkage.length(Link::Crank);
-        Self(lengths.map(|mut lengths| {
+        let scales = Self([1, 2].map(|order| {
+            let of_c = joints.iter().map(|[_, c]| c.derivative(order).norm());
+            let mut lengths: Vec<f64> = of_c.collect();
             lengths.sort_by(f64::total_cmp);
             let usual = lengths.get(lengths.len() * 9 / 10).copied();
             Self::LONGEST * size / usual.unwrap_or(l1).max(l1)
-        }))
+        }));
+        let tips = joints.iter().flatten().flat_map(|joint| {
+            [1, 2].map(|order| (joint.place(), joint.derivative(order) * scales.0[order - 1]))
+        });
+        let near = tips.filter(|(_, vector)| vector.norm() <= Self::ROOM * size);
+        let tips = near.map(|(place, vector)| place + vector).collect();
+        (scales, tips)
     }
 }
 
@@ -157,7 +164,8 @@ mod tests {
 
     fn pose(crank: f64) -> (Mixer, Pose<3>) {
         let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
-        (mixer, mixer.linkage.pose(mixer.assembly, crank).unwrap())
+        let pose = mixer.linkage.pose(mixer.assembly, crank).unwrap();
+        (mixer, pose)
     }
 
     /// The points of the polylines and the labels `(label, x, y)` of a list of
@@ -187,7 +195,7 @@ mod tests {
     fn analogues_are_derivatives_to_scale() {
         for crank in [0.3, 2.0, 5.1] {
             let (mixer, pose) = pose(crank);
-            let scales = Scales::new(&mixer, 2.0);
+            let (scales, _) = Scales::new(&mixer, 2.0);
             let mut list = List::default();
             analogues(&mut list, &mixer, &pose, scales, 0.02);
             let (_, labels) = parts_of(&list);
@@ -225,7 +233,7 @@ mod tests {
                 ..Case::A.dimensions()
             };
             let mixer = Mixer::new(&dimensions).unwrap();
-            for scale in Scales::new(&mixer, 2.0).0 {
+            for scale in Scales::new(&mixer, 2.0).0.0 {
                 assert!(scale.is_finite() && scale > 0.0, "{lengths:?}: {scale}");
             }
         }

@@ -72,6 +72,13 @@ pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
         .collect()
 }
 
+/// How far a place is from the line between two others.
+pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
+    let along = to - from;
+    let share = (place - from).dot(&along) / along.norm_squared();
+    (place - (from + along * share.clamp(0.0, 1.0))).norm()
+}
+
 fn capsule(from: Point, to: Point, half_width: f64) -> Vec<Point> {
     let along = to - from;
     let direction = along.y.atan2(along.x);

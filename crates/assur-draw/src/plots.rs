@@ -8,6 +8,7 @@ use assur::motion::{Features, Input, features};
 
 use crate::chart::{Chart, Kind, Sample, Series, Settings};
 use crate::list::Role;
+use crate::wheels;
 
 /// Where the crank cannot turn fully, derivatives grow without bound towards the
 /// dead points: ranges are taken where the transmission angle exceeds this.
@@ -70,7 +71,7 @@ fn role(quantity: Quantity) -> Role {
     match quantity {
         Quantity::Angle(Turning::Coupler) => Role::Coupler,
         Quantity::Angle(Turning::Rocker) => Role::Rocker,
-        Quantity::Angle(Turning::Wheel5) => Role::Wheel5,
+        Quantity::Angle(Turning::Wheel(index)) => wheels::role(index),
         Quantity::Coordinate(_, Axis::X) => Role::X,
         Quantity::Coordinate(_, Axis::Y) => Role::Y,
     }

@@ -23,6 +23,7 @@ pub struct Mate {
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
+    module: f64,
 }
 
 impl GearSet {
@@ -74,7 +75,7 @@ impl GearSet {
             }
         }
         if reasons.is_empty() {
-            Ok(Self { pairs })
+            Ok(Self { pairs, module })
         } else {
             Err(reasons)
         }
@@ -83,6 +84,11 @@ impl GearSet {
     /// The driver with each of its wheels, in the order given.
     pub fn pairs(&self) -> &[GearPair] {
         &self.pairs
+    }
+
+    /// The module of all wheels, in the unit of the lengths.
+    pub fn module(&self) -> f64 {
+        self.module
     }
 
     /// The wheels (counted from 0, the smaller first) whose discs to the tips of
