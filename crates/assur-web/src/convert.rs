@@ -1,10 +1,10 @@
 //! JavaScript's values to the engine's and back.
 
 use assur::Assembly;
-use assur::catalog::mixer::{Dragged, Joint};
+use assur::catalog::mixer::{Dragged, Joint, Tracer};
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
-use assur_file::Problem;
+use assur_file::{Problem, TracerDocument};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -22,12 +22,16 @@ pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> 
     to_js(&problems)
 }
 
-/// What dragging a joint changes, under the names of the page.
+/// What dragging a point changes, under the names of the page.
 #[derive(Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Change {
     Phi(f64),
     Document(Edit),
+    #[serde(rename = "document")]
+    Traced {
+        tracers: Vec<TracerDocument>,
+    },
 }
 
 /// The fields of the document that a dragged joint changes.
@@ -42,6 +46,13 @@ pub(crate) struct Edit {
 }
 
 impl Change {
+    /// The traced points, where one of them was put somewhere.
+    pub(crate) fn tracers(tracers: &[Tracer]) -> Self {
+        Self::Traced {
+            tracers: tracers.iter().map(Into::into).collect(),
+        }
+    }
+
     pub(crate) fn new(joint: Joint, dragged: Dragged) -> Self {
         match dragged {
             Dragged::Crank(phi) => Self::Phi(phi),

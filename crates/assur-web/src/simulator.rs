@@ -62,12 +62,12 @@ impl Simulator {
             differenced: state.view.differenced,
         };
         self.loaded = Some(Loaded {
-            mixer,
             cycle: mixer.linkage.cycle(),
             quantities: mixer.quantities(),
             chart: plot(&mixer, &plotted, settings),
             plotted,
             scene,
+            mixer,
         });
         Ok(to_js(&summary))
     }
@@ -125,38 +125,68 @@ impl Simulator {
         loaded.rates(&loaded.plotted, phi)
     }
 
-    /// Where the joints A, B, C, D are at a crank angle: x and y of each.
+    /// Where the joints A, B, C, D and the traced points P₁, … are at a crank
+    /// angle: x and y of each.
     ///
     /// # Errors
     /// Why there is no pose.
     pub fn joints(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
         let Loaded { mixer, .. } = self.loaded()?;
         let pose: Pose<1> = solved(mixer.linkage.pose(mixer.assembly, phi))?;
-        let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
-        Ok(joints.iter().flat_map(|at| [at.x, at.y]).collect())
+        let traced = mixer.tracers().iter().map(|one| mixer.traced(&pose, one));
+        let points = mixer.linkage.joints(&pose).into_iter().chain(traced);
+        Ok(points
+            .map(|point| point.place())
+            .flat_map(|at| [at.x, at.y])
+            .collect())
     }
 
-    /// What dragging a joint (`B`, `C` or `D`) to a place changes, with the crank
-    /// at an angle: `{phi}` or `{document}` with the fields that become others.
-    /// Whether those make a mechanism is found out by `set`.
+    /// What dragging a joint (`B`, `C` or `D`) or a traced point (`P1`, …) to a
+    /// place changes, with the crank at an angle: `{phi}` or `{document}` with the
+    /// fields that become others. A traced point keeps to its link. Whether the
+    /// fields make a mechanism is found out by `set`.
     ///
     /// # Errors
-    /// An unknown joint, a place that is not finite; no pose to drag D in.
+    /// An unknown joint, a place that is not finite; no pose to drag D or a traced
+    /// point in.
     pub fn drag(&self, joint: &str, phi: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let Loaded { mixer, .. } = self.loaded()?;
+        let place = Point::new(x, y);
         let joint = match joint {
             "B" => Joint::B,
             "C" => Joint::C,
             "D" => Joint::D,
             other => {
-                return Err(thrown([Problem::BadState {
-                    path: "joint".to_owned(),
-                    detail: other.to_owned(),
-                }]));
+                let index = (0..mixer.tracers().len()).find(|i| other == format!("P{}", i + 1));
+                let Some(index) = index else {
+                    return Err(thrown([Problem::BadState {
+                        path: "joint".to_owned(),
+                        detail: other.to_owned(),
+                    }]));
+                };
+                let mut tracers = mixer.tracers().to_vec();
+                let pose = solved(mixer.linkage.pose(mixer.assembly, phi))?;
+                tracers[index] = mixer.tracer_at(&pose, tracers[index].carrier, place);
+                return Ok(to_js(&Change::tracers(&tracers)));
             }
         };
-        let dragged = solved(mixer.dragged(joint, phi, Point::new(x, y)))?;
+        let dragged = solved(mixer.dragged(joint, phi, place))?;
         Ok(to_js(&Change::new(joint, dragged)))
+    }
+
+    /// What tracing the point at a place changes, with the crank at an angle:
+    /// `{document}` with one more traced point, on the link drawn nearest.
+    ///
+    /// # Errors
+    /// Why there is no pose to put a point on.
+    pub fn trace(&self, phi: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let Loaded { mixer, scene, .. } = self.loaded()?;
+        let place = Point::new(x, y);
+        let pose = solved(mixer.linkage.pose(mixer.assembly, phi))?;
+        let carrier = solved(scene.carrier_at(phi, place))?;
+        let mut tracers = mixer.tracers().to_vec();
+        tracers.push(mixer.tracer_at(&pose, carrier, place));
+        Ok(to_js(&Change::tracers(&tracers)))
     }
 
     /// The crank angle moved by `delta`, and −1 where it turned back at the end

@@ -1,6 +1,9 @@
 //! What the page shows of a whole motion, under the names it knows.
 
+use std::f64::consts::TAU;
+
 use assur::catalog::mixer::Mixer;
+use assur::gears::GearPair;
 use assur::{Grashof, Swing};
 use serde::Serialize;
 
@@ -9,11 +12,13 @@ pub(crate) struct Summary {
     grashof: &'static str,
     cycle: CycleSummary,
     home: f64,
-    swing: Swings,
+    swing: Vec<Option<Between>>,
+    wheels: Vec<WheelSummary>,
+    overlaps: Vec<[usize; 2]>,
+    free_direction: f64,
     limits: Vec<LimitSummary>,
     time_ratio: Option<f64>,
     transmission: Transmission,
-    ratio: f64,
     dead_points: Vec<f64>,
     change_points: Vec<f64>,
     bounds: [f64; 4],
@@ -27,11 +32,13 @@ struct CycleSummary {
     arcs: Vec<[f64; 2]>,
 }
 
-/// One for every arc of the cycle, none where the wheel turns fully.
+/// A peripheral wheel; swings as the rocker's: one for every arc of the cycle,
+/// none where it turns fully. Turns there and back, per cycle.
 #[derive(Serialize)]
-struct Swings {
-    rocker: Vec<Option<Between>>,
-    wheel5: Vec<Option<Between>>,
+struct WheelSummary {
+    ratio: f64,
+    swing: Vec<Option<Between>>,
+    turns: Vec<f64>,
 }
 
 #[derive(Serialize)]
@@ -59,7 +66,18 @@ impl Summary {
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
         let swings = linkage.swings(assembly);
-        let ratio = mixer.gears.ratio();
+        let travels = linkage.travels(assembly);
+        let wheel = |pair: &GearPair| {
+            let ratio = pair.ratio();
+            let swing = swings.iter().map(|swing| between(swing.scaled(ratio)));
+            let turns = travels.iter().map(|travel| travel * ratio.abs() / TAU);
+            WheelSummary {
+                ratio,
+                swing: swing.collect(),
+                turns: turns.collect(),
+            }
+        };
+        let pairs = mixer.gears.pairs();
         let (min, phi) = linkage.worst_transmission();
         let limit = |limit: assur::Limit| LimitSummary {
             phi: limit.crank,
@@ -68,17 +86,13 @@ impl Summary {
         Self {
             grashof: grashof(linkage.grashof()),
             home: cycle.home(),
-            swing: Swings {
-                rocker: swings.iter().map(|swing| between(*swing)).collect(),
-                wheel5: swings
-                    .iter()
-                    .map(|swing| between(swing.scaled(ratio)))
-                    .collect(),
-            },
+            swing: swings.iter().map(|swing| between(*swing)).collect(),
+            wheels: pairs.iter().map(wheel).collect(),
+            overlaps: mixer.gears.overlaps(),
+            free_direction: mixer.gears.free_direction(),
             limits: linkage.limits(assembly).into_iter().map(limit).collect(),
             time_ratio: linkage.time_ratio(assembly),
             transmission: Transmission { min, phi },
-            ratio,
             dead_points: linkage.dead_points(),
             change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
             bounds,

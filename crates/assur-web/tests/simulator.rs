@@ -66,16 +66,16 @@ fn summary_reads_as_the_papers_conclusions() {
         let document = get(&presets(), &format!("{preset}.document"));
         Reflect::set(&state, &"document".into(), &document).unwrap();
         let summary = simulator.set(state).unwrap();
-        let stroke = |name: &str| number(&summary, &format!("swing.{name}.0.stroke")).to_degrees();
+        let stroke = |name: &str| number(&summary, &format!("{name}.0.stroke")).to_degrees();
         assert!(
-            (stroke("rocker") - rocker).abs() < 1e-9,
+            (stroke("swing") - rocker).abs() < 1e-9,
             "{}",
-            stroke("rocker")
+            stroke("swing")
         );
         assert!(
-            (stroke("wheel5") - wheel5).abs() < 1e-7,
+            (stroke("wheels.0.swing") - wheel5).abs() < 1e-7,
             "{}",
-            stroke("wheel5")
+            stroke("wheels.0.swing")
         );
         assert_eq!(
             get(&summary, "grashof").as_string().unwrap(),
@@ -111,13 +111,9 @@ fn bad_input_names_the_field_and_changes_nothing() {
         ("l4", number(1e300), "out_of_range"),
         ("l4", number(5.0), "too_long"),
         ("z4", number(0.0), "not_positive"),
-        ("z5", number(-3.0), "not_positive"),
-        ("z5", number(1.5), "not_whole"),
-        ("z5", number(1e9), "out_of_range"),
         ("mesh", "worm".into(), "unknown_choice"),
         ("assembly", number(3.0), "unknown_choice"),
         ("module", number(0.0), "not_positive"),
-        ("centre_line_deg", number(f64::NAN), "not_a_number"),
     ] {
         let state = state();
         put(&state, "document", field, value);
@@ -125,6 +121,85 @@ fn bad_input_names_the_field_and_changes_nothing() {
         assert_eq!(problems, [(code.to_owned(), field.to_owned())]);
         assert_eq!(simulator.frame(1.0).unwrap(), before);
     }
+    for (place, field, value, code) in [
+        ("wheels.1", "z", number(-3.0), "not_positive"),
+        ("wheels.1", "z", number(1.5), "not_whole"),
+        ("wheels.0", "z", number(1e9), "out_of_range"),
+        (
+            "wheels.1",
+            "centre_line_deg",
+            number(f64::NAN),
+            "not_a_number",
+        ),
+        ("tracers.0", "link", "wheel7".into(), "unknown_choice"),
+        ("tracers.0", "x", number(1e300), "out_of_range"),
+    ] {
+        let state = full();
+        put(&state, &format!("document.{place}"), field, value);
+        let problems = thrown(simulator.set(state).unwrap_err());
+        let (list, index) = place.split_once('.').unwrap();
+        assert_eq!(
+            problems,
+            [(code.to_owned(), format!("{list}[{index}].{field}"))]
+        );
+        assert_eq!(simulator.frame(1.0).unwrap(), before);
+    }
+}
+
+/// Two wheels and a point on the second of them.
+fn full() -> JsValue {
+    let state = state();
+    let wheels = r#"[{"z":18,"centre_line_deg":-40},{"z":24,"centre_line_deg":0}]"#;
+    put(&state, "document", "wheels", JSON::parse(wheels).unwrap());
+    let tracers = r#"[{"link":"wheel6","x":0.1,"y":0.05}]"#;
+    put(&state, "document", "tracers", JSON::parse(tracers).unwrap());
+    state
+}
+
+#[wasm_bindgen_test]
+fn wheels_are_summed_up_one_by_one() {
+    let summary = Simulator::new().set(full()).unwrap();
+    // There and back, over one turn of the crank.
+    let stroke = 87.904_535_205_78;
+    for (wheel, ratio) in [(0, 2.0), (1, 1.5)] {
+        let of = |key: &str| number(&summary, &format!("wheels.{wheel}.{key}"));
+        assert_eq!(of("ratio"), -ratio);
+        assert!((of("swing.0.stroke").to_degrees() - ratio * stroke).abs() < 1e-7);
+        assert!((of("turns.0") - ratio * stroke / 180.0).abs() < 1e-10);
+    }
+    // Their tips pass each other: 40° apart on 27 and 30 modules, 10 and 13 high.
+    assert_eq!(number(&summary, "overlaps.0.0"), 0.0);
+    assert_eq!(number(&summary, "overlaps.0.1"), 1.0);
+    let free = number(&summary, "free_direction").to_degrees();
+    assert!((free.abs() - 160.0).abs() < 5.0, "{free}");
+}
+
+#[wasm_bindgen_test]
+fn points_are_put_on_links_and_dragged_along() {
+    let mut simulator = Simulator::new();
+    simulator.set(full()).unwrap();
+    let places = simulator.joints(1.0).unwrap();
+    assert_eq!(places.len(), 2 * 5);
+    let [x, y] = [places[8] + 0.02, places[9] - 0.03];
+    let state = full();
+    let dragged = simulator.drag("P1", 1.0, x, y).unwrap();
+    let tracers = get(&dragged, "document.tracers");
+    assert_eq!(get(&tracers, "0.link").as_string().unwrap(), "wheel6");
+    put(&state, "document", "tracers", tracers);
+    simulator.set(state).unwrap();
+    let places = simulator.joints(1.0).unwrap();
+    assert!((places[8] - x).hypot(places[9] - y) < 1e-14);
+
+    // A new one on the coupler's middle.
+    let [x, y] = [0.5 * (places[2] + places[4]), 0.5 * (places[3] + places[5])];
+    let tracers = get(&simulator.trace(1.0, x, y).unwrap(), "document.tracers");
+    assert_eq!(get(&tracers, "1.link").as_string().unwrap(), "coupler");
+    assert!((number(&tracers, "1.x") - 0.425).abs() < 1e-12);
+    assert!(number(&tracers, "1.y").abs() < 1e-12);
+    assert_eq!(
+        thrown(simulator.drag("P2", 1.0, x, y).unwrap_err())[0].0,
+        "bad_state"
+    );
 }
 
 #[wasm_bindgen_test]
