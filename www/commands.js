@@ -5,7 +5,7 @@ import { contains, withDocument, withView } from "assur/state.js";
 import { SPEEDS } from "assur/transport.js";
 
 /**
- * @typedef {import("assur/state.js").MixerDocument} MixerDocument
+ * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state.js").State} State
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
@@ -16,7 +16,7 @@ import { SPEEDS } from "assur/transport.js";
  *   model: import("assur/model.js").Model,
  *   drafts: import("assur/drafts.js").Drafts,
  *   history: import("assur/history.js").History,
- *   presets: readonly { id: string, document: MixerDocument }[],
+ *   presets: Engine["presets"],
  * }} parts
  * @returns {Commands}
  */
@@ -63,6 +63,6 @@ export function commands({ store, model, drafts, history, presets }) {
     assembly2: () => assemble(2),
     undo: () => history.undo(),
     redo: () => history.redo(),
-    reset: () => history.step(() => store.update((state) => withDocument(state, preset))),
+    reset: () => history.step(() => store.update((state) => withDocument(state, { ...preset, tracers: [] }))),
   });
 }

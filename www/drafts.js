@@ -24,9 +24,11 @@ export class Drafts {
     if (this.#texts.delete(field)) this.#changed();
   }
 
-  /** @param {readonly string[]} fields */
+  /** @param {readonly string[]} fields; a list is dropped with all that is in it */
   dropAll(fields) {
-    for (const field of fields) this.drop(field);
+    for (const field of this.fields()) {
+      if (fields.includes(field) || fields.includes(partOf(field))) this.drop(field);
+    }
   }
 
   /** @param {string} field */
@@ -38,4 +40,12 @@ export class Drafts {
   fields() {
     return [...this.#texts.keys()];
   }
+}
+
+/**
+ * @param {string} field such as `wheels[2].z`
+ * @returns {string} the part of the document that holds it: `wheels`
+ */
+export function partOf(field) {
+  return field.split("[", 1)[0];
 }

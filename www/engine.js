@@ -6,17 +6,20 @@ import init, { Simulator, labelNames, presets, readState, roleNames } from "assu
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
  * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
  * @typedef {{ min: number, max: number, stroke: number }} Swing
+ * @typedef {{ ratio: number, swing: (Swing | null)[], turns: number[] }} WheelSummary
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
  * @typedef {{
  *   grashof: string,
  *   cycle: Cycle,
  *   home: number,
- *   swing: { rocker: (Swing | null)[], wheel5: (Swing | null)[] },
+ *   swing: (Swing | null)[],
+ *   wheels: WheelSummary[],
+ *   overlaps: [number, number][],
+ *   free_direction: number,
  *   limits: { phi: number, rocker: number }[],
  *   time_ratio: number | null,
  *   transmission: { min: number, phi: number },
- *   ratio: number,
  *   dead_points: number[],
  *   change_points: number[],
  *   bounds: [number, number, number, number],
@@ -67,8 +70,8 @@ export class Engine {
   roles = roleNames();
   /** @type {readonly string[]} */
   labels = labelNames();
-  /** @type {readonly { id: string, document: MixerDocument }[]} */
-  presets = presets();
+  /** @type {readonly { id: string, document: Omit<MixerDocument, "tracers"> }[]} the dimensions of each; what is traced stays */
+  presets = presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} the points whose coordinates can be plotted */
@@ -118,15 +121,15 @@ export class Engine {
 
   /**
    * @param {number} phi
-   * @returns {Float64Array} x and y of the joints A, B, C, D
+   * @returns {Float64Array} x and y of the joints A, B, C, D and of the traced points
    */
   joints(phi) {
     return this.#ask((simulator) => simulator.joints(phi));
   }
 
   /**
-   * What dragging a joint to a place changes.
-   * @param {"B" | "C" | "D"} joint
+   * What dragging a joint or a traced point to a place changes.
+   * @param {string} joint
    * @param {number} phi where the crank is
    * @param {number} x
    * @param {number} y
@@ -134,6 +137,17 @@ export class Engine {
    */
   drag(joint, phi, x, y) {
     return this.#ask((simulator) => simulator.drag(joint, phi, x, y));
+  }
+
+  /**
+   * What tracing the point at a place changes.
+   * @param {number} phi where the crank is
+   * @param {number} x
+   * @param {number} y
+   * @returns {{ document: { tracers: import("assur/state.js").Tracer[] } }}
+   */
+  trace(phi, x, y) {
+    return this.#ask((simulator) => simulator.trace(phi, x, y));
   }
 
   /**

@@ -23,6 +23,7 @@ export const KEYS = Object.freeze([
   { command: "reverse", name: "transport.reverse", combos: ["R"], control: "reverse" },
   { command: "assembly1", name: "key.assembly1", combos: ["1"], control: "assembly-1" },
   { command: "assembly2", name: "key.assembly2", combos: ["2"], control: "assembly-2" },
+  { command: "trace", name: "tracers.trace", combos: ["T"], control: "trace" },
   { command: "undo", name: "edit.undo", combos: ["Control+Z"], control: "undo", again: true },
   { command: "redo", name: "edit.redo", combos: ["Control+Shift+Z", "Control+Y"], control: "redo", again: true },
   { command: "help", name: "help.label", combos: ["?"], control: "help-open" },

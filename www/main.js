@@ -69,9 +69,10 @@ function run(engine, habits, opening, startWords) {
   });
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
-  new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
+  const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const views = [
     mechanism,
+    hands,
     chart,
     cursor,
     new Transport(store, model, drafts),
@@ -84,9 +85,10 @@ function run(engine, habits, opening, startWords) {
     notices,
   ];
 
-  listen({ ...commands, help: () => help.showModal(), close: () => {
+  listen({ ...commands, trace: () => hands.trace(), help: () => help.showModal(), close: () => {
     header.close();
     notices.clear();
+    hands.trace(false);
   } });
 
   let unwritten = 0;

@@ -1,9 +1,9 @@
-// Hands on the drawing: joints are dragged, empty paper is panned, the wheel and two fingers zoom.
+// Hands on the drawing: joints and traced points are dragged, empty paper is panned, the wheel and two fingers zoom.
 import { degrees, ontoAxis, radians } from "assur/angles.js";
 import { byId, setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
 import { placed } from "assur/player.js";
-import { withDocument, withView } from "assur/state.js";
+import { LISTS, withDocument, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -37,6 +37,9 @@ export class MechanismHands {
   #pointers = new Map();
   /** @type {{ name: Joint["name"], dx: number, dy: number } | null} the joint in hand, and where it was taken */
   #taken = null;
+  /** Whether the next press puts a traced point. */
+  #tracing = false;
+  #trace = byId("trace", HTMLButtonElement);
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -66,6 +69,23 @@ export class MechanismHands {
     byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));
     byId("zoom-fit", HTMLButtonElement).addEventListener("click", () => view.fit());
     byId("presets", HTMLElement).addEventListener("click", () => view.fit());
+    this.#trace.addEventListener("click", () => this.trace(!this.#tracing));
+  }
+
+  /**
+   * Takes up the tool that puts a traced point, or lays it down.
+   * @param {boolean} [on] the other of the two where it is not said
+   */
+  trace(on = !this.#tracing) {
+    this.#tracing = on && !this.#trace.disabled;
+    this.#trace.setAttribute("aria-pressed", String(this.#tracing));
+    setData(this.#canvas, "tracing", String(this.#tracing));
+  }
+
+  /** @param {{ state: State }} snapshot */
+  render({ state }) {
+    const full = state.document.tracers.length >= LISTS.tracers.most;
+    if (this.#trace.disabled !== full) this.#trace.disabled = full;
   }
 
   /** @param {PointerEvent} event */
@@ -78,7 +98,7 @@ export class MechanismHands {
       this.#drop();
       return;
     }
-    const joint = this.#near(at, event.pointerType);
+    const joint = this.#tracing ? this.#put(at) : this.#near(at, event.pointerType);
     if (!joint) {
       this.#show("");
       return;
@@ -116,6 +136,22 @@ export class MechanismHands {
     if (!this.#taken) return;
     this.#taken = null;
     this.#view.release();
+  }
+
+  /**
+   * Puts a traced point on the link next to a place.
+   * @param {Place} at
+   * @returns {Joint | null} the point, in hand; null where there is no mechanism to put it on
+   */
+  #put(at) {
+    const [x, y] = this.#view.view.toModel(at.x, at.y);
+    const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
+    const put = attempt(() => this.#engine.trace(radians(phiDeg), x, y)).value;
+    if (!put) return null;
+    this.#store.update((state) => withDocument(state, put.document));
+    this.trace(false);
+    const { tracers } = put.document;
+    return { name: `P${tracers.length}`, role: tracers[tracers.length - 1].link, x, y };
   }
 
   /**
@@ -175,7 +211,7 @@ export class MechanismHands {
   /** @param {TouchEvent} event */
   #touch(event) {
     const [touch] = event.touches;
-    const ours = event.touches.length > 1 || this.#view.zoomed || this.#near(this.#place(touch), "touch");
+    const ours = event.touches.length > 1 || this.#view.zoomed || this.#tracing || this.#near(this.#place(touch), "touch");
     if (ours && event.cancelable) event.preventDefault();
   }
 

@@ -4,6 +4,7 @@ import { readDisplayList } from "assur/display-list.js";
 import { setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
 import { Painter } from "assur/painter.js";
+import { subscript } from "assur/panels.js";
 import { Sheet } from "assur/sheet.js";
 import { Surface } from "assur/surface.js";
 import { Transform, Zoom } from "assur/transform.js";
@@ -13,7 +14,7 @@ import { Transform, Zoom } from "assur/transform.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
- * @typedef {{ name: "B" | "C" | "D", role: string, x: number, y: number }} Joint a joint in model coordinates
+ * @typedef {{ name: string, role: string, x: number, y: number }} Joint a joint or a traced point in model coordinates
  */
 
 /** Free room around the drawing, in pixels. */
@@ -71,17 +72,19 @@ export class MechanismView {
     this.#draw();
   }
 
-  /** @returns {Joint[]} the joints that can be dragged, where they are drawn */
+  /** @returns {Joint[]} the joints and traced points that can be dragged, where they are drawn */
   joints() {
     const snapshot = this.#snapshot;
     if (!snapshot) return [];
     const places = attempt(() => this.#engine.joints(radians(snapshot.frameDeg))).value;
     if (!places) return [];
-    const [, , bx, by, cx, cy, dx, dy] = places;
+    const [, , bx, by, cx, cy, dx, dy, ...traced] = places;
+    const { tracers } = snapshot.state.document;
     return [
       { name: "B", role: "crank", x: bx, y: by },
       { name: "C", role: "rocker", x: cx, y: cy },
       { name: "D", role: "ink", x: dx, y: dy },
+      ...tracers.flatMap(({ link }, i) => (2 * i < traced.length ? { name: `P${i + 1}`, role: link, x: traced[2 * i], y: traced[2 * i + 1] } : [])),
     ];
   }
 
@@ -218,5 +221,5 @@ function readPoses(frame) {
 function labelText(label, { frameDeg, readouts, words }) {
   if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
   if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
-  return label.replace(/(?<=\p{L})\d/gu, (digit) => String.fromCharCode(0x2080 + Number(digit)));
+  return label.replace(/(?<=\p{L})\d/gu, subscript);
 }

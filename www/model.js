@@ -1,5 +1,6 @@
 // From the state to everything that is shown: asks the engine only for what a change makes necessary.
 import { degrees, ontoAxis, radians } from "assur/angles.js";
+import { partOf } from "assur/drafts.js";
 import { attempt } from "assur/engine.js";
 import { DRAWN } from "assur/state.js";
 
@@ -127,7 +128,7 @@ export class Model {
     // What is typed takes the place of what the state still holds.
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.fields().map((field) => ({ code: "not_a_number", field }));
-    const stale = this.#refused.length > 0 || drafted.some(({ field }) => field in state.document);
+    const stale = this.#refused.length > 0 || drafted.some(({ field }) => partOf(field) in state.document);
     // While it plays, a dead point is passed within one frame: too short for a sentence.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;

@@ -5,12 +5,16 @@ import { NumberBox } from "assur/number-box.js";
 /**
  * @typedef {Readonly<{ min: number, max: number, step: number }>} SliderRange
  * @typedef {Readonly<{
- *   field: import("assur/state.js").NumberField,
+ *   field: string,
+ *   id?: string,
+ *   key?: string,
+ *   n?: string,
  *   symbol: string,
  *   role: string,
  *   slider?: SliderRange,
  *   unit?: string,
  * }>} RowKind
+ * `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
  */
 
 export class NumberRow {
@@ -25,17 +29,18 @@ export class NumberRow {
    * @param {(value: number) => void} set
    */
   constructor(kind, drafts, set) {
-    const { field, symbol, role, slider } = kind;
+    const { field, id = field, key = field, n = "", symbol, role, slider } = kind;
     this.#kind = kind;
     this.field = field;
     const input = make("input", {
-      id: `field-${field}`,
+      id: `field-${id}`,
       class: "control number",
       type: "text",
       inputmode: "decimal",
       autocomplete: "off",
       spellcheck: "false",
-      "data-t-label": `field.${field}`,
+      "data-t-label": `field.${key}`,
+      "data-n": n,
     });
     this.#box = new NumberBox(input, field, drafts, (value) => {
       set(value);
@@ -44,11 +49,11 @@ export class NumberRow {
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, [symbol]),
       " ",
-      make("span", { "data-t": `name.${field}` }),
+      make("span", { "data-t": `name.${key}`, "data-n": n }),
     ]);
     this.element = make("div", { class: "row", style: `--accent: var(--role-${role})` }, [name, input]);
     if (slider) {
-      this.#slider = makeSlider(field, slider);
+      this.#slider = makeSlider(id, key, n, slider);
       this.#slider.addEventListener("input", () => {
         drafts.drop(field);
         set(Number(this.#slider?.value));
@@ -77,16 +82,19 @@ export class NumberRow {
 }
 
 /**
- * @param {string} field
+ * @param {string} id
+ * @param {string} key
+ * @param {string} n
  * @param {SliderRange} range
  */
-function makeSlider(field, { min, max, step }) {
+function makeSlider(id, key, n, { min, max, step }) {
   return make("input", {
-    id: `slider-${field}`,
+    id: `slider-${id}`,
     type: "range",
     min: String(min),
     max: String(max),
     step: String(step),
-    "data-t-label": `slider.${field}`,
+    "data-t-label": `slider.${key}`,
+    "data-n": n,
   });
 }

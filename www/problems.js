@@ -1,12 +1,29 @@
 // Problems of the engine as sentences.
 import { degrees } from "assur/angles.js";
 import { byId, make } from "assur/dom.js";
+import { subscript } from "assur/panels.js";
+import { LISTS } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/words.js").Words} Words
  */
+
+/** A part of an entry of a list, such as `wheels[2].z`. */
+const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
+
+/**
+ * @param {string} field
+ * @param {Words} words
+ * @returns {string} its name, with the number of the wheel or point
+ */
+function fieldName(field, words) {
+  const [, list, index, part] = ENTRY.exec(field) ?? [];
+  if (!list) return words.text(`field.${field}`);
+  const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);
+  return words.text(`field.${list}.${part}`, { n: list === "tracers" ? subscript(number) : number });
+}
 
 /**
  * @param {Problem} problem
@@ -19,7 +36,7 @@ export function sentence(problem, words) {
   /** @type {Record<string, string>} */
   const places = {};
   for (const [name, value] of Object.entries(problem)) {
-    if (name === "field") places.field = words.text(`field.${value}`);
+    if (name === "field") places.field = fieldName(String(value), words);
     else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);

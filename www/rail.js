@@ -1,6 +1,7 @@
 // The left rail: presets, lengths, wheels, mesh, assembly, what to show.
 import { byId, make } from "assur/dom.js";
 import { NumberRow } from "assur/number-row.js";
+import { RailList, TEETH, anotherTracer, anotherWheel, tracerCard, wheelCard } from "assur/rail-lists.js";
 import { SWITCHES, contains, withDocument, withView } from "assur/state.js";
 
 /**
@@ -13,7 +14,6 @@ import { SWITCHES, contains, withDocument, withView } from "assur/state.js";
  */
 
 const LENGTH = Object.freeze({ min: 0.05, max: 1.5, step: 0.01 });
-const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 
 /** @type {readonly RowKind[]} */
 const LENGTHS = Object.freeze([
@@ -25,10 +25,8 @@ const LENGTHS = Object.freeze([
 
 /** @type {readonly RowKind[]} */
 const WHEELS = Object.freeze([
-  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH },
-  { field: "z5", symbol: "z₅", role: "wheel5", slider: TEETH },
   { field: "module", symbol: "m", role: "secondary" },
-  { field: "centre_line_deg", symbol: "β", role: "secondary", unit: "°" },
+  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH },
 ]);
 
 const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
@@ -37,10 +35,11 @@ const ASSEMBLIES = /** @type {const} */ ([1, 2]);
 export class Rail {
   /** @type {NumberRow[]} */
   #rows = [];
-  /** @type {{ button: HTMLButtonElement, document: MixerDocument }[]} */
+  /** @type {{ button: HTMLButtonElement, document: Partial<MixerDocument> }[]} */
   #presets = [];
   /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
   #choices = [];
+  #lists;
   #switches = SWITCHES.map((name) => ({ name, input: byId(name, HTMLInputElement) }));
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
@@ -54,13 +53,17 @@ export class Rail {
     const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => withDocument(state, change));
     byId("rail", HTMLFormElement).addEventListener("submit", (event) => event.preventDefault());
 
-    for (const [place, kinds] of /** @type {const} */ ([["lengths", LENGTHS], ["wheels", WHEELS]])) {
+    for (const [place, kinds] of /** @type {const} */ ([["lengths", LENGTHS], ["train", WHEELS]])) {
       for (const kind of kinds) {
         const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
         byId(place, HTMLElement).append(row.element);
         this.#rows.push(row);
       }
     }
+    this.#lists = [
+      new RailList("wheels", wheelCard, anotherWheel, store, drafts),
+      new RailList("tracers", tracerCard, anotherTracer, store, drafts),
+    ];
     for (const { id, document } of engine.presets) {
       const button = make("button", { id: `preset-${id}`, type: "button", class: "segment", "data-t": `preset.${id}` });
       button.addEventListener("click", () => {
@@ -79,12 +82,13 @@ export class Rail {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, problems, words } = snapshot;
+    const { state, problems, words, summary } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, ...SWITCHES.map((name) => state.view[name]), words, ...wrong];
+    const shown = [state.document, ...SWITCHES.map((name) => state.view[name]), words, summary, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    for (const row of this.#rows) row.show(state.document[row.field], words.numbers, wrong.has(row.field));
+    for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words.numbers, wrong.has(row.field));
+    for (const list of this.#lists) list.show(snapshot, wrong);
     for (const { button, document } of this.#presets) {
       button.setAttribute("aria-pressed", String(contains(state.document, document)));
     }

@@ -2,6 +2,7 @@
 import { degrees } from "assur/angles.js";
 import { byId, make, setData, write } from "assur/dom.js";
 import { subscript, symbol } from "assur/panels.js";
+import { LISTS, wheelLink } from "assur/state.js";
 
 /**
  * @typedef {import("assur/model.js").Snapshot} Snapshot
@@ -13,7 +14,9 @@ const ROWS = Object.freeze([
   { name: "crank", role: "crank", symbol: "φ₁", value: "phi1" },
   { name: "coupler", role: "coupler", symbol: "φ₂", value: "coupler.angle" },
   { name: "rocker", role: "rocker", symbol: "φ₃", value: "rocker.angle", curve: true },
-  { name: "wheel5", role: "wheel5", symbol: "φ₅", value: "wheel5.angle", curve: true },
+  ...[...Array(LISTS.wheels.most).keys()].map(wheelLink).map((name) => (
+    { name, role: name, symbol: `φ${subscript(name.slice(5))}`, value: `${name}.angle`, curve: true }
+  )),
   { name: "transmission", role: "secondary", symbol: "μ", value: "transmission" },
 ]);
 
@@ -38,13 +41,21 @@ export class ReadoutTable {
   #cells = [];
   /** @type {HTMLElement[]} what stands beside the names of plotted angles */
   #swatches = [];
+  /** @type {HTMLTableRowElement[]} of the peripheral wheels there may be */
+  #wheels = [];
   /** @type {{ row: HTMLTableRowElement, point: HTMLElement }[]} */
   #coordinates = [];
 
   constructor() {
     this.#table.tHead?.append(make("tr", {}, [make("td"), ...this.#heads]));
     const body = this.#table.tBodies[0];
-    for (const row of ROWS) body.append(this.#row(row, make("span", { "data-t": `readouts.${row.name}` })));
+    for (const row of ROWS) {
+      const [, n = ""] = /^wheel(.+)$/.exec(row.name) ?? [];
+      const key = n ? "name.wheels.z" : `readouts.${row.name}`;
+      const element = this.#row(row, make("span", { "data-t": key, "data-n": n }));
+      if (n) this.#wheels.push(element);
+      body.append(element);
+    }
     for (const axis of AXES) {
       const point = make("span");
       const row = this.#row({ name: axis, role: axis, symbol: axis, value: axis, curve: true }, point);
@@ -54,7 +65,7 @@ export class ReadoutTable {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state, readouts, phiDeg, words, stale, legible }) {
+  render({ state, summary, readouts, phiDeg, words, stale, legible }) {
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
     const { plot, axes } = state.view;
@@ -64,6 +75,7 @@ export class ReadoutTable {
       const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
       write(head, symbols.join(", "));
     });
+    this.#wheels.forEach((row, index) => (row.hidden = index >= summary.wheels.length));
     for (const swatch of this.#swatches) swatch.classList.toggle("curve", !ofPoint);
     for (const { row, point } of this.#coordinates) {
       row.hidden = !ofPoint;

@@ -2,11 +2,13 @@
 
 /**
  * @typedef {"external" | "internal" | "as_printed"} Mesh
- * @typedef {"l1" | "l2" | "l3" | "l4" | "z4" | "z5" | "module" | "centre_line_deg"} NumberField
+ * @typedef {"l1" | "l2" | "l3" | "l4" | "z4" | "module"} NumberField
+ * @typedef {Readonly<{ z: number, centre_line_deg: number }>} Wheel
+ * @typedef {Readonly<{ link: string, x: number, y: number }>} Tracer
  *
  * @typedef {Readonly<{
- *   l1: number, l2: number, l3: number, l4: number, z4: number, z5: number,
- *   mesh: Mesh, module: number, centre_line_deg: number, assembly: 1 | 2,
+ *   l1: number, l2: number, l3: number, l4: number, z4: number, wheels: readonly Wheel[],
+ *   mesh: Mesh, module: number, assembly: 1 | 2, tracers: readonly Tracer[],
  * }>} MixerDocument
  *
  * @typedef {Readonly<{
@@ -30,8 +32,30 @@ export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
+/** Of a list of the document: the number of its first entry as readers count, and how many it may have. */
+export const LISTS = Object.freeze({
+  wheels: Object.freeze({ first: 5, least: 1, most: 6 }),
+  tracers: Object.freeze({ first: 1, least: 0, most: 6 }),
+});
+
 /**
- * @param {MixerDocument} document
+ * @param {string} link that carries a traced point
+ * @returns {number} which peripheral wheel it is, from 0; below 0 where it is none
+ */
+export function wheelOf(link) {
+  return link.startsWith("wheel") ? Number(link.slice(5)) - LISTS.wheels.first : -1;
+}
+
+/**
+ * @param {number} index of a peripheral wheel, from 0
+ * @returns {string} the link's name, which is also its role's
+ */
+export function wheelLink(index) {
+  return `wheel${index + LISTS.wheels.first}`;
+}
+
+/**
+ * @param {Omit<MixerDocument, "tracers">} document
  * @param {Partial<View>} view
  * @returns {State}
  */
@@ -39,7 +63,7 @@ export function initialState(document, view) {
   return Object.freeze({
     format: 1,
     lesson: "mixer",
-    document: Object.freeze({ ...document }),
+    document: Object.freeze({ tracers: [], ...document }),
     view: Object.freeze({
       phi_deg: 62,
       playing: true,
@@ -69,8 +93,14 @@ export function initialState(document, view) {
  * @returns {State} the same state where nothing changes
  */
 export function withDocument(state, change) {
-  const document = merged(state.document, change);
-  return document === state.document ? state : Object.freeze({ ...state, document });
+  let document = merged(state.document, change);
+  if (document === state.document) return state;
+  // With a wheel goes what was traced of it.
+  const tracers = document.tracers.filter(({ link }) => wheelOf(link) < document.wheels.length);
+  if (tracers.length < document.tracers.length) document = Object.freeze({ ...document, tracers });
+  const { plot } = state.view;
+  const gone = /^P\d$/.test(plot) && Number(plot.slice(1)) > document.tracers.length;
+  return withView(Object.freeze({ ...state, document }), { plot: gone ? "angles" : plot });
 }
 
 /**
@@ -101,5 +131,14 @@ function merged(value, change) {
  */
 export function contains(value, part) {
   const keys = /** @type {(keyof T)[]} */ (Object.keys(part));
-  return keys.every((key) => Object.is(value[key], part[key]));
+  return keys.every((key) => same(value[key], part[key]));
+}
+
+/**
+ * @param {unknown} one
+ * @param {unknown} other
+ * @returns {boolean} lists are the same where all in them is
+ */
+function same(one, other) {
+  return Object.is(one, other) || (Array.isArray(one) && JSON.stringify(one) === JSON.stringify(other));
 }

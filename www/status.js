@@ -1,6 +1,7 @@
 // The status line: what kind of mechanism it is and what it does over a turn.
 import { degrees } from "assur/angles.js";
 import { byId, make, setData, write } from "assur/dom.js";
+import { LISTS, wheelLink } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Summary} Summary
@@ -10,6 +11,9 @@ import { byId, make, setData, write } from "assur/dom.js";
  * @typedef {import("assur/words.js").Words} Words
  * @typedef {{ text: string, value?: number }} Entry
  */
+
+/** The most peripheral wheels there are, from 0. */
+const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
 
 /**
  * What each entry says, or null where there is nothing to say.
@@ -21,9 +25,14 @@ const ENTRIES = Object.freeze({
     text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
     value: document.assembly,
   }),
-  "swing-rocker": ({ swing }, words) => swingEntry(swing.rocker, words),
-  "swing-wheel5": ({ swing }, words) => swingEntry(swing.wheel5, words),
-  ratio: ({ ratio }, words) => ({ text: words.numbers.upTo(ratio, 4), value: ratio }),
+  "swing-rocker": ({ swing }, words) => swingEntry(swing, words),
+  ...Object.fromEntries(WHEELS.map((index) => [`swing-${wheelLink(index)}`, ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null)])),
+  overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
+  turns: ({ wheels }, words) => ({
+    text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
+    value: wheels[0].turns[0],
+  }),
+  ratio: ({ wheels }, words) => ({ text: wheels.map(({ ratio }) => words.numbers.upTo(ratio, 4)).join("; "), value: wheels[0].ratio }),
   "time-ratio": ({ time_ratio: ratio }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
   transmission: ({ transmission }, words) => angleEntry(transmission.min, words),
   range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
@@ -40,7 +49,9 @@ export class StatusLine {
   constructor() {
     for (const name of Object.keys(ENTRIES)) {
       const output = make("dd", { id: `out-${name}` });
-      const entry = make("div", { class: "entry" }, [make("dt", { "data-t": `status.${name}` }), " ", output, " "]);
+      const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
+      const title = make("dt", { "data-t": wheel ? "name.wheels.z" : `status.${name}`, "data-n": wheel ?? "" });
+      const entry = make("div", { class: name === "overlaps" ? "entry warning" : "entry" }, [title, " ", output, " "]);
       this.#list.append(entry);
       this.#entries.push({ name, entry, output });
     }
@@ -74,6 +85,19 @@ function swingEntry(swings, words) {
     swing ? angleEntry(swing.stroke, words) : { text: words.text("status.turns_fully") },
   );
   return entries.length === 1 ? entries[0] : { text: entries.map(({ text }) => text).join(", ") };
+}
+
+/**
+ * @param {readonly (readonly [number, number])[]} pairs of wheels, from 0
+ * @param {Words} words
+ * @returns {Entry | null}
+ */
+function overlapsEntry(pairs, words) {
+  if (pairs.length === 0) return null;
+  const { first } = LISTS.wheels;
+  const pair = (/** @type {readonly [number, number]} */ [one, other]) =>
+    words.text("status.pair", { one: String(one + first), other: String(other + first) });
+  return { text: pairs.map(pair).join(", ") };
 }
 
 /**

@@ -65,19 +65,15 @@ export class Words {
   }
 
   /**
-   * Writes the texts that never change into the page, where its elements name them.
+   * Writes the texts that never change into the page, where its elements name them; `data-n` is the {n} of a text.
    * @param {ParentNode} root
    */
   fill(root) {
-    for (const element of root.querySelectorAll("[data-t]")) {
-      element.textContent = this.text(element.getAttribute("data-t") ?? "");
-    }
-    for (const element of root.querySelectorAll("[data-t-label]")) {
-      element.setAttribute("aria-label", this.text(element.getAttribute("data-t-label") ?? ""));
-    }
-    for (const element of root.querySelectorAll("[data-t-title]")) {
-      element.setAttribute("title", this.text(element.getAttribute("data-t-title") ?? ""));
-    }
+    const said = (/** @type {Element} */ element, /** @type {string} */ name) =>
+      this.text(element.getAttribute(name) ?? "", { n: element.getAttribute("data-n") ?? "" });
+    for (const element of root.querySelectorAll("[data-t]")) element.textContent = said(element, "data-t");
+    for (const element of root.querySelectorAll("[data-t-label]")) element.setAttribute("aria-label", said(element, "data-t-label"));
+    for (const element of root.querySelectorAll("[data-t-title]")) element.setAttribute("title", said(element, "data-t-title"));
   }
 }
 
