@@ -23,7 +23,7 @@ const SPARSE = 12;
 const MOST_COVERED = 4;
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {Panel} panel
  * @param {Box} title the place of the panel's title
  * @param {Words} words

@@ -18,7 +18,7 @@ const MOST_NAMED = 3;
 const LARGEST_SCALE = 1.09;
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {readonly Panel[]} panels
  * @param {Words} words
  * @param {Theme} theme
@@ -33,7 +33,7 @@ export function drawChartText(context, panels, words, theme) {
 }
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {Theme} theme
  * @param {number} [size]
  */
@@ -42,7 +42,7 @@ export function setChartFont(context, theme, size = SIZE) {
 }
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {Panel} panel
  * @param {Words} words
  * @param {Theme} theme
@@ -108,7 +108,7 @@ function powerOf(panel) {
 }
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {Panel} panel
  * @param {Words} words
  * @param {Theme} theme
@@ -128,7 +128,7 @@ function drawValues(context, panel, words, theme) {
 }
 
 /**
- * @param {CanvasRenderingContext2D} context
+ * @param {import("assur/painter.js").Context} context
  * @param {Panel} panel
  * @param {Words} words
  * @param {Theme} theme

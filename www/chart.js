@@ -9,6 +9,7 @@ import { Surface } from "assur/surface.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/painter.js").Context} Context
  * @typedef {import("assur/theme.js").Theme} Theme
  */
 
@@ -50,14 +51,37 @@ export class ChartView {
   #draw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
-    const { context, width, height } = this.#surface;
-    const { palette } = this.#theme;
     this.#surface.clear();
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette }));
-    this.#surface.toPixels();
-    this.panels = drawn.value?.panels ?? [];
-    const titles = drawChartText(context, this.panels, snapshot.words, this.#theme);
-    this.panels.forEach((panel, i) => drawMarks(context, panel, titles[i], snapshot.words, this.#theme));
+    this.panels = this.#paint(this.#surface.context, snapshot, this.#theme);
     this.#redrawn();
+  }
+
+  /** @returns {import("assur/figure.js").Size} */
+  get size() {
+    return this.#surface;
+  }
+
+  /**
+   * Paints the plots, without the cursor, on another sheet of the same size.
+   * @param {import("assur/painter.js").Sheet} sheet
+   * @param {Theme} theme
+   */
+  paint({ context }, theme) {
+    if (this.#snapshot) this.#paint(context, this.#snapshot, theme);
+  }
+
+  /**
+   * @param {Context} context one unit of which is one CSS pixel
+   * @param {Snapshot} snapshot
+   * @param {Theme} theme
+   * @returns {readonly Panel[]} where the plots are
+   */
+  #paint(context, { words }, theme) {
+    const { width, height } = this.#surface;
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette: theme.palette }));
+    const panels = drawn.value?.panels ?? [];
+    const titles = drawChartText(context, panels, words, theme);
+    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));
+    return panels;
   }
 }

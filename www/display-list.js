@@ -1,7 +1,8 @@
 // Reads the flat display lists of the engine into things a canvas can paint.
 
 /**
- * @typedef {{ role: string, look: number, path: Path2D }} Shape
+ * @typedef {Path2D | import("assur/export/svg.js").SvgPath} Path
+ * @typedef {{ role: string, look: number, path: Path }} Shape
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -17,9 +18,10 @@ const TEXT = 4;
  * @param {number} start where the list begins in the array
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
+ * @param {() => Path} newPath an empty path
  * @returns {Layer[]} in the order of painting
  */
-export function readDisplayList(list, start, roles, labels) {
+export function readDisplayList(list, start, roles, labels, newPath) {
   /** @type {Layer} */
   let layer = { body: 0, shapes: [], labels: [] };
   const layers = [layer];
@@ -35,7 +37,7 @@ export function readDisplayList(list, start, roles, labels) {
       layer.labels.push({ role: roles[role], label: labels[label], x, y, dx, dy });
       at += 7;
     } else if (kind === POLYGONS || kind === POLYLINE || kind === CIRCLE) {
-      const path = new Path2D();
+      const path = newPath();
       layer.shapes.push({ role: roles[list[at + 1]], look: list[at + 2], path });
       if (kind === POLYGONS) at = addPolygons(path, list, at + 3);
       else if (kind === POLYLINE) at = addPoints(path, list, at + 3);
@@ -52,7 +54,7 @@ export function readDisplayList(list, start, roles, labels) {
 }
 
 /**
- * @param {Path2D} path
+ * @param {Path} path
  * @param {Float32Array} list
  * @param {number} at
  * @returns {number} where the next record begins
@@ -68,7 +70,7 @@ function addPolygons(path, list, at) {
 }
 
 /**
- * @param {Path2D} path
+ * @param {Path} path
  * @param {Float32Array} list
  * @param {number} at
  * @returns {number}

@@ -181,7 +181,7 @@ export class Engine {
   }
 
   /**
-   * @param {CanvasRenderingContext2D} context
+   * @param {import("assur/painter.js").Context} context
    * @param {ChartRequest} request
    * @returns {{ panels: Panel[] }}
    */

@@ -2,7 +2,7 @@
 import { byId } from "assur/dom.js";
 
 /** Buttons that do what a command of their name does. */
-const BUTTONS = Object.freeze(["undo", "redo", "open", "save", "copy", "reset"]);
+const BUTTONS = Object.freeze(["undo", "redo", "open", "save", "copy", "export", "reset"]);
 
 export class Header {
   #undo = byId("undo", HTMLButtonElement);

@@ -45,7 +45,6 @@ function run(engine, habits, opening, startWords) {
   const drafts = new Drafts(() => loop.request());
   const model = new Model(engine, drafts, store.get());
   const history = new History(store, drafts);
-  const commands = makeCommands({ store, model, drafts, history, presets: engine.presets });
   const help = byId("help", HTMLDialogElement);
   byId("help-open", HTMLButtonElement).addEventListener("click", () => help.showModal());
   const theme = new Theme(engine.roles, () => loop.request());
@@ -61,12 +60,18 @@ function run(engine, habits, opening, startWords) {
     if (state) history.step(() => store.update(() => state));
   };
   addEventListener("hashchange", () => take(takeAddress(engine, habits)));
-  const header = new Header(history, {
-    ...commands,
+  const commands = Object.freeze({
+    ...makeCommands({ store, model, drafts, history, presets: engine.presets }),
     open: filePicker((text, name) => take(takeFile(text, name, engine, habits))),
     save: () => saveFile(model.good),
     copy: () => copyLink(model.good, () => notices.tell(["copied"])),
+    export: async () => {
+      const part = await import("assur/export/dialog.js").catch(() => null);
+      if (part) part.openExport({ engine, model, mechanism, chart, words });
+      else notices.tell([{ kind: "export", problems: [] }]);
+    },
   });
+  const header = new Header(history, commands);
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);

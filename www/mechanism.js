@@ -1,16 +1,13 @@
 // The drawing of the mechanism on its canvas.
-import { degrees, radians } from "assur/angles.js";
-import { readDisplayList } from "assur/display-list.js";
+import { radians } from "assur/angles.js";
 import { setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
-import { Painter } from "assur/painter.js";
-import { subscript } from "assur/panels.js";
+import { Figure } from "assur/figure.js";
 import { Sheet } from "assur/sheet.js";
 import { Surface } from "assur/surface.js";
 import { Transform, Zoom } from "assur/transform.js";
 
 /**
- * @typedef {import("assur/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
@@ -28,16 +25,11 @@ const RING_OPACITY = 0.28;
 export class MechanismView {
   #surface;
   #sheet = new Sheet();
-  #painter;
+  #figure;
   #theme;
   #engine;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  #revision = 0;
-  /** @type {readonly Layer[]} what stands still under all that moves */
-  #still = [];
-  /** @type {readonly Layer[]} */
-  #rigid = [];
   #zoom = Zoom.NONE;
   /** @type {readonly number[] | null} the bounds that stay fitted while the reader has zoomed */
   #bounds = null;
@@ -55,19 +47,13 @@ export class MechanismView {
     this.#engine = engine;
     this.#theme = theme;
     this.#surface = new Surface(canvas, () => this.#draw(), { alpha: false });
-    this.#painter = new Painter(theme);
+    this.#figure = new Figure(engine, theme);
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
-    if (this.#revision !== snapshot.revision) {
-      this.#revision = snapshot.revision;
-      const layers = readDisplayList(snapshot.scene, 0, this.#engine.roles, this.#engine.labels);
-      const moving = layers.findIndex(({ body }) => body !== 0);
-      this.#still = layers.slice(0, moving);
-      this.#rigid = layers.slice(moving);
-    }
+    this.#figure.take(snapshot);
     setData(this.#surface.canvas, "faded", String(snapshot.faded));
     this.#draw();
   }
@@ -92,6 +78,27 @@ export class MechanismView {
   get view() {
     const { width, height } = this.#surface;
     return this.#held ?? this.#zoom.upon(this.#fit(), width, height);
+  }
+
+  /** @returns {import("assur/figure.js").Size} */
+  get size() {
+    return this.#surface;
+  }
+
+  /**
+   * Paints what is on the canvas, without signs of a hand at it, on another sheet of the same size.
+   * @param {import("assur/painter.js").Sheet} sheet
+   * @param {Theme} theme
+   * @param {() => import("assur/display-list.js").Path} [newPath] where the sheet takes no Path2D
+   */
+  paint(sheet, theme, newPath) {
+    if (!this.#snapshot) return;
+    const { view } = this;
+    const figure = new Figure(this.#engine, theme, newPath);
+    figure.take(this.#snapshot);
+    figure.paintGround(sheet, this.#surface, view);
+    figure.paintMoving(sheet, view);
+    figure.paintLabels(sheet, view);
   }
 
   get zoomed() {
@@ -170,21 +177,11 @@ export class MechanismView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     const { view } = this;
-    const { poses, end } = readPoses(snapshot.frame);
-    const moving = readDisplayList(snapshot.frame, end, this.#engine.roles, this.#engine.labels);
-
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
-    this.#sheet.cover(this.#surface, key, () => {
-      this.#sheet.squares(this.#surface, view, this.#theme, snapshot.words);
-      this.#painter.shapes(this.#sheet, this.#still, view, poses);
-    });
-    this.#painter.shapes(this.#surface, this.#rigid, view, poses);
-    this.#painter.shapes(this.#surface, moving, view, poses);
+    this.#sheet.cover(this.#surface, key, () => this.#figure.paintGround(this.#sheet, this.#surface, view));
+    this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
-    const write = (/** @type {string} */ label) => labelText(label, snapshot);
-    for (const layers of [this.#still, this.#rigid, moving]) {
-      this.#painter.labels(this.#surface, layers, view, poses, write);
-    }
+    this.#figure.paintLabels(this.#surface, view);
   }
 
   /** @param {Transform} view */
@@ -201,25 +198,4 @@ export class MechanismView {
     context.fill();
     context.globalAlpha = 1;
   }
-}
-
-/**
- * @param {Float32Array} frame
- * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; where the list after them begins
- */
-function readPoses(frame) {
-  const bodies = frame[0];
-  const poses = [];
-  for (let body = 0; body < bodies; body++) poses.push([...frame.subarray(1 + 3 * body, 4 + 3 * body)]);
-  return { poses, end: 1 + 3 * bodies };
-}
-
-/**
- * @param {string} label
- * @param {Snapshot} snapshot
- */
-function labelText(label, { frameDeg, readouts, words }) {
-  if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
-  if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
-  return label.replace(/(?<=\p{L})\d/gu, subscript);
 }

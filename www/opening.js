@@ -9,7 +9,7 @@ import { LANGUAGES } from "assur/words.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "kept" | "file", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "export", problems: readonly Problem[], name?: string }>} Failure
  * @typedef {Readonly<{ state: State, failure: null } | { state: null, failure: Failure }>} Taken
  * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
  * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.

@@ -7,7 +7,7 @@
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {import("assur/transform.js").Transform} Transform
  *
- * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context
+ * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | import("assur/export/svg.js").Svg} Context
  * @typedef {{ readonly context: Context, readonly ratio: number }} Sheet
  * What is painted on: a context and its device pixels per CSS pixel.
  *

@@ -1,4 +1,4 @@
-// Copying the link, opening and saving a file.
+// Copying the link, opening and saving files.
 import { toFile } from "assur/carrier.js";
 import { byId } from "assur/dom.js";
 import { linkTo, showInAddress } from "assur/keeper.js";
@@ -26,15 +26,23 @@ export async function copyLink(state, copied) {
   }
 }
 
-let address = "";
-
 /** @param {State} state */
 export function saveFile(state) {
+  download(new Blob([toFile(state)], { type: "application/json" }), `${state.lesson}.assur.json`);
+}
+
+let address = "";
+
+/**
+ * @param {Blob} file
+ * @param {string} name
+ */
+export function download(file, name) {
   URL.revokeObjectURL(address);
-  address = URL.createObjectURL(new Blob([toFile(state)], { type: "application/json" }));
+  address = URL.createObjectURL(file);
   const link = byId("save-link", HTMLAnchorElement);
   link.href = address;
-  link.download = `${state.lesson}.assur.json`;
+  link.download = name;
   link.click();
 }
 

@@ -1,6 +1,8 @@
 // The sheet under the drawing: squared paper with its scale and what does not move, painted once and then copied.
 
 /**
+ * @typedef {import("assur/figure.js").Size} Size
+ * @typedef {import("assur/painter.js").Context} Context
  * @typedef {import("assur/surface.js").Surface} Surface
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {import("assur/transform.js").Transform} Transform
@@ -43,60 +45,60 @@ export class Sheet {
     surface.context.drawImage(this.#canvas, 0, 0);
     surface.toPixels();
   }
+}
 
-  /**
-   * Squares of a round size, and how long the side of one is.
-   * @param {Surface} surface
-   * @param {Transform} view
-   * @param {Theme} theme
-   * @param {Words} words
-   */
-  squares({ width, height }, view, theme, words) {
-    const { context } = this;
-    const side = roundUp(SQUARE / view.scale);
-    const pixels = side * view.scale;
-    context.fillStyle = theme.sheet;
-    context.fillRect(0, 0, width, height);
-    context.beginPath();
-    for (let x = positive(view.left, pixels); x < width; x += pixels) {
-      context.moveTo(Math.round(x) + 0.5, 0);
-      context.lineTo(Math.round(x) + 0.5, height);
-    }
-    for (let y = positive(view.top, pixels); y < height; y += pixels) {
-      context.moveTo(0, Math.round(y) + 0.5);
-      context.lineTo(width, Math.round(y) + 0.5);
-    }
-    context.lineWidth = 1;
-    context.globalAlpha = 0.55;
-    context.strokeStyle = theme.colours.line;
-    context.stroke();
-    context.globalAlpha = 1;
-    this.#scaleBar(height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme);
+/**
+ * Squares of a round size, and how long the side of one is.
+ * @param {Context} context
+ * @param {Size} size
+ * @param {Transform} view
+ * @param {Theme} theme
+ * @param {Words} words
+ */
+export function paintSquares(context, { width, height }, view, theme, words) {
+  const side = roundUp(SQUARE / view.scale);
+  const pixels = side * view.scale;
+  context.fillStyle = theme.sheet;
+  context.fillRect(0, 0, width, height);
+  context.beginPath();
+  for (let x = positive(view.left, pixels); x < width; x += pixels) {
+    context.moveTo(Math.round(x) + 0.5, 0);
+    context.lineTo(Math.round(x) + 0.5, height);
   }
+  for (let y = positive(view.top, pixels); y < height; y += pixels) {
+    context.moveTo(0, Math.round(y) + 0.5);
+    context.lineTo(width, Math.round(y) + 0.5);
+  }
+  context.lineWidth = 1;
+  context.globalAlpha = 0.55;
+  context.strokeStyle = theme.colours.line;
+  context.stroke();
+  context.globalAlpha = 1;
+  paintScaleBar(context, height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme);
+}
 
-  /**
-   * @param {number} height of the sheet
-   * @param {number} length
-   * @param {string} text
-   * @param {Theme} theme
-   */
-  #scaleBar(height, length, text, theme) {
-    const { context } = this;
-    const [left, bottom] = [16.5, height - 13.5];
-    context.beginPath();
-    context.moveTo(left, bottom - 5);
-    context.lineTo(left, bottom);
-    context.lineTo(left + length, bottom);
-    context.lineTo(left + length, bottom - 5);
-    context.lineWidth = 1.5;
-    context.strokeStyle = theme.colours.secondary;
-    context.stroke();
-    context.font = `${12 * theme.scale}px ${theme.font}`;
-    context.textAlign = "left";
-    context.textBaseline = "alphabetic";
-    context.fillStyle = theme.colours.secondary;
-    context.fillText(text, left + 5, bottom - 6);
-  }
+/**
+ * @param {Context} context
+ * @param {number} height of the sheet
+ * @param {number} length
+ * @param {string} text
+ * @param {Theme} theme
+ */
+function paintScaleBar(context, height, length, text, theme) {
+  const [left, bottom] = [16.5, height - 13.5];
+  context.beginPath();
+  context.moveTo(left, bottom - 5);
+  context.lineTo(left, bottom);
+  context.lineTo(left + length, bottom);
+  context.lineTo(left + length, bottom - 5);
+  context.lineWidth = 1.5;
+  context.strokeStyle = theme.colours.secondary;
+  context.stroke();
+  context.font = `${12 * theme.scale}px ${theme.font}`;
+  context.textAlign = "left";
+  context.textBaseline = "alphabetic";
+  context.fillStyle = theme.colours.secondary;
+  context.fillText(text, left + 5, bottom - 6);
 }
 
 /**

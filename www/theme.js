@@ -9,6 +9,7 @@ const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 1600
 const USUAL_SIZE = 14;
 
 export class Theme {
+  #element;
   /** @type {readonly string[]} */
   #roles;
   /** @type {Colours} colour by role */
@@ -28,8 +29,10 @@ export class Theme {
   /**
    * @param {readonly string[]} roles
    * @param {() => void} changed
+   * @param {Element} [element] whose colours and text these are
    */
-  constructor(roles, changed) {
+  constructor(roles, changed, element = document.documentElement) {
+    this.#element = element;
     this.#roles = roles;
     this.#read();
     for (const query of WATCHED) {
@@ -41,7 +44,7 @@ export class Theme {
   }
 
   #read() {
-    const style = getComputedStyle(document.documentElement);
+    const style = getComputedStyle(this.#element);
     const context = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
     /** @type {Record<string, string>} */
     const colours = {};

@@ -69,7 +69,7 @@ export class Transform {
 
   /**
    * Makes a canvas draw in the coordinates of a body that stands at (x, y), turned by an angle.
-   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} context
+   * @param {import("assur/painter.js").Context} context
    * @param {number} ratio device pixels per screen pixel
    * @param {number} x
    * @param {number} y

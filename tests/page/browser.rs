@@ -21,6 +21,7 @@ pub(crate) struct Page {
     driver: WebDriver,
     server: Child,
     port: u16,
+    downloads: PathBuf,
 }
 
 impl Drop for Page {
@@ -39,19 +40,13 @@ impl Drop for Page {
         }
         let _ = self.server.kill();
         let _ = self.server.wait();
+        let _ = fs::remove_dir_all(&self.downloads);
     }
 }
 
 /// An environment variable that `cargo xtask test` sets.
 pub(crate) fn setting(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
-}
-
-/// A folder of this run, where browsers put what a page saves.
-pub(crate) fn downloads() -> PathBuf {
-    let folder = env::temp_dir().join(format!("assur-page-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 impl Page {
@@ -77,6 +72,8 @@ impl Page {
                 .ok()
         });
         let port: u16 = port.unwrap();
+        let downloads = env::temp_dir().join(format!("assur-page-{}-{port}", std::process::id()));
+        fs::create_dir_all(&downloads).unwrap();
 
         let mut wanted = DesiredCapabilities::chrome();
         wanted.set_binary(&setting("CHROME")).unwrap();
@@ -100,7 +97,7 @@ impl Page {
         ] {
             wanted.add_arg(argument).unwrap();
         }
-        let prefs = serde_json::json!({ "download.default_directory": downloads() });
+        let prefs = serde_json::json!({ "download.default_directory": downloads });
         wanted.add_experimental_option("prefs", prefs).unwrap();
         let driver = WebDriver::new(format!("http://127.0.0.1:{port}"), wanted)
             .await
@@ -109,6 +106,7 @@ impl Page {
             driver,
             server,
             port,
+            downloads,
         };
         page.driver.goto(url).await.unwrap();
         page.ready().await;
@@ -158,6 +156,54 @@ impl Page {
     pub(crate) async fn ask(&self, script: &str) -> serde_json::Value {
         let answer = self.driver.execute(script, Vec::new()).await.unwrap();
         answer.json().clone()
+    }
+
+    /// A folder of this page's own, where the browser puts what it saves.
+    pub(crate) fn downloads(&self) -> &Path {
+        &self.downloads
+    }
+
+    /// The bytes of a file that the page saves, and takes it away.
+    pub(crate) async fn saved(&self, name: &str) -> Vec<u8> {
+        let path = self.downloads.join(name);
+        self.until(name, async || path.exists()).await;
+        let bytes = fs::read(&path).unwrap();
+        fs::remove_file(path).unwrap();
+        bytes
+    }
+
+    /// Shows a picture by itself, as the element `shown`, over the page.
+    pub(crate) async fn show_picture(&self, svg: &str) {
+        let script = "const picture = new Image();
+            picture.id = 'shown';
+            picture.style = 'position: fixed; inset: 0; z-index: 9';
+            document.body.append(picture);
+            picture.onload = () => arguments[1](true);
+            picture.src = URL.createObjectURL(new Blob([arguments[0]], { type: 'image/svg+xml' }));";
+        let shown = self.driver.execute_async(script, vec![svg.into()]);
+        shown.await.unwrap();
+    }
+
+    /// What a person has asked of the system: `prefers-color-scheme`, `dark`.
+    pub(crate) async fn prefer(&self, feature: &str, value: &str) {
+        let features = json!({ "features": [{ "name": feature, "value": value }] });
+        let tools = self.driver.cdp();
+        let sent = tools.send_raw("Emulation.setEmulatedMedia", features);
+        sent.await.unwrap();
+        self.settle().await;
+    }
+
+    /// Taps the middle of an element with a finger.
+    pub(crate) async fn tap(&self, id: &str) {
+        let area = self.element(id).await.rect().await.unwrap();
+        self.fingers(id, &[vec![(area.width / 2.0, area.height / 2.0)]])
+            .await;
+    }
+
+    /// The element with the focus.
+    pub(crate) async fn focused(&self) -> Option<String> {
+        let element = self.driver.active_element().await.unwrap();
+        element.id().await.unwrap()
     }
 
     /// Gives a file to the page as if it had been chosen.

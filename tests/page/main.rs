@@ -5,6 +5,7 @@
 mod bad_input;
 mod browser;
 mod bundle;
+mod export;
 mod hands;
 mod keys;
 mod lesson;

@@ -1,6 +1,7 @@
 //! What is on the screen, in pixels.
 
 /// Colours of the roles on light paper, as the page's style sheet has them.
+pub(crate) const CRANK: [u8; 3] = [0x00, 0x72, 0xB2];
 pub(crate) const COUPLER: [u8; 3] = [0xD5, 0x5E, 0x00];
 pub(crate) const ROCKER: [u8; 3] = [0x00, 0x9E, 0x73];
 pub(crate) const WHEEL5: [u8; 3] = [0x7A, 0x4A, 0x8C];

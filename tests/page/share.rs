@@ -5,7 +5,7 @@ use std::fs;
 
 use assur_tests::assert_near;
 
-use crate::browser::{Page, downloads, setting};
+use crate::browser::{Page, setting};
 
 /// Links that were given out, and what each must show: they open for ever.
 const LINKS: &str = include_str!("../links.txt");
@@ -111,7 +111,7 @@ async fn a_file_is_saved_and_opened() {
     let rocker = page.value("out-rocker").await;
     page.click("menu").await;
     page.click("save").await;
-    let saved = downloads().join("mixer.assur.json");
+    let saved = page.downloads().join("mixer.assur.json");
     page.until("the file", async || saved.exists()).await;
     let text = fs::read_to_string(&saved).unwrap();
     assert!(text.contains("\n    \"l2\": 0.9,\n"), "{text}");
@@ -138,7 +138,7 @@ async fn a_file_is_saved_and_opened() {
         ("[".repeat(90_000), "Assur"),
         (String::new(), "Assur"),
     ] {
-        let path = downloads().join("<i>broken.assur.json");
+        let path = page.downloads().join("<i>broken.assur.json");
         fs::write(&path, broken).unwrap();
         page.choose_file("file", &path).await;
         page.until("a sentence", async || {
@@ -150,7 +150,6 @@ async fn a_file_is_saved_and_opened() {
         check_changed(&page, rocker).await;
     }
     page.close().await;
-    fs::remove_dir_all(downloads()).unwrap();
 }
 
 #[tokio::test]

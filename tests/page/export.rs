@@ -1,0 +1,308 @@
+//! What the page gives away: pictures of drawing and plots, as files.
+
+use roxmltree::{Document, Node};
+use thirtyfour::prelude::*;
+
+use crate::browser::{Page, setting};
+use crate::picture::{COUPLER, CRANK, Picture, ROCKER, WHEEL5, apart};
+
+/// Pixels of an exported PNG per pixel of the page.
+const SHARPNESS: usize = 3;
+
+/// The page at rest at 75° with the dialog open, by mouse.
+async fn open() -> Page {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    open_dialog(&page).await;
+    page
+}
+
+async fn open_dialog(page: &Page) {
+    page.click("menu").await;
+    page.click("export").await;
+    wait_for_dialog(page).await;
+}
+
+async fn wait_for_dialog(page: &Page) {
+    page.until("the dialog", async || {
+        page.count("#export-dialog[open]").await == 1
+    })
+    .await;
+}
+
+async fn save(page: &Page, button: &str, name: &str) -> Vec<u8> {
+    page.click(button).await;
+    page.saved(name).await
+}
+
+async fn save_text(page: &Page, button: &str, name: &str) -> String {
+    String::from_utf8(save(page, button, name).await).unwrap()
+}
+
+/// The elements of a picture. Only these kinds are in one, and nothing that runs
+/// or loads.
+fn elements<'a>(svg: &'a Document<'_>) -> Vec<Node<'a, 'a>> {
+    let found: Vec<_> = svg.descendants().filter(Node::is_element).collect();
+    for element in &found {
+        assert_eq!(
+            element.tag_name().namespace(),
+            Some("http://www.w3.org/2000/svg")
+        );
+        let kind = element.tag_name().name();
+        assert!(
+            ["svg", "title", "rect", "path", "text"].contains(&kind),
+            "{kind}"
+        );
+        for attribute in element.attributes() {
+            let name = attribute.name();
+            assert!(
+                !name.starts_with("on") && name != "href" && name != "style",
+                "{name}"
+            );
+        }
+    }
+    found
+}
+
+/// What can be read in a picture, halos of texts aside.
+fn texts(elements: &[Node<'_, '_>]) -> Vec<String> {
+    let texts = elements.iter().filter(|e| e.has_tag_name("text"));
+    let read = texts.filter(|e| e.attribute("aria-hidden").is_none());
+    read.map(|e| e.text().unwrap().to_owned()).collect()
+}
+
+/// How many paths are filled or stroked with a colour.
+fn painted(elements: &[Node<'_, '_>], attribute: &str, colour: &str) -> usize {
+    let paths = elements.iter().filter(|e| e.has_tag_name("path"));
+    paths
+        .filter(|e| e.attribute(attribute) == Some(colour))
+        .count()
+}
+
+fn check_head(elements: &[Node<'_, '_>], width: f64, height: f64) {
+    let [root, title, ground, ..] = elements else {
+        panic!("an empty picture")
+    };
+    assert_eq!(
+        root.attribute("viewBox").unwrap(),
+        format!("0 0 {width} {height}")
+    );
+    assert_eq!(root.attribute("width").unwrap(), format!("{width}"));
+    assert_eq!(root.attribute("height").unwrap(), format!("{height}"));
+    assert!(title.has_tag_name("title"));
+    assert!(ground.has_tag_name("rect"));
+    assert_eq!(ground.attribute("fill"), Some("#ffffff"));
+    assert_eq!(ground.attribute("width").unwrap(), format!("{width}"));
+}
+
+#[tokio::test]
+async fn the_drawing_is_saved_as_svg() {
+    let page = open().await;
+    let area = page.element("mechanism").await.rect().await.unwrap();
+    let svg = save_text(&page, "export-drawing-svg", "assur-mixer-a-drawing.svg").await;
+    let svg = Document::parse(&svg).unwrap();
+    let drawn = elements(&svg);
+    check_head(&drawn, area.width, area.height);
+    assert_eq!(
+        drawn[1].text(),
+        page.attribute("mechanism", "aria-label").await.as_deref()
+    );
+    assert_eq!(
+        drawn[2].attribute("height").unwrap(),
+        format!("{}", area.height)
+    );
+    let labels = texts(&drawn);
+    for label in ["A", "B", "C", "D", "4", "5", "φ₁ = 75.0°", "0.2 m"] {
+        let count = labels.iter().filter(|text| *text == label).count();
+        assert_eq!(count, 1, "{label} in {labels:?}");
+    }
+    // A bar; the crank's has the path of B and the arc of φ₁ beside it.
+    assert_eq!(painted(&drawn, "fill", "#d55e00"), 1);
+    assert_eq!(painted(&drawn, "stroke", "#d55e00"), 0);
+    assert_eq!(painted(&drawn, "fill", "#0072b2"), 1);
+    assert_eq!(painted(&drawn, "stroke", "#0072b2"), 2);
+    // The teeth of wheel 5: one outline, filled and drawn.
+    assert_eq!(painted(&drawn, "stroke", "#7a4a8c"), 1);
+
+    // The same, seen: as on the screen.
+    page.click("export-close").await;
+    let shown = page.picture("mechanism").await;
+    page.show_picture(svg.input_text()).await;
+    let painted = page.picture("shown").await;
+    for colour in [CRANK, COUPLER, WHEEL5] {
+        let (here, there) = (shown.cloud(colour), painted.cloud(colour));
+        let share = there.count as f64 / here.count as f64;
+        assert!((0.9..1.1).contains(&share), "{here:?} {there:?}");
+        let off = (here.middle.0 - there.middle.0).hypot(here.middle.1 - there.middle.1);
+        assert!(off < 1.0, "{here:?} {there:?}");
+    }
+    page.close().await;
+}
+
+/// Whatever words come in, they stay words.
+#[tokio::test]
+async fn words_in_a_picture_are_no_markup() {
+    let page = open().await;
+    let words = "</title><script>alert(1)</script>&amp; \" ' ]]>";
+    let script = format!(
+        "document.getElementById('mechanism').setAttribute('aria-label', {} + '\\u0001\\ufffe')",
+        serde_json::to_string(words).unwrap()
+    );
+    page.ask(&script).await;
+    let svg = save_text(&page, "export-drawing-svg", "assur-mixer-a-drawing.svg").await;
+    let svg = Document::parse(&svg).unwrap();
+    assert_eq!(elements(&svg)[1].text(), Some(words));
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_drawing_is_saved_as_png() {
+    let page = open().await;
+    let png = save(&page, "export-drawing-png", "assur-mixer-a-drawing.png").await;
+    let saved = Picture::decode(&png);
+    page.click("export-close").await;
+    let shown = page.picture("mechanism").await;
+    assert_eq!(
+        (saved.width, saved.height),
+        (SHARPNESS * shown.width, SHARPNESS * shown.height)
+    );
+    let scale = SHARPNESS as f64;
+    let (small, large) = (shown.cloud(COUPLER), saved.cloud(COUPLER));
+    assert!(large.count > 4000, "{large:?}");
+    let turned = apart(small.direction, large.direction);
+    assert!(turned < 0.5, "{small:?} {large:?}");
+    let (x, y) = (large.middle.0 / scale, large.middle.1 / scale);
+    let off = (x - small.middle.0).hypot(y - small.middle.1);
+    assert!(off < 1.0, "{small:?} {large:?}");
+    // Of the crank's colour are its angle and the path of B, too.
+    assert!(saved.places(CRANK).count() > 4000);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn plots_are_saved_under_a_legend() {
+    let page = open().await;
+    let area = page.element("charts").await.rect().await.unwrap();
+    let legend = 20.0;
+    let svg = save_text(&page, "export-plots-svg", "assur-mixer-a-plots.svg").await;
+    let svg = Document::parse(&svg).unwrap();
+    let drawn = elements(&svg);
+    check_head(&drawn, area.width, area.height + legend);
+    let labels = texts(&drawn);
+    for label in [
+        "rocker, wheel 4",
+        "wheel 5",
+        "φ",
+        "φ′",
+        "φ″",
+        "148.2° at 217.1°",
+        "2.187 at 340.1°",
+        "−4.112 at 8.5°",
+        "360°",
+    ] {
+        assert!(
+            labels.iter().any(|text| text == label),
+            "{label} in {labels:?}"
+        );
+    }
+    for colour in ["#009e73", "#7a4a8c"] {
+        // A curve in each plot, its sample in the legend.
+        assert_eq!(painted(&drawn, "stroke", colour), 4, "{colour}");
+        let curves = drawn
+            .iter()
+            .filter(|e| e.attribute("stroke") == Some(colour));
+        let points = curves.map(|e| e.attribute("d").unwrap().matches('L').count());
+        assert_eq!(points.filter(|count| *count == 720).count(), 3, "{colour}");
+    }
+
+    let png = save(&page, "export-plots-png", "assur-mixer-a-plots.png").await;
+    let png = Picture::decode(&png);
+    let height = SHARPNESS * (area.height + legend) as usize;
+    assert_eq!(
+        (png.width, png.height),
+        (SHARPNESS * area.width as usize, height)
+    );
+    for colour in [ROCKER, WHEEL5] {
+        for third in 0..3 {
+            let rows = third * height / 3..(third + 1) * height / 3;
+            let curve = png.places(colour).filter(|(_, y)| rows.contains(y));
+            assert!(curve.count() > 2000, "{colour:?} in plot {third}");
+        }
+    }
+    page.close().await;
+}
+
+/// The page may be dark; what is printed is not.
+#[tokio::test]
+async fn pictures_are_on_light_paper() {
+    let page = open().await;
+    page.prefer("prefers-color-scheme", "dark").await;
+    let light = page.picture("mechanism").await.cloud(COUPLER);
+    assert_eq!(light.count, 0, "{light:?}");
+    let png = save(&page, "export-drawing-png", "assur-mixer-a-drawing.png").await;
+    let png = Picture::decode(&png);
+    assert!(png.cloud(COUPLER).count > 4000);
+    let white = png.places([255; 3]).count();
+    assert!(2 * white > png.width * png.height, "{white}");
+    let svg = save_text(&page, "export-plots-svg", "assur-mixer-a-plots.svg").await;
+    assert!(svg.contains("#009e73") && !svg.contains("color-mix"));
+    page.close().await;
+}
+
+/// By keys alone, in another language, of a mechanism of the reader's own.
+#[tokio::test]
+async fn exports_by_keys() {
+    let page = Page::open().await;
+    page.stop_at("75.5").await;
+    page.write("field-l2", "0.9").await;
+    page.choose("lang", "ru").await;
+    page.until("Russian", async || {
+        page.lang().await.as_deref() == Some("ru")
+    })
+    .await;
+    let told = page.attribute("export", "aria-keyshortcuts").await;
+    assert_eq!(told.as_deref(), Some("E"));
+    page.focus("play").await;
+    page.keys("e").await;
+    wait_for_dialog(&page).await;
+    while page.focused().await.as_deref() != Some("export-drawing-svg") {
+        page.keys(Key::Tab + "").await;
+    }
+    page.keys(Key::Enter + "").await;
+    let svg = page.saved("assur-mixer-drawing.svg").await;
+    let svg = String::from_utf8(svg).unwrap();
+    let svg = Document::parse(&svg).unwrap();
+    let labels = texts(&elements(&svg));
+    assert!(labels.iter().any(|text| text == "φ₁ = 75,5°"), "{labels:?}");
+    page.keys(Key::Escape + "").await;
+    assert_eq!(page.count("#export-dialog").await, 0);
+    assert_eq!(page.focused().await.as_deref(), Some("play"));
+    page.close().await;
+}
+
+#[tokio::test]
+async fn exports_by_touch() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    page.tap("menu").await;
+    page.tap("export").await;
+    wait_for_dialog(&page).await;
+    page.tap("export-plots-png").await;
+    let png = page.saved("assur-mixer-a-plots.png").await;
+    assert!(Picture::decode(&png).cloud(WHEEL5).count > 6000);
+    page.tap("export-close").await;
+    assert_eq!(page.count("#export-dialog").await, 0);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_one_file_page_exports() {
+    let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
+    page.stop_at("75").await;
+    open_dialog(&page).await;
+    let svg = save_text(&page, "export-drawing-svg", "assur-mixer-a-drawing.svg").await;
+    assert!(Document::parse(&svg).is_ok());
+    let png = save(&page, "export-plots-png", "assur-mixer-a-plots.png").await;
+    assert!(Picture::decode(&png).cloud(ROCKER).count > 6000);
+    page.close().await;
+}

@@ -1,0 +1,75 @@
+// The dialog of exports: table, drawing and plots as files. Loaded when it is asked for.
+import { byId, make } from "assur/dom.js";
+import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";
+import { download } from "assur/share.js";
+import { contains } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/export/pictures.js").Picture} Picture
+ * @typedef {import("assur/words.js").Words} Words
+ * @typedef {{
+ *   engine: import("assur/engine.js").Engine,
+ *   model: import("assur/model.js").Model,
+ *   mechanism: import("assur/mechanism.js").MechanismView,
+ *   chart: import("assur/chart.js").ChartView,
+ *   words: Words,
+ * }} Parts
+ */
+
+/**
+ * Shows the dialog in the language of the words.
+ * @param {Parts} parts
+ */
+export function openExport(parts) {
+  document.getElementById("export-dialog")?.remove();
+  const dialog = makeDialog(parts);
+  parts.words.fill(dialog);
+  byId("app", HTMLElement).append(dialog);
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.showModal();
+}
+
+/** @param {Parts} parts */
+function makeDialog({ engine, model, mechanism, chart, words }) {
+  const theme = paperTheme(engine.roles);
+  const name = fileName(engine, model);
+  const drawing = () => mechanism;
+  const plots = () => withLegend(chart, theme);
+  const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
+  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press) => {
+    const id = `export-${part}-${format}`;
+    const made = make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}` }, [format.toUpperCase()]);
+    made.addEventListener("click", press);
+    return made;
+  };
+  const pictures = (/** @type {string} */ part, /** @type {string} */ canvas, /** @type {() => Picture} */ picture) => {
+    const title = () => byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
+    return make("div", {}, [
+      button(part, "svg", () => download(toSvg(picture(), theme, title()), `${name}-${part}.svg`)),
+      button(part, "png", async () => download(await toPng(picture(), theme), `${name}-${part}.png`)),
+    ]);
+  };
+  return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
+    make("form", { method: "dialog" }, [
+      make("h2", { id: "export-title", "data-t": "export.title" }),
+      make("div", { class: "exports" }, [
+        head("export-drawing", "export.drawing"),
+        pictures("drawing", "mechanism", drawing),
+        head("export-plots", "export.plots"),
+        pictures("plots", "charts", plots),
+      ]),
+      make("p", { class: "note", "data-t": "export.note" }),
+      make("button", { id: "export-close", class: "control", "data-t": "dialog.close" }),
+    ]),
+  ]);
+}
+
+/**
+ * @param {import("assur/engine.js").Engine} engine
+ * @param {import("assur/model.js").Model} model
+ * @returns {string} `assur-mixer-a`; of a mechanism that is none of the presets `assur-mixer`
+ */
+function fileName({ presets }, { good: { lesson, document } }) {
+  const preset = presets.find((one) => contains(document, one.document));
+  return ["assur", lesson, ...(preset ? [preset.id] : [])].join("-");
+}

@@ -1,0 +1,124 @@
+// Drawing and plots as pictures: what is on the screen, painted by the same code on light paper, by itself.
+import { setChartFont } from "assur/chart-text.js";
+import { make } from "assur/dom.js";
+import { symbol } from "assur/panels.js";
+import { Theme } from "assur/theme.js";
+import { Svg, SvgPath } from "assur/export/svg.js";
+
+/**
+ * @typedef {import("assur/display-list.js").Path} Path
+ * @typedef {import("assur/figure.js").Size} Size
+ * @typedef {import("assur/painter.js").Sheet} Sheet
+ * @typedef {{ readonly size: Size, paint: (sheet: Sheet, theme: Theme, newPath?: () => Path) => void }} Picture
+ */
+
+/** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */
+const SHARPNESS = 3;
+
+/** Of the legend over the plots: height of a row, length of a sample of the curve, room beside it, in pixels. */
+const ROW = 20;
+const SAMPLE = 22;
+const ROOM = 7;
+const LEFT = 44;
+
+/** @type {Theme | null} */
+let paper = null;
+
+/**
+ * The colours and text of light paper, whatever the page is in: pictures are for print.
+ * @param {readonly string[]} roles
+ */
+export function paperTheme(roles) {
+  if (!paper) {
+    const sample = make("div", { class: "paper", hidden: "" });
+    document.body.append(sample);
+    paper = new Theme(roles, () => {}, sample);
+  }
+  return paper;
+}
+
+/**
+ * @param {Picture} picture
+ * @param {Theme} theme
+ * @param {string} title what it shows, in words
+ */
+export function toSvg(picture, theme, title) {
+  const svg = new Svg(picture.size, title);
+  picture.paint({ context: svg, ratio: 1 }, theme, () => new SvgPath());
+  return new Blob([svg.toString()], { type: "image/svg+xml" });
+}
+
+/**
+ * @param {Picture} picture
+ * @param {Theme} theme
+ * @returns {Promise<Blob>}
+ */
+export function toPng(picture, theme) {
+  const { width, height } = picture.size;
+  const canvas = new OffscreenCanvas(width * SHARPNESS, height * SHARPNESS);
+  const context = canvas.getContext("2d", { alpha: false });
+  if (!context) throw new Error("no 2d context");
+  context.setTransform(SHARPNESS, 0, 0, SHARPNESS, 0, 0);
+  picture.paint({ context, ratio: SHARPNESS }, theme);
+  return canvas.convertToBlob({ type: "image/png" });
+}
+
+/**
+ * The plots under a legend of their curves: by themselves they have no read-outs that tell the colours.
+ * @param {import("assur/chart.js").ChartView} chart
+ * @param {Theme} theme
+ * @returns {Picture}
+ */
+export function withLegend(chart, theme) {
+  const { width, height } = chart.size;
+  const { entries, rows } = legend(chart, theme);
+  const below = rows * ROW;
+  const size = { width, height: height + below };
+  const paint = (/** @type {Sheet} */ { context, ratio }) => {
+    context.fillStyle = theme.colours.paper;
+    context.fillRect(0, 0, size.width, size.height);
+    setChartFont(context, theme, 12);
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    context.lineWidth = 2;
+    for (const { text, role, left, row } of entries) {
+      const middle = (row + 0.5) * ROW;
+      context.strokeStyle = theme.colours[role];
+      context.beginPath();
+      context.moveTo(left, middle);
+      context.lineTo(left + SAMPLE, middle);
+      context.stroke();
+      context.fillStyle = theme.colours.ink;
+      context.fillText(text, left + SAMPLE + ROOM, middle);
+    }
+    context.setTransform(ratio, 0, 0, ratio, 0, below * ratio);
+    chart.paint({ context, ratio }, theme);
+  };
+  return { size, paint };
+}
+
+/**
+ * @param {import("assur/chart.js").ChartView} chart
+ * @param {Theme} theme
+ * @returns {{ entries: { text: string, role: string, left: number, row: number }[], rows: number }}
+ */
+function legend({ panels, size }, theme) {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  if (!context) throw new Error("no 2d context");
+  setChartFont(context, theme, 12);
+  let left = LEFT;
+  let row = 0;
+  const series = panels[0]?.series ?? [];
+  const entries = series.map(({ name, role }) => {
+    const text = symbol(name, 0, false);
+    const width = SAMPLE + ROOM + context.measureText(text).width;
+    if (left > LEFT && left + width > size.width) {
+      left = LEFT;
+      row += 1;
+    }
+    const entry = { text, role, left, row };
+    left += width + 2 * ROOM;
+    return entry;
+  });
+  return { entries, rows: entries.length > 0 ? row + 1 : 0 };
+}

@@ -1,0 +1,303 @@
+// A drawing context that writes SVG: what is painted on it becomes elements of a document. It has what our painting,
+// and plotters by way of the engine, use of a canvas's context, and nothing else.
+
+const NAMESPACE = "http://www.w3.org/2000/svg";
+
+/** Significant digits of lengths: a thousandth of a pixel on the largest sheet. */
+const DIGITS = 7;
+
+const ESCAPES = Object.freeze({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" });
+
+const ANCHORS = Object.freeze({ left: "start", start: "start", center: "middle", right: "end", end: "end" });
+
+/** A path as Path2D builds it, with the data that SVG writes. */
+export class SvgPath {
+  data = "";
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  moveTo(x, y) {
+    this.data += `M${short(x)} ${short(y)}`;
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  lineTo(x, y) {
+    this.data += `L${short(x)} ${short(y)}`;
+  }
+
+  /**
+   * @param {number} x of the centre
+   * @param {number} y
+   * @param {number} radius
+   * @param {number} from radians
+   * @param {number} to at most a turn farther
+   */
+  arc(x, y, radius, from, to) {
+    const point = (/** @type {number} */ angle) => `${short(x + radius * Math.cos(angle))} ${short(y + radius * Math.sin(angle))}`;
+    // In two halves: an arc of a whole turn would end where it begins, and be none.
+    const halves = [(from + to) / 2, to].map((angle) => `A${short(radius)} ${short(radius)} 0 0 1 ${point(angle)}`);
+    this.data += `${this.data ? "L" : "M"}${point(from)}${halves.join("")}`;
+  }
+
+  closePath() {
+    this.data += "Z";
+  }
+}
+
+export class Svg {
+  fillStyle = "#000000";
+  strokeStyle = "#000000";
+  globalAlpha = 1;
+  lineWidth = 1;
+  lineJoin = "miter";
+  lineCap = "butt";
+  font = "10px sans-serif";
+  textAlign = "start";
+  textBaseline = "alphabetic";
+  /** @type {readonly number[]} */
+  #dash = [];
+  #transform = "";
+  #path = new SvgPath();
+  /** @type {string[]} */
+  #elements = [];
+  #size;
+  #title;
+  /** Measures texts and knows colours. */
+  #canvas;
+  /** @type {Map<string, [string, number]>} */
+  #colours = new Map();
+
+  /**
+   * @param {{ readonly width: number, readonly height: number }} size
+   * @param {string} title what it shows, in words
+   */
+  constructor(size, title) {
+    const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+    if (!canvas) throw new Error("no 2d context");
+    this.#canvas = canvas;
+    this.#size = size;
+    this.#title = title;
+  }
+
+  /** @returns {string} the document */
+  toString() {
+    const { width, height } = this.#size;
+    const head = attributes({ xmlns: NAMESPACE, width, height, viewBox: `0 0 ${width} ${height}`, role: "img" });
+    return `<svg${head}>\n<title>${escaped(this.#title)}</title>\n${this.#elements.join("\n")}\n</svg>\n`;
+  }
+
+  /**
+   * @param {number} a
+   * @param {number} b
+   * @param {number} c
+   * @param {number} d
+   * @param {number} e
+   * @param {number} f
+   */
+  setTransform(a, b, c, d, e, f) {
+    const matrix = [a, b, c, d, e, f].map(short).join(" ");
+    this.#transform = matrix === "1 0 0 1 0 0" ? "" : `matrix(${matrix})`;
+  }
+
+  /** @param {readonly number[]} dash */
+  setLineDash(dash) {
+    this.#dash = dash;
+  }
+
+  beginPath() {
+    this.#path = new SvgPath();
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  moveTo(x, y) {
+    this.#path.moveTo(x, y);
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  lineTo(x, y) {
+    this.#path.lineTo(x, y);
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} radius
+   * @param {number} from
+   * @param {number} to
+   */
+  arc(x, y, radius, from, to) {
+    this.#path.arc(x, y, radius, from, to);
+  }
+
+  closePath() {
+    this.#path.closePath();
+  }
+
+  /**
+   * @param {SvgPath} [path] the context's own where none is given
+   * @param {"evenodd" | "nonzero"} [rule]
+   */
+  fill(path = this.#path, rule = "nonzero") {
+    this.#add("path", { d: path.data, "fill-rule": rule === "evenodd" ? rule : "", ...this.#filling() });
+  }
+
+  /** @param {SvgPath} [path] */
+  stroke(path = this.#path) {
+    this.#add("path", { d: path.data, fill: "none", ...this.#line() });
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
+  fillRect(x, y, width, height) {
+    this.#add("rect", { x: short(x), y: short(y), width: short(width), height: short(height), ...this.#filling() });
+  }
+
+  /** @param {string} text */
+  measureText(text) {
+    this.#canvas.font = this.font;
+    return this.#canvas.measureText(text);
+  }
+
+  /**
+   * @param {string} text
+   * @param {number} x
+   * @param {number} y
+   * @param {number} [widest] the width into which it is squeezed if need be
+   */
+  fillText(text, x, y, widest = Infinity) {
+    const squeezed = this.measureText(text).width > widest;
+    const fit = squeezed ? { textLength: short(widest), lengthAdjust: "spacingAndGlyphs" } : {};
+    this.#text(text, x, y, { ...this.#filling(), ...fit });
+  }
+
+  /**
+   * @param {string} text
+   * @param {number} x
+   * @param {number} y
+   */
+  strokeText(text, x, y) {
+    // The halo of a text that follows: it is not to be read twice.
+    this.#text(text, x, y, { fill: "none", ...this.#line(), "aria-hidden": "true" });
+  }
+
+  /**
+   * @param {string} text
+   * @param {number} x
+   * @param {number} y
+   * @param {Readonly<Record<string, string | number>>} look
+   */
+  #text(text, x, y, look) {
+    const [, weight, size, family] = /^(?:(\w+) )?([\d.]+)px (.+)$/.exec(this.font) ?? ["", "", "10", "sans-serif"];
+    const anchor = ANCHORS[/** @type {keyof typeof ANCHORS} */ (this.textAlign)];
+    this.#add(
+      "text",
+      {
+        x: short(x),
+        y: short(y + this.#drop()),
+        "font-family": family,
+        "font-size": size,
+        "font-weight": weight ?? "",
+        "text-anchor": anchor === "start" ? "" : anchor,
+        ...look,
+      },
+      text,
+    );
+  }
+
+  /**
+   * Programs that show SVG agree on the alphabetic baseline only.
+   * @returns {number} how far it is below the one that was asked for
+   */
+  #drop() {
+    const ascent = (/** @type {CanvasTextBaseline} */ baseline) => {
+      this.#canvas.textBaseline = baseline;
+      return this.measureText("").fontBoundingBoxAscent;
+    };
+    return ascent("alphabetic") - ascent(/** @type {CanvasTextBaseline} */ (this.textBaseline));
+  }
+
+  #filling() {
+    const [fill, alpha] = this.#colour(this.fillStyle);
+    return { fill, "fill-opacity": opacity(alpha * this.globalAlpha) };
+  }
+
+  #line() {
+    const [stroke, alpha] = this.#colour(this.strokeStyle);
+    return {
+      stroke,
+      "stroke-width": short(this.lineWidth),
+      "stroke-opacity": opacity(alpha * this.globalAlpha),
+      "stroke-linejoin": this.lineJoin === "miter" ? "" : this.lineJoin,
+      "stroke-linecap": this.lineCap === "butt" ? "" : this.lineCap,
+      "stroke-dasharray": this.#dash.map(short).join(" "),
+    };
+  }
+
+  /**
+   * @param {string} css any colour of style sheets; other programs know the plain ones only
+   * @returns {[string, number]} #rrggbb and opacity
+   */
+  #colour(css) {
+    let known = this.#colours.get(css);
+    if (!known) {
+      const canvas = this.#canvas;
+      canvas.clearRect(0, 0, 1, 1);
+      canvas.fillStyle = css;
+      canvas.fillRect(0, 0, 1, 1);
+      const [red, green, blue, alpha] = canvas.getImageData(0, 0, 1, 1).data;
+      known = [`#${[red, green, blue].map((part) => part.toString(16).padStart(2, "0")).join("")}`, alpha / 255];
+      this.#colours.set(css, known);
+    }
+    return known;
+  }
+
+  /**
+   * @param {string} name
+   * @param {Readonly<Record<string, string | number>>} look
+   * @param {string} [text]
+   */
+  #add(name, look, text) {
+    const head = name + attributes({ ...look, transform: this.#transform });
+    this.#elements.push(text === undefined ? `<${head}/>` : `<${head}>${escaped(text)}</${name}>`);
+  }
+}
+
+/** @param {number} value */
+function short(value) {
+  return String(Number(value.toPrecision(DIGITS)));
+}
+
+/** @param {number} value */
+function opacity(value) {
+  return value === 1 ? "" : String(Number(value.toFixed(3)));
+}
+
+/** @param {Readonly<Record<string, string | number>>} values an empty one is left out */
+function attributes(values) {
+  const given = Object.entries(values).filter(([, value]) => value !== "");
+  return given.map(([name, value]) => ` ${name}="${escaped(String(value))}"`).join("");
+}
+
+/**
+ * @param {string} text
+ * @returns {string} the same as XML, without what XML cannot hold
+ */
+function escaped(text) {
+  const legal = text.replace(/[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\u{10000}-\u{10ffff}]/gu, "");
+  return legal.replace(/[&<>"]/g, (sign) => ESCAPES[/** @type {keyof typeof ESCAPES} */ (sign)]);
+}

@@ -1,0 +1,127 @@
+// What is painted of a snapshot, alike on the screen's canvas and on an exported sheet.
+import { degrees } from "assur/angles.js";
+import { readDisplayList } from "assur/display-list.js";
+import { Painter } from "assur/painter.js";
+import { subscript } from "assur/panels.js";
+import { paintSquares } from "assur/sheet.js";
+
+/**
+ * @typedef {import("assur/display-list.js").Layer} Layer
+ * @typedef {import("assur/display-list.js").Path} Path
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/painter.js").Sheet} Sheet
+ * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {import("assur/transform.js").Transform} Transform
+ * @typedef {{ readonly width: number, readonly height: number }} Size in CSS pixels
+ */
+
+export class Figure {
+  #engine;
+  #theme;
+  #painter;
+  #newPath;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  #revision = 0;
+  /** @type {readonly Layer[]} what stands still under all that moves */
+  #still = [];
+  /** @type {readonly Layer[]} */
+  #rigid = [];
+  /** @type {readonly Layer[]} what changes its shape */
+  #changing = [];
+  /** @type {readonly (readonly number[])[]} x, y and angle of each body */
+  #poses = [];
+
+  /**
+   * @param {Engine} engine
+   * @param {Theme} theme
+   * @param {() => Path} [newPath] an empty path of the kind its sheets take
+   */
+  constructor(engine, theme, newPath = () => new Path2D()) {
+    this.#engine = engine;
+    this.#theme = theme;
+    this.#painter = new Painter(theme);
+    this.#newPath = newPath;
+  }
+
+  /** @param {Snapshot} snapshot what is painted from now on */
+  take(snapshot) {
+    this.#snapshot = snapshot;
+    const { scene, frame, revision } = snapshot;
+    if (this.#revision !== revision) {
+      this.#revision = revision;
+      const layers = this.#read(scene, 0);
+      const moving = layers.findIndex(({ body }) => body !== 0);
+      this.#still = layers.slice(0, moving);
+      this.#rigid = layers.slice(moving);
+    }
+    const { poses, end } = readPoses(frame);
+    this.#poses = poses;
+    this.#changing = this.#read(frame, end);
+  }
+
+  /**
+   * Squared paper, and on it what stands still.
+   * @param {Sheet} sheet
+   * @param {Size} size
+   * @param {Transform} view
+   */
+  paintGround(sheet, size, view) {
+    if (!this.#snapshot) return;
+    paintSquares(sheet.context, size, view, this.#theme, this.#snapshot.words);
+    this.#painter.shapes(sheet, this.#still, view, this.#poses);
+  }
+
+  /**
+   * What moves.
+   * @param {Sheet} sheet
+   * @param {Transform} view
+   */
+  paintMoving(sheet, view) {
+    this.#painter.shapes(sheet, this.#rigid, view, this.#poses);
+    this.#painter.shapes(sheet, this.#changing, view, this.#poses);
+  }
+
+  /**
+   * @param {Sheet} sheet
+   * @param {Transform} view
+   */
+  paintLabels(sheet, view) {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return;
+    const write = (/** @type {string} */ label) => labelText(label, snapshot);
+    for (const layers of [this.#still, this.#rigid, this.#changing]) {
+      this.#painter.labels(sheet, layers, view, this.#poses, write);
+    }
+  }
+
+  /**
+   * @param {Float32Array} list
+   * @param {number} start
+   */
+  #read(list, start) {
+    return readDisplayList(list, start, this.#engine.roles, this.#engine.labels, this.#newPath);
+  }
+}
+
+/**
+ * @param {Float32Array} frame
+ * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; where the list after them begins
+ */
+function readPoses(frame) {
+  const bodies = frame[0];
+  const poses = [];
+  for (let body = 0; body < bodies; body++) poses.push([...frame.subarray(1 + 3 * body, 4 + 3 * body)]);
+  return { poses, end: 1 + 3 * bodies };
+}
+
+/**
+ * @param {string} label
+ * @param {Snapshot} snapshot
+ */
+function labelText(label, { frameDeg, readouts, words }) {
+  if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
+  if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
+  return label.replace(/(?<=\p{L})\d/gu, subscript);
+}
