@@ -1,5 +1,7 @@
 //! The engine against tables computed in 40-digit arithmetic, on both targets.
 
+use assur::catalog::mixer::{Case, Mixer};
+use assur::motion::sweep;
 use assur::{Assembly, FourBar, JetPoint, Link, Offset};
 use assur_tests::{Row, Table, angle_between, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -23,14 +25,63 @@ fn mixer() {
     assert_eq!(rows, 2 * 2 * 72);
 }
 
-fn check(row: &Row<'_>) {
+/// The table of the sweep has the same numbers.
+#[wasm_bindgen_test(unsupported = test)]
+fn table_of_the_mixer() {
+    let golden = Table::parse(include_str!("data/mixer.csv"));
+    for row in golden.rows() {
+        let (lengths, assembly) = linkage(&row);
+        let mut dimensions = Case::A.dimensions();
+        (dimensions.lengths, dimensions.assembly) = (lengths, assembly);
+        let mixer = Mixer::new(&dimensions).unwrap();
+        let columns = mixer.columns();
+        let degrees = row.get("phi1_deg");
+        let swept = &sweep(&mixer, &columns, 72)[degrees as usize / 5];
+        let mut compared = 0;
+        for (column, value) in columns.iter().zip(&swept.values) {
+            let name = column.name();
+            let Some(golden) = golden_name(&name) else {
+                continue;
+            };
+            let (value, expected) = (value.unwrap(), row.get(&golden));
+            let what = format!("{name} at {degrees}°");
+            if name.ends_with(".angle") {
+                assert!(angle_between(value, expected) <= TOLERANCE[0], "{what}");
+            } else {
+                assert_near(value, expected, TOLERANCE[column.order], &what);
+            }
+            compared += 1;
+        }
+        // Two angles and three points, each with two derivatives.
+        assert_eq!(compared, 3 * (2 + 3 * 2));
+    }
+}
+
+/// What a column of the sweep is called in the golden table, if it is there.
+fn golden_name(column: &str) -> Option<String> {
+    let (of, what) = column.split_once('.')?;
+    match of {
+        "coupler" => Some(what.replace("angle", "phi2")),
+        "rocker" => Some(what.replace("angle", "phi3")),
+        "C1" | "C2" | "C3" => Some(format!("{}_{what}", of.to_lowercase())),
+        _ => None,
+    }
+}
+
+/// The lengths and the assembly of a row.
+fn linkage(row: &Row<'_>) -> ([f64; 4], Assembly) {
     let rocker = if row.get("case") == 1.0 { 0.55 } else { 1.0 };
-    let linkage = FourBar::new([0.37, 0.85, rocker, 0.85]).unwrap();
     let assembly = if row.get("assembly") == 1.0 {
         Assembly::First
     } else {
         Assembly::Second
     };
+    ([0.37, 0.85, rocker, 0.85], assembly)
+}
+
+fn check(row: &Row<'_>) {
+    let (lengths, assembly) = linkage(row);
+    let linkage = FourBar::new(lengths).unwrap();
     let degrees = row.get("phi1_deg");
     let pose = linkage.pose::<3>(assembly, degrees.to_radians()).unwrap();
     for (angle, name) in [(pose.coupler, "phi2"), (pose.rocker, "phi3")] {

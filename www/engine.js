@@ -33,6 +33,7 @@ import init, { Simulator, labelNames, presets, readState, roleNames } from "assu
  * }} Panel
  * @typedef {{ width: number, height: number, palette: [number, number, number][] }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
+ * @typedef {{ columns: string[], rows: { phi_deg: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
  */
 
 /** The engine did not do what was asked, and says why. */
@@ -187,6 +188,14 @@ export class Engine {
    */
   chart(context, request) {
     return this.#ask((simulator) => simulator.chart(context, request));
+  }
+
+  /**
+   * @param {number} steps rows to a turn of the crank
+   * @returns {SweepTable}
+   */
+  sweep(steps) {
+    return this.#ask((simulator) => simulator.sweep(steps));
   }
 
   /**

@@ -1,5 +1,9 @@
-//! What the page gives away: pictures of drawing and plots, as files.
+//! What the page gives away: the table of the sweep, pictures of drawing and plots,
+//! as files.
 
+use std::collections::HashMap;
+
+use assur_tests::{Table, angle_between, assert_near};
 use roxmltree::{Document, Node};
 use thirtyfour::prelude::*;
 
@@ -37,6 +41,150 @@ async fn save(page: &Page, button: &str, name: &str) -> Vec<u8> {
 
 async fn save_text(page: &Page, button: &str, name: &str) -> String {
     String::from_utf8(save(page, button, name).await).unwrap()
+}
+
+/// A saved table, its cells as they are written, by row and column.
+struct Csv {
+    columns: HashMap<String, usize>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Csv {
+    async fn save(page: &Page, name: &str) -> Self {
+        Self::parse(&save_text(page, "export-table-csv", name).await)
+    }
+
+    fn parse(text: &str) -> Self {
+        let cells = |line: &str| line.split(',').map(str::to_owned).collect();
+        let mut rows: Vec<Vec<String>> = text.lines().map(cells).collect();
+        let header = rows.remove(0);
+        assert_eq!(
+            (&*header[0], &**header.last().unwrap()),
+            ("phi_deg", "reason")
+        );
+        for row in &rows {
+            assert_eq!(row.len(), header.len(), "{row:?}");
+            // The shortest text of a number, with a point.
+            for cell in row[..row.len() - 1].iter().filter(|cell| !cell.is_empty()) {
+                let value: f64 = cell.parse().unwrap();
+                assert!(
+                    value.is_finite() && cell.len() <= format!("{value}").len(),
+                    "{cell}"
+                );
+            }
+        }
+        let columns = header.into_iter().enumerate();
+        Self {
+            columns: columns.map(|(index, name)| (name, index)).collect(),
+            rows,
+        }
+    }
+
+    fn cell(&self, row: usize, column: &str) -> &str {
+        &self.rows[row][self.columns[column]]
+    }
+
+    fn value(&self, row: usize, column: &str) -> f64 {
+        self.cell(row, column).parse().unwrap()
+    }
+}
+
+/// The numbers of the golden table, as it is compared with natively.
+#[tokio::test]
+async fn the_table_has_the_golden_numbers() {
+    const TOLERANCE: [f64; 3] = [1e-12, 1e-11, 1e-10];
+    let page = open().await;
+    let csv = Csv::save(&page, "assur-mixer-a.csv").await;
+    assert_eq!(csv.rows.len(), 361);
+    let golden = Table::parse(include_str!("../data/mixer.csv"));
+    let golden = golden
+        .rows()
+        .filter(|row| row.get("case") == 1.0 && row.get("assembly") == 1.0);
+    let mut compared = 0;
+    for row in golden {
+        let degrees = row.get("phi1_deg");
+        let at = degrees as usize;
+        assert_eq!(csv.value(at, "phi_deg"), degrees);
+        assert_eq!(csv.cell(at, "reason"), "");
+        for (order, d) in ["", "d", "dd"].into_iter().enumerate() {
+            for (link, phi) in [("coupler", "phi2"), ("rocker", "phi3")] {
+                let value = csv.value(at, &format!("{link}.{d}angle"));
+                let expected = row.get(&format!("{d}{phi}"));
+                let what = format!("{link}.{d}angle at {degrees}°");
+                if order == 0 {
+                    assert!(angle_between(value, expected) <= TOLERANCE[0], "{what}");
+                } else {
+                    assert_near(value, expected, TOLERANCE[order], &what);
+                }
+            }
+            for (point, axis) in ["1", "2", "3"].map(|n| [(n, "x"), (n, "y")]).concat() {
+                let value = csv.value(at, &format!("C{point}.{d}{axis}"));
+                let expected = row.get(&format!("c{point}_{d}{axis}"));
+                let what = format!("C{point}.{d}{axis} at {degrees}°");
+                assert_near(value, expected, TOLERANCE[order], &what);
+            }
+            let (rocker, wheel5) = (format!("rocker.{d}angle"), format!("wheel5.{d}angle"));
+            if order > 0 {
+                let ratio = -2.0 * csv.value(at, &rocker);
+                assert_near(csv.value(at, &wheel5), ratio, 1e-14, &wheel5);
+            }
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 72);
+    // The angle is unwrapped; the joints stand where the lengths have them.
+    assert_near(
+        csv.value(360, "crank.angle"),
+        std::f64::consts::TAU,
+        1e-15,
+        "a turn",
+    );
+    assert_eq!(csv.value(360, "phi_deg"), 360.0);
+    assert_eq!(csv.value(123, "crank.dangle"), 1.0);
+    assert_eq!(csv.value(123, "D.x"), 0.85);
+    let reach = csv.value(123, "B.x").hypot(csv.value(123, "B.y"));
+    assert_near(reach, 0.37, 1e-15, "the crank");
+    page.close().await;
+}
+
+/// Where there is no pose a row says so; a dead point has places only.
+#[tokio::test]
+async fn the_table_says_why_values_are_missing() {
+    let page = Page::open().await;
+    page.stop_at("0").await;
+    for (field, value) in [("l4", "4"), ("l3", "3"), ("l2", "2"), ("l1", "3")] {
+        page.write(&format!("field-{field}"), value).await;
+    }
+    open_dialog(&page).await;
+    page.choose("export-step", "72").await;
+    let csv = Csv::save(&page, "assur-mixer.csv").await;
+    assert_eq!(csv.rows.len(), 73);
+    for row in 0..73 {
+        assert_eq!(csv.value(row, "phi_deg"), 5.0 * row as f64);
+        let (reason, place, velocity) = match row {
+            18 | 54 => ("dead_point", true, false),
+            19..54 => ("apart", false, false),
+            _ => ("", true, true),
+        };
+        assert_eq!(csv.cell(row, "reason"), reason, "row {row}");
+        for (column, given) in [
+            ("C.x", place),
+            ("coupler.angle", place),
+            ("C2.dy", velocity),
+            ("wheel5.ddangle", velocity),
+        ] {
+            assert_eq!(
+                !csv.cell(row, column).is_empty(),
+                given,
+                "{column} in row {row}"
+            );
+        }
+    }
+    page.choose("export-step", "3600").await;
+    let csv = Csv::save(&page, "assur-mixer.csv").await;
+    assert_eq!(csv.rows.len(), 3601);
+    assert_eq!(csv.cell(3, "phi_deg"), "0.3");
+    page.close().await;
 }
 
 /// The elements of a picture. Only these kinds are in one, and nothing that runs
@@ -190,11 +338,9 @@ async fn plots_are_saved_under_a_legend() {
     check_head(&drawn, area.width, area.height + legend);
     let labels = texts(&drawn);
     for label in [
-        "rocker, wheel 4",
-        "wheel 5",
-        "φ",
-        "φ′",
-        "φ″",
+        "φ₃′",
+        "φ₅″",
+        "  acceleration analogue, 1/rad",
         "148.2° at 217.1°",
         "2.187 at 340.1°",
         "−4.112 at 8.5°",
@@ -204,6 +350,11 @@ async fn plots_are_saved_under_a_legend() {
             labels.iter().any(|text| text == label),
             "{label} in {labels:?}"
         );
+    }
+    // In the legend and in the first title.
+    for curve in ["φ₃", "φ₅"] {
+        let count = labels.iter().filter(|text| *text == curve).count();
+        assert_eq!(count, 2, "{curve} in {labels:?}");
     }
     for colour in ["#009e73", "#7a4a8c"] {
         // A curve in each plot, its sample in the legend.
@@ -265,6 +416,10 @@ async fn exports_by_keys() {
     page.focus("play").await;
     page.keys("e").await;
     wait_for_dialog(&page).await;
+    // The table is at hand at once; its numbers are written alike in all languages.
+    page.keys(Key::Enter + "").await;
+    let csv = String::from_utf8(page.saved("assur-mixer.csv").await).unwrap();
+    assert_eq!(Csv::parse(&csv).value(90, "B.y"), 0.37);
     while page.focused().await.as_deref() != Some("export-drawing-svg") {
         page.keys(Key::Tab + "").await;
     }
@@ -287,6 +442,9 @@ async fn exports_by_touch() {
     page.tap("menu").await;
     page.tap("export").await;
     wait_for_dialog(&page).await;
+    page.tap("export-table-csv").await;
+    let csv = page.saved("assur-mixer-a.csv").await;
+    assert_eq!(Csv::parse(&String::from_utf8(csv).unwrap()).rows.len(), 361);
     page.tap("export-plots-png").await;
     let png = page.saved("assur-mixer-a-plots.png").await;
     assert!(Picture::decode(&png).cloud(WHEEL5).count > 6000);
@@ -302,6 +460,8 @@ async fn the_one_file_page_exports() {
     open_dialog(&page).await;
     let svg = save_text(&page, "export-drawing-svg", "assur-mixer-a-drawing.svg").await;
     assert!(Document::parse(&svg).is_ok());
+    let csv = Csv::save(&page, "assur-mixer-a.csv").await;
+    assert_eq!(csv.value(90, "B.y"), 0.37);
     let png = save(&page, "export-plots-png", "assur-mixer-a-plots.png").await;
     assert!(Picture::decode(&png).cloud(ROCKER).count > 6000);
     page.close().await;

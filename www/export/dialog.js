@@ -1,5 +1,7 @@
 // The dialog of exports: table, drawing and plots as files. Loaded when it is asked for.
 import { byId, make } from "assur/dom.js";
+import { attempt } from "assur/engine.js";
+import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";
 import { download } from "assur/share.js";
 import { contains } from "assur/state.js";
@@ -15,6 +17,10 @@ import { contains } from "assur/state.js";
  *   words: Words,
  * }} Parts
  */
+
+/** Rows of the table to a turn of the crank: every 10° to every 0.1°. */
+const STEPS = Object.freeze([36, 72, 180, 360, 720, 3600]);
+const USUAL = 360;
 
 /**
  * Shows the dialog in the language of the words.
@@ -49,10 +55,19 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
       button(part, "png", async () => download(await toPng(picture(), theme), `${name}-${part}.png`)),
     ]);
   };
+  const step = make("select", { id: "export-step", class: "control", "aria-labelledby": "export-table export-step-name" });
+  step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [`${words.numbers.upTo(360 / steps, 1)}°`])));
+  step.value = `${USUAL}`;
+  const saveTable = () => {
+    const { value } = attempt(() => engine.sweep(Number(step.value)));
+    if (value) download(toCsv(value), `${name}.csv`);
+  };
   return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
     make("form", { method: "dialog" }, [
       make("h2", { id: "export-title", "data-t": "export.title" }),
       make("div", { class: "exports" }, [
+        head("export-table", "export.table"),
+        make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),
         head("export-drawing", "export.drawing"),
         pictures("drawing", "mechanism", drawing),
         head("export-plots", "export.plots"),

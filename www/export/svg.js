@@ -87,7 +87,8 @@ export class Svg {
   /** @returns {string} the document */
   toString() {
     const { width, height } = this.#size;
-    const head = attributes({ xmlns: NAMESPACE, width, height, viewBox: `0 0 ${width} ${height}`, role: "img" });
+    const box = `0 0 ${width} ${height}`;
+    const head = attributes({ xmlns: NAMESPACE, "xml:space": "preserve", width, height, viewBox: box, role: "img" });
     return `<svg${head}>\n<title>${escaped(this.#title)}</title>\n${this.#elements.join("\n")}\n</svg>\n`;
   }
 

@@ -69,6 +69,7 @@ fn marks(mixer: &Mixer, quantities: &[Quantity], input: Input) -> Vec<[Features;
 /// An angle's curve has the colour of what turns.
 fn role(quantity: Quantity) -> Role {
     match quantity {
+        Quantity::Angle(Turning::Crank) => Role::Crank,
         Quantity::Angle(Turning::Coupler) => Role::Coupler,
         Quantity::Angle(Turning::Rocker) => Role::Rocker,
         Quantity::Angle(Turning::Wheel(index)) => wheels::role(index),

@@ -5,5 +5,6 @@ mod canvas;
 mod convert;
 mod simulator;
 mod summary;
+mod table;
 
 pub use simulator::{Simulator, label_names, presets, read_state, role_names, version};

@@ -13,6 +13,7 @@ use web_sys::CanvasRenderingContext2d;
 use crate::canvas::Canvas;
 use crate::convert::{Change, ChartLayout, ChartRequest, thrown, to_js};
 use crate::summary::Summary;
+use crate::table::SweepTable;
 
 /// A mechanism and all that is drawn of it. Angles are radians. What fails
 /// throws an array of problems, `{code, …}`, and changes nothing.
@@ -223,6 +224,16 @@ impl Simulator {
             }])
         })?;
         Ok(to_js(&ChartLayout::new(&loaded.chart, panels)))
+    }
+
+    /// The motion as a table `{columns, rows: [{phi_deg, values, reason}]}`, with
+    /// `steps` rows to a turn of the crank and its end; `null` where there is no
+    /// value, with the reason.
+    ///
+    /// # Errors
+    /// Before the first `set`.
+    pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
+        Ok(to_js(&SweepTable::new(&self.loaded()?.mixer, steps)))
     }
 
     fn loaded(&self) -> Result<&Loaded, JsValue> {

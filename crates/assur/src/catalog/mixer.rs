@@ -4,6 +4,7 @@
 
 mod drag;
 mod quantity;
+mod table;
 mod tracer;
 
 use std::f64::consts::PI;

@@ -3,7 +3,9 @@
 mod extrema;
 mod features;
 mod input;
+mod sweep;
 
 pub use extrema::{Extremum, Kind, extrema};
 pub use features::{Features, features};
 pub use input::Input;
+pub use sweep::{Column, Motion, Row, sweep};

@@ -19,6 +19,8 @@ pub enum Quantity {
 /// What turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turning {
+    /// Crank AB, φ₁: the input itself.
+    Crank,
     /// Coupler BC, φ₂.
     Coupler,
     /// Rocker DC and wheel 4, φ₃.
@@ -30,10 +32,14 @@ pub enum Turning {
 /// A point that is tracked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tracked {
+    /// Joint A, which stands still.
+    A,
     /// Joint B.
     B,
     /// Joint C.
     C,
+    /// Joint D, which stands still.
+    D,
     /// Centre of mass of a link, in the middle of it: C₁, C₂, C₃.
     Centre(Link),
     /// A traced point, counted from 0: P₁.
@@ -69,6 +75,7 @@ impl Quantity {
 impl Turning {
     fn name(self) -> Cow<'static, str> {
         match self {
+            Self::Crank => "crank".into(),
             Self::Coupler => "coupler".into(),
             Self::Rocker => "rocker".into(),
             Self::Wheel(index) => format!("wheel{}", index + 5).into(),
@@ -79,8 +86,10 @@ impl Turning {
 impl Tracked {
     fn name(self) -> Cow<'static, str> {
         let name = match self {
+            Self::A => "A",
             Self::B => "B",
             Self::C => "C",
+            Self::D => "D",
             Self::Centre(Link::Crank) => "C1",
             Self::Centre(Link::Coupler) => "C2",
             Self::Centre(Link::Rocker) => "C3",
@@ -93,7 +102,7 @@ impl Tracked {
 
 impl Mixer {
     /// What turns, in the order of the quantities.
-    fn turning(&self) -> Vec<Turning> {
+    pub(super) fn turning(&self) -> Vec<Turning> {
         let wheels = (0..self.gears.pairs().len()).map(Turning::Wheel);
         [Turning::Coupler, Turning::Rocker]
             .into_iter()
@@ -136,6 +145,7 @@ impl Mixer {
     /// A quantity in a pose, with as many derivatives as the pose carries.
     pub fn jet<const N: usize>(&self, quantity: Quantity, pose: &Pose<N>) -> Jet<N> {
         match quantity {
+            Quantity::Angle(Turning::Crank) => pose.crank,
             Quantity::Angle(Turning::Coupler) => pose.coupler,
             Quantity::Angle(Turning::Rocker) => pose.rocker,
             Quantity::Angle(Turning::Wheel(_)) => pose.rocker * self.multiple(quantity).1,
@@ -148,6 +158,7 @@ impl Mixer {
     ///
     /// # Errors
     /// [`Unsolved`] where there is no pose, or no derivatives.
+    #[inline(never)] // its copies would be a hundredth of the page's download
     pub fn jets<const N: usize>(
         &self,
         quantities: &[Quantity],
@@ -175,8 +186,10 @@ impl Mixer {
     /// A tracked point in a pose.
     fn point<const N: usize>(&self, point: Tracked, pose: &Pose<N>) -> JetPoint<N> {
         match point {
+            Tracked::A => self.linkage.joints(pose)[0],
             Tracked::B => self.linkage.joints(pose)[1],
             Tracked::C => self.linkage.joints(pose)[2],
+            Tracked::D => self.linkage.joints(pose)[3],
             Tracked::Centre(link) => self.linkage.carried(pose, link, Offset::MIDDLE),
             Tracked::Traced(index) => match self.tracers().get(index) {
                 Some(tracer) => self.traced(pose, tracer),
@@ -186,7 +199,7 @@ impl Mixer {
     }
 }
 
-fn coordinates(point: Tracked) -> [Quantity; 2] {
+pub(super) fn coordinates(point: Tracked) -> [Quantity; 2] {
     [Axis::X, Axis::Y].map(|axis| Quantity::Coordinate(point, axis))
 }
 
