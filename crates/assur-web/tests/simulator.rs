@@ -55,6 +55,51 @@ fn simulator() -> Simulator {
 }
 
 #[wasm_bindgen_test]
+fn a_table_has_the_golden_numbers_and_reasons() {
+    let simulator = simulator();
+    let table = simulator.sweep(360).unwrap();
+    let columns: Array = get(&table, "columns").unchecked_into();
+    let column = |name: &str| columns.index_of(&name.into(), 0);
+    let value = |table: &JsValue, row: u32, name: &str| {
+        get(table, &format!("rows.{row}.values.{}", column(name)))
+    };
+    assert_eq!(number(&table, "rows.length"), 361.0);
+    assert_eq!(number(&table, "rows.5.phi_deg"), 5.0);
+    // The row at 5° of tests/data/mixer.csv.
+    for (name, expected, tolerance) in [
+        ("coupler.angle", 0.583_469_077_417_292_1, 1e-12),
+        ("rocker.dangle", -0.602_993_892_844_061_5, 1e-11),
+        ("rocker.ddangle", 2.014_553_281_859_781_6, 1e-10),
+        ("C2.x", 0.723_278_543_597_030_3, 1e-12),
+        ("C3.ddy", 0.138_626_804_903_905_4, 1e-10),
+    ] {
+        let found = value(&table, 5, name).as_f64().unwrap();
+        assert!((found - expected).abs() <= tolerance, "{name}: {found}");
+    }
+    assert!(get(&table, "rows.5.reason").is_null());
+
+    // A right angle of the crank is a dead point; beyond it nothing closes.
+    let mut simulator = simulator;
+    let state = state();
+    for (key, length) in [("l1", 3.0), ("l2", 2.0), ("l3", 3.0), ("l4", 4.0)] {
+        put(&state, "document", key, length.into());
+    }
+    simulator.set(state).unwrap();
+    let table = simulator.sweep(4).unwrap();
+    let codes = [0, 1, 2, 3, 4].map(|row| {
+        let reason = get(&table, &format!("rows.{row}.reason"));
+        (!reason.is_null()).then(|| get(&reason, "code").as_string().unwrap())
+    });
+    let codes = codes.each_ref().map(Option::as_deref);
+    let dead = Some("dead_point");
+    assert_eq!(codes, [None, dead, Some("apart"), dead, None]);
+    for (row, place, velocity) in [(0, true, true), (1, true, false), (2, false, false)] {
+        assert_eq!(!value(&table, row, "C.x").is_null(), place, "{row}");
+        assert_eq!(!value(&table, row, "C.dx").is_null(), velocity, "{row}");
+    }
+}
+
+#[wasm_bindgen_test]
 fn summary_reads_as_the_papers_conclusions() {
     let mut simulator = Simulator::new();
     for (preset, rocker, wheel5) in [
