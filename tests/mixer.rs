@@ -2,7 +2,7 @@
 //! 40-digit arithmetic, and extrema and classes of known linkages.
 
 use assur::catalog::mixer::{Case, Mixer};
-use assur::motion::{Kind, extrema};
+use assur::motion::{Features, Input, Kind, extrema, features};
 use assur::{Assembly, Dimension, Fault, FourBar, Grashof, Swing};
 use assur_tests::assert_near;
 
@@ -98,6 +98,112 @@ fn extrema_of_fig_4() {
             assert_eq!(extremum.kind, *kind);
             assert_near(extremum.crank, *crank, 1e-14, "its angle");
             assert_near(extremum.value, *value, 1e-14, "its value");
+        }
+    }
+}
+
+/// Features of a mixer's quantity of this name, for the value and both rates.
+fn found(mixer: &Mixer, name: &str, input: Input) -> [Features; 3] {
+    let mut quantities = mixer.quantities();
+    quantities.retain(|quantity| quantity.name() == name);
+    let motion = |crank: f64| mixer.jets(&quantities, crank).ok();
+    let found = features(&mixer.linkage.cycle(), &motion, &[1.0], input);
+    found.into_iter().next().unwrap()
+}
+
+/// The zeros of φ₃′ and the extrema of φ₃ are the limit positions, those of φ₃″
+/// the extrema of φ₃′; φ₅ has them at the same crank angles.
+#[test]
+fn zeros_are_the_extrema_of_what_they_are_derivatives_of() {
+    for case in Case::ALL {
+        let mixer = mixer(case);
+        for name in ["rocker.angle", "wheel5.angle"] {
+            let [value, first, second] = found(&mixer, name, Input::ANALOGUES);
+            let limits = mixer.linkage.limits(Assembly::First);
+            assert_eq!(limits.len(), 2);
+            assert_eq!(first.zeros.len(), 2);
+            for (limit, zero) in limits.iter().zip(&first.zeros) {
+                assert_near(*zero, limit.crank, 1e-14, "zero of φ′");
+            }
+            let cranks = |features: &Features| -> Vec<f64> {
+                features.extrema.iter().map(|e| e.crank).collect()
+            };
+            assert_eq!(cranks(&value), first.zeros);
+            assert_eq!(cranks(&first), second.zeros);
+            if name == "rocker.angle" {
+                for (limit, extremum) in limits.iter().zip(&value.extrema) {
+                    assert_near(extremum.value, limit.rocker, 1e-14, "extremum of φ₃");
+                }
+            }
+        }
+    }
+}
+
+/// C₁ runs on a circle: with ω₁ and ε₁ its acceleration is ½ l₁ √(ω₁⁴ + ε₁²),
+/// turned by atan2(ε₁, −ω₁²) before its place.
+#[test]
+fn rates_by_time_of_a_point_on_the_crank() {
+    let turn = std::f64::consts::TAU;
+    for (speed, acceleration) in [(1.0, 0.0), (3.0, -4.0), (-150.0, 900.0), (0.0, 2.0)] {
+        let input = Input {
+            speed,
+            acceleration,
+        };
+        let [value, first, second] = found(&mixer(Case::A), "C1.x", input);
+        let size = 0.185 * (speed * speed).hypot(acceleration);
+        let ahead = acceleration.atan2(-speed * speed);
+        for (features, amplitude, phase) in [
+            (value, 0.185, 0.0),
+            (first, 0.185 * speed.abs(), 0.25 * turn * speed.signum()),
+            (second, size, ahead),
+        ] {
+            if amplitude == 0.0 {
+                assert_eq!(features, Features::default());
+                continue;
+            }
+            // amplitude · cos(φ₁ + phase)
+            assert_eq!(features.extrema.len(), 2, "{features:?}");
+            for extremum in features.extrema {
+                let (at, value) = match extremum.kind {
+                    Kind::Max => (-phase, amplitude),
+                    Kind::Min => (0.5 * turn - phase, -amplitude),
+                };
+                let off = assur_tests::angle_between(extremum.crank, at);
+                assert!(off < 1e-14, "{input:?}: {off:e}");
+                assert_near(extremum.value / amplitude, value / amplitude, 1e-14, "C₁");
+            }
+            assert_eq!(features.zeros.len(), 2);
+            for (zero, at) in features.zeros.iter().zip([0.25, 0.75]) {
+                let places = [at, at + 0.5].map(|at| at * turn - phase);
+                let off = places.map(|at| assur_tests::angle_between(*zero, at));
+                assert!(off[0].min(off[1]) < 1e-14, "{input:?}: {off:?}");
+            }
+        }
+    }
+}
+
+/// The rocker of a double crank turns fully: its angle passes zero where the
+/// chart, from φ₁ = 0 on, shows it to.
+#[test]
+fn zeros_of_an_angle_that_turns() {
+    for lengths in [[4.0, 4.0, 3.0, 1.0], [3.0, 4.0, 4.0, 1.0]] {
+        for assembly in Assembly::ALL {
+            let linkage = FourBar::new(lengths).unwrap();
+            let rocker = |crank| linkage.pose::<5>(assembly, crank).unwrap().rocker;
+            let motion = |crank: f64| Some(vec![rocker(crank)]);
+            let [value, ..] = &features(&linkage.cycle(), &motion, &[1.0], Input::ANALOGUES)[0];
+            let sweep: Vec<f64> = (0..=3600)
+                .map(|i| rocker(f64::from(i) * std::f64::consts::TAU / 3600.0).value())
+                .collect();
+            let passes = sweep.windows(2).filter(|pair| pair[0] * pair[1] < 0.0);
+            assert_eq!(
+                passes.count(),
+                value.zeros.len(),
+                "{lengths:?} {assembly:?}"
+            );
+            for zero in &value.zeros {
+                assert!(rocker(*zero).value().abs() < 1e-14);
+            }
         }
     }
 }

@@ -16,6 +16,9 @@ const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
 
+/** Between labels side by side, in pixels. */
+const BETWEEN = 4;
+
 /** Between points of the line at zero, in pixels. */
 const SPARSE = 12;
 
@@ -42,7 +45,7 @@ export function drawMarks(context, panel, title, words, theme) {
     const text = markText(mark, panel, words);
     const box = freePlace(panel, mark, context.measureText(text).width, taken, points);
     if (!box) continue;
-    taken.push(box);
+    taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
     const middle = (box.top + box.bottom) / 2;
     context.strokeText(text, box.left, middle);
     context.fillStyle = theme.inks[mark.role];

@@ -61,8 +61,12 @@ function drawTitle(context, panel, words, theme) {
   context.font = `600 ${14 * Math.min(theme.scale, LARGEST_SCALE)}px ${theme.font}`;
   for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
   setChartFont(context, theme, 12);
-  write(`  ${words.text(unitOf(panel), { power: powerOf(panel) })}`, theme.colours.secondary);
-  if (panel.differenced) write(`  • ${words.text("plots.differenced", { of: firsts(panel) })}`, theme.colours.ink);
+  const unit = words.text(unitOf(panel), { power: powerOf(panel) });
+  const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel) })}` : "";
+  // Where all of it has no room, the unit goes without its name.
+  const fits = right + context.measureText(`  ${unit}${proof}`).width <= left + panel.width;
+  write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
+  write(proof, theme.colours.ink);
   return { left, top: top - 22, right: right + 4, bottom: top - 5 };
 }
 

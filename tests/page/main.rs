@@ -12,5 +12,6 @@ mod lesson;
 mod overlays;
 mod picture;
 mod pixels;
+mod plots;
 mod share;
 mod undo;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::motion::extrema;
+use assur::motion::{Input, extrema, features};
 use assur::{Assembly, FourBar, Grashof, Swing};
 use proptest::prelude::*;
 
@@ -213,6 +213,55 @@ proptest! {
                     found.is_empty() || (least - slack..=most + slack).contains(&value),
                     "{linkage:?} {assembly:?} {order} at {crank}: {value} in {least}..{most}"
                 );
+            }
+        }
+    }
+
+    /// Rates by time: no sample of a fine sweep lies beyond the extrema, and every
+    /// change of its sign has its zero.
+    #[test]
+    fn rates_have_their_zeros_and_extrema(
+        (linkage, assembly) in linkage(),
+        speed in -20.0..20.0_f64,
+        acceleration in -50.0..50.0_f64,
+    ) {
+        let cycle = linkage.cycle();
+        if !cycle.is_full() {
+            return Ok(()); // unbounded towards the dead points
+        }
+        let input = Input { speed, acceleration };
+        let motion = |crank: f64| Some(vec![linkage.pose::<5>(assembly, crank).ok()?.rocker]);
+        let found = features(&cycle, &motion, &[1.0], input);
+        let [start, end] = cycle.axis();
+        let scales = [1.0, speed.abs(), speed * speed + acceleration.abs()];
+        for (order, (features, scale)) in found[0].iter().zip(scales).enumerate() {
+            let values = features.extrema.iter().map(|extremum| extremum.value);
+            let [least, most] = values.fold([f64::INFINITY, -f64::INFINITY], |[a, b], v| {
+                [a.min(v), b.max(v)]
+            });
+            let mut before: Option<(f64, f64)> = None;
+            for step in 0..1000 {
+                let crank = start + (end - start) * f64::from(step) / 1000.0;
+                let Some(jets) = motion(crank) else { continue };
+                let value = input.rate(&jets[0], order);
+                let slack = 1e-9 * (scale + value.abs());
+                // An angle that turns fully has extrema, if any, of its ripple only.
+                prop_assert!(
+                    order == 0 || features.extrema.is_empty()
+                        || (least - slack..=most + slack).contains(&value),
+                    "{linkage:?} {assembly:?} {input:?} {order} at {crank}: {value} in {least}..{most}"
+                );
+                if let Some((at, last)) = before
+                    && last * value < 0.0
+                    && last.abs().min(value.abs()) > 1e-7 * scale
+                    && !features.extrema.is_empty()
+                {
+                    prop_assert!(
+                        features.zeros.iter().any(|zero| (at..=crank).contains(zero)),
+                        "{linkage:?} {assembly:?} {input:?} {order} in {at}..{crank}"
+                    );
+                }
+                before = Some((crank, value));
             }
         }
     }

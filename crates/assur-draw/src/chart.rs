@@ -213,19 +213,10 @@ impl Chart {
         let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
         // y grows upwards: its pixels run from the bottom to the top.
         let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
-        let line = |points: Vec<(f64, f64)>, colour: &RGBColor, width: f64| {
-            let style = colour.stroke_width((width * f64::from(FINE)) as u32);
-            area.draw(&PathElement::new(points, style))
-        };
-        let dot = |at: (f64, f64), colour: &RGBColor, radius: f64| {
-            let radius = (radius * f64::from(FINE)) as i32;
-            area.draw(&Circle::new(at, radius, colour.filled()))
-        };
-        let [paper, ink, grid, axis] =
-            [Role::Paper, Role::Ink, Role::Line, Role::Secondary].map(|r| &palette[r as usize]);
+        let mut lines: Vec<(Vec<(f64, f64)>, Role, i32)> = Vec::new();
         for tick in &panel.x_ticks {
             let x = tick.value.to_radians();
-            line(vec![(x, y0), (x, y1)], grid, 1.0)?;
+            lines.push((vec![(x, y0), (x, y1)], Role::Line, FINE));
         }
         for tick in &panel.y_ticks {
             let y = if self.in_degrees(panel.order) {
@@ -233,27 +224,34 @@ impl Chart {
             } else {
                 tick.value
             };
-            line(vec![(x0, y), (x1, y)], grid, 1.0)?;
+            lines.push((vec![(x0, y), (x1, y)], Role::Line, FINE));
         }
         if y0 < 0.0 && y1 > 0.0 {
-            line(vec![(x0, 0.0), (x1, 0.0)], axis, 1.0)?;
+            lines.push((vec![(x0, 0.0), (x1, 0.0)], Role::Secondary, FINE));
         }
+        // Extrema are full dots, zeros open ones, differences small ones.
+        let mut dots: Vec<((f64, f64), Role, i32)> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
-            let colour = &palette[series.role as usize];
-            for run in curve.within(y0, y1) {
-                line(run, colour, 2.0)?;
-            }
+            let runs = curve.within(y0, y1).into_iter();
+            lines.extend(runs.map(|run| (run, series.role, 2 * FINE)));
             for mark in curve.marks(y0, y1) {
                 let at = (mark.crank, mark.value);
-                dot(at, colour, 3.0)?;
+                dots.push((at, series.role, 3 * FINE));
                 if mark.kind == MarkKind::Zero {
-                    dot(at, paper, 1.5)?;
+                    dots.push((at, Role::Paper, 3 * FINE / 2));
                 }
             }
-            let shown = |at: &&(f64, f64)| (y0..=y1).contains(&at.1);
-            for at in curve.differences.iter().filter(shown) {
-                dot(*at, ink, 1.5)?;
-            }
+            let shown = curve.differences.iter();
+            let shown = shown.filter(|(_, y)| (y0..=y1).contains(y));
+            dots.extend(shown.map(|at| (*at, Role::Ink, 3 * FINE / 2)));
+        }
+        for (points, role, width) in lines {
+            let style = palette[role as usize].stroke_width(width.unsigned_abs());
+            area.draw(&PathElement::new(points, style))?;
+        }
+        for (at, role, radius) in dots {
+            let style = palette[role as usize].filled();
+            area.draw(&Circle::new(at, radius, style))?;
         }
         Ok(())
     }

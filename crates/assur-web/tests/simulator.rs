@@ -316,11 +316,8 @@ fn nothing_is_set_before_set() {
     );
 }
 
-/// plotters' curves stand where the layout says: the pixel under φ₃ at 60° is
-/// drawn in the rocker's colour.
-#[wasm_bindgen_test]
-fn chart_draws_where_its_layout_says() {
-    let simulator = simulator();
+/// The layout of a chart of 400 by 600 pixels, and the context it was drawn on.
+fn chart(simulator: &Simulator) -> (JsValue, CanvasRenderingContext2d) {
     let document = web_sys::window().unwrap().document().unwrap();
     let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
     canvas.set_width(800);
@@ -340,7 +337,91 @@ fn chart_draws_where_its_layout_says() {
     let layout = simulator
         .chart(&context, JSON::parse(&request).unwrap())
         .unwrap();
+    (layout, context)
+}
 
+/// What is plotted, by what its derivatives are, and what of it is marked.
+#[wasm_bindgen_test]
+fn plots_are_chosen() {
+    let mut simulator = simulator();
+    let crank = 1.0_f64;
+    let analogues = simulator.plotted(crank).unwrap();
+    assert_eq!(analogues.len(), 6);
+    let (layout, _) = chart(&simulator);
+    let texts = |path: &str, key: &str| -> Vec<String> {
+        let list: Array = get(&layout, path).unchecked_into();
+        let text = |item: JsValue| get(&item, key).as_string().unwrap();
+        list.iter().map(text).collect()
+    };
+    assert_eq!(
+        texts("panels.0.series", "name"),
+        ["rocker.angle", "wheel5.angle"]
+    );
+    // φ₃ and φ₅ swing and pass no zero, their rates do so twice.
+    let zeros = |panel: usize| {
+        let kinds = texts(&format!("panels.{panel}.marks"), "kind");
+        kinds.iter().filter(|kind| *kind == "zero").count()
+    };
+    assert_eq!([0, 1, 2].map(zeros), [0, 4, 4]);
+    assert_eq!(
+        texts("panels.0.marks", "kind"),
+        ["min", "max", "max", "min"]
+    );
+    let limit = number(&layout, "panels.0.marks.0.phi").to_degrees();
+    assert!((limit - 23.051_351_3).abs() < 1e-6, "{limit}");
+
+    let state = state();
+    put(&state, "view", "axes", "physical".into());
+    put(&state, "view", "omega", (-3.0).into());
+    put(&state, "view", "epsilon", 2.0.into());
+    simulator.set(state.clone()).unwrap();
+    let rates = simulator.plotted(crank).unwrap();
+    for (analogue, rate) in analogues.chunks(3).zip(rates.chunks(3)) {
+        assert_eq!(rate[0], analogue[0]);
+        assert_eq!(rate[1], -3.0 * analogue[1]);
+        assert_eq!(rate[2], 9.0 * analogue[2] + 2.0 * analogue[1]);
+    }
+
+    put(&state, "view", "plot", "C1".into());
+    put(&state, "view", "axes", "analogues".into());
+    simulator.set(state.clone()).unwrap();
+    let plotted = simulator.plotted(crank).unwrap();
+    let expected = [
+        crank.cos(),
+        -crank.sin(),
+        -crank.cos(),
+        crank.sin(),
+        crank.cos(),
+        -crank.sin(),
+    ];
+    for (value, expected) in plotted.iter().zip(expected) {
+        assert!((value - 0.185 * expected).abs() < 1e-15);
+    }
+    assert_eq!(
+        get(&chart(&simulator).0, "panels.1.kind")
+            .as_string()
+            .unwrap(),
+        "length"
+    );
+
+    for (key, value, code) in [
+        ("plot", "C9".into(), "unknown_choice"),
+        ("omega", JsValue::from_f64(2e4), "out_of_range"),
+    ] {
+        let bad = self::state();
+        put(&bad, "view", key, value);
+        let problems = thrown(simulator.set(bad).unwrap_err());
+        assert_eq!(problems, [(code.to_owned(), key.to_owned())]);
+    }
+    assert_eq!(simulator.plotted(crank).unwrap(), plotted);
+}
+
+/// plotters' curves stand where the layout says: the pixel under φ₃ at 60° is
+/// drawn in the rocker's colour.
+#[wasm_bindgen_test]
+fn chart_draws_where_its_layout_says() {
+    let simulator = simulator();
+    let (layout, context) = chart(&simulator);
     let crank = 60.0_f64.to_radians();
     let values = simulator.readouts(crank).unwrap();
     let names = simulator.readout_names().unwrap();

@@ -212,13 +212,13 @@ impl Curve {
                     part.push(a);
                 }
                 // Where the curve crosses a bound, it is cut there.
-                let mut crossings: Vec<(f64, f64)> = [min, max]
-                    .into_iter()
-                    .filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0)
-                    .map(|bound| (a.0 + (b.0 - a.0) * (bound - a.1) / (b.1 - a.1), bound))
-                    .collect();
-                crossings.sort_by(|p, q| p.0.total_cmp(&q.0));
-                part.extend(crossings);
+                let bounds = if a.1 < b.1 { [min, max] } else { [max, min] };
+                let crossed = bounds.into_iter();
+                let crossed = crossed.filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0);
+                part.extend(crossed.map(|bound| {
+                    let share = (bound - a.1) / (b.1 - a.1);
+                    (a.0 + (b.0 - a.0) * share, bound)
+                }));
                 if inside(b.1) {
                     part.push(b);
                 } else if !part.is_empty() {
@@ -234,7 +234,85 @@ impl Curve {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
+    use assur::FourBar;
+
     use super::*;
+    use crate::list::Role;
+
+    /// The plots of q = sin φ₁ over a full turn.
+    fn sine(input: Input, differenced: bool) -> [Plot; 3] {
+        let cycle = FourBar::new([0.37, 0.85, 0.55, 0.85]).unwrap().cycle();
+        let series = Series {
+            name: "sine".to_owned(),
+            role: Role::Ink,
+            features: Default::default(),
+        };
+        let sample = |crank| {
+            let jets = vec![Jet::linear(crank, 1.0).sin_cos().0];
+            Some(Sample { jets, clear: true })
+        };
+        let settings = Settings {
+            input,
+            physical: true,
+            differenced,
+        };
+        plots(&cycle, &[series], &sample, settings)
+    }
+
+    /// Centred differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact
+    /// derivative, and not it.
+    #[test]
+    fn differences_are_of_the_samples() {
+        let input = Input {
+            speed: -3.0,
+            acceleration: 2.0,
+        };
+        for input in [Input::ANALOGUES, input] {
+            let [value, first, second] = sine(input, true);
+            assert!(value.curves[0].differences.is_empty());
+            assert!(first.curves[0].differences.is_empty());
+            let differences = &second.curves[0].differences;
+            assert_eq!(differences.len(), SAMPLES / DIFFERENCED);
+            let h = TAU / SAMPLES as f64;
+            let square = input.speed * input.speed;
+            for (crank, shown) in differences {
+                let steady = -square * crank.sin() * h.sin() / h;
+                let expected = steady + input.acceleration * crank.cos();
+                assert!((shown - expected).abs() < 1e-11 * square, "{crank}");
+            }
+            let exact = second.curves[0].runs[0].clone();
+            let off = differences.iter().map(|(crank, shown)| {
+                let at = exact.iter().find(|(at, _)| at == crank).unwrap();
+                (shown - at.1).abs() / square
+            });
+            let most = off.fold(0.0, f64::max);
+            assert!((1e-6..1e-4).contains(&most), "{most:e}");
+        }
+        assert!(
+            sine(Input::ANALOGUES, false)[2].curves[0]
+                .differences
+                .is_empty()
+        );
+    }
+
+    /// Every curve has what it is by time: q, ω₁ q′, ω₁² q″ + ε₁ q′.
+    #[test]
+    fn curves_are_rates() {
+        let input = Input {
+            speed: -3.0,
+            acceleration: 2.0,
+        };
+        let plots = sine(input, false);
+        for (order, plot) in plots.iter().enumerate() {
+            for (crank, value) in &plot.curves[0].runs[0] {
+                let (sin, cos) = crank.sin_cos();
+                let expected = [sin, -3.0 * cos, -9.0 * sin + 2.0 * cos][order];
+                assert!((value - expected).abs() < 1e-14 * 9.0, "{order} {crank}");
+            }
+        }
+    }
 
     #[test]
     fn curves_are_cut_at_the_bounds() {

@@ -55,23 +55,24 @@ impl FourBar {
     pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
-        let mut limits = Vec::new();
+        let mut cranks = Vec::new();
         for (crank, side) in self.in_line() {
             // Where a cycle takes two turns the position belongs to one of them.
             let mut turned = start + (crank - start).rem_euclid(TAU);
             while turned < end {
                 let here = cycle.contains(turned) && self.side(assembly, turned) == side;
-                if let (true, Ok(pose)) = (here, self.pose::<1>(assembly, turned)) {
-                    limits.push(Limit {
-                        crank: turned,
-                        rocker: pose.rocker.value(),
-                    });
+                if here {
+                    cranks.push(turned);
                 }
                 turned += TAU;
             }
         }
-        limits.sort_by(|a, b| a.crank.total_cmp(&b.crank));
-        limits
+        cranks.sort_by(f64::total_cmp);
+        let limit = |crank| {
+            let rocker = self.pose::<1>(assembly, crank).ok()?.rocker.value();
+            Some(Limit { crank, rocker })
+        };
+        cranks.into_iter().filter_map(limit).collect()
     }
 
     /// Crank angles with crank and coupler in line, each with the side of BD on

@@ -101,22 +101,28 @@ fn features_of(
             wrapped
         }
     };
+    let seam = 0.5 * (most - least);
+    let [zeros, turns] = [0, 1].map(|order| {
+        let mut found = all_roots(cycle, sweeps, sample, order, seam);
+        for sample in &mut found {
+            sample.crank = in_cycle(sample.crank);
+        }
+        found.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+        found
+    });
     let extremum = |sample: &Sample| {
         let bend = sample.f[2];
         let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
         (bend != 0.0).then_some(Extremum {
             kind,
-            crank: in_cycle(sample.crank),
+            crank: sample.crank,
             value: sample.f[0],
         })
     };
-    let seam = 0.5 * (most - least);
-    let [zeros, turns] = [0, 1].map(|order| all_roots(cycle, sweeps, sample, order, seam));
-    let mut zeros: Vec<f64> = zeros.iter().map(|sample| in_cycle(sample.crank)).collect();
-    let mut extrema: Vec<Extremum> = turns.iter().filter_map(extremum).collect();
-    zeros.sort_by(f64::total_cmp);
-    extrema.sort_by(|a, b| a.crank.total_cmp(&b.crank));
-    Features { zeros, extrema }
+    Features {
+        zeros: zeros.iter().map(|sample| sample.crank).collect(),
+        extrema: turns.iter().filter_map(extremum).collect(),
+    }
 }
 
 /// Samples of a full cycle around φ₁ = 0, put in order from its start to its end:

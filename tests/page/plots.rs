@@ -1,0 +1,291 @@
+//! What is plotted and by what: chosen by mouse, by keys and by touch, read
+//! against the engine; the marks and the proof by differences.
+
+use assur::catalog::mixer::{Case, Mixer};
+use assur_tests::assert_near;
+use thirtyfour::prelude::*;
+
+use crate::browser::Page;
+
+/// Colours of the curves of a point and of the ink, as the style sheet has them.
+const X: [u8; 3] = [0x00, 0x79, 0x8C];
+const Y: [u8; 3] = [0xB3, 0x5C, 0x00];
+const INK: [u8; 3] = [0x1B, 0x1F, 0x24];
+
+/// A quantity of case a and its two derivatives by the crank angle.
+fn jet(name: &str, degrees: f64) -> [f64; 3] {
+    let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
+    let mut quantities = mixer.quantities();
+    quantities.retain(|quantity| quantity.name() == name);
+    let jets = mixer.jets::<3>(&quantities, degrees.to_radians()).unwrap();
+    [0, 1, 2].map(|order| jets[0].derivative(order))
+}
+
+/// The read-outs of the point that is plotted, against the engine.
+async fn check_point(page: &Page, point: &str, degrees: f64, [speed, acceleration]: [f64; 2]) {
+    for axis in ["x", "y"] {
+        let [value, first, second] = jet(&format!("{point}.{axis}"), degrees);
+        for (id, expected) in [
+            (format!("out-{axis}"), value),
+            (format!("out-d{axis}"), speed * first),
+            (
+                format!("out-dd{axis}"),
+                speed * speed * second + acceleration * first,
+            ),
+        ] {
+            assert_near(page.value(&id).await, expected, 1e-12, &id);
+        }
+    }
+}
+
+/// Everything that is written on the plots when they are drawn anew.
+async fn texts(page: &Page) -> Vec<String> {
+    page.ask(
+        "const kind = CanvasRenderingContext2D.prototype;
+        if (!window.plain) {
+            window.plain = kind.fillText;
+            kind.fillText = function (text, ...place) {
+                if (this.canvas.id === 'charts') window.seen.push(String(text));
+                window.plain.call(this, text, ...place);
+            };
+        }
+        window.seen = [];",
+    )
+    .await;
+    // Another window is another size: all is drawn anew.
+    page.ask("document.querySelector('.charts').style.flex = '0 0 520px'")
+        .await;
+    page.settle().await;
+    page.ask("document.querySelector('.charts').style.flex = ''")
+        .await;
+    page.settle().await;
+    let seen = page.ask("return window.seen").await;
+    let seen = seen.as_array().unwrap().iter();
+    seen.map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+#[tokio::test]
+async fn plots_are_chosen() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    assert_eq!(page.written("plot").await, "angles");
+    for (plot, point) in [("C2", "C2"), ("B", "B"), ("C1", "C1"), ("C3", "C3")] {
+        page.choose("plot", plot).await;
+        check_point(&page, point, 62.0, [1.0, 0.0]).await;
+        let picture = page.picture("charts").await;
+        for colour in [X, Y] {
+            assert!(picture.places(colour).count() > 600, "{plot}");
+        }
+        let address = format!("v.plot={plot}");
+        page.until("the address", async || {
+            page.address().await.contains(&address)
+        })
+        .await;
+    }
+    // A link shows the same; keys choose as well.
+    page.reload().await;
+    assert_eq!(page.written("plot").await, "C3");
+    check_point(&page, "C3", 62.0, [1.0, 0.0]).await;
+    page.focus("plot").await;
+    page.press("plot", Key::Home).await;
+    assert_eq!(page.written("plot").await, "angles");
+    assert_eq!(page.picture("charts").await.places(X).count(), 0);
+    assert_eq!(page.text("out-x").await, "");
+    page.press("plot", Key::Down).await;
+    assert_eq!(page.written("plot").await, "B");
+    check_point(&page, "B", 62.0, [1.0, 0.0]).await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn axes_are_by_time() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    let [_, first, second] = jet("rocker.angle", 62.0);
+    assert_eq!(page.text("input").await, "");
+    page.choose("axes", "physical").await;
+    assert_near(page.value("out-drocker").await, first, 1e-12, "at 1 rad/s");
+    page.write("omega", "−2,5").await;
+    page.write("epsilon", "4").await;
+    assert_near(page.value("out-drocker").await, -2.5 * first, 1e-12, "ω₃");
+    let expected = 6.25 * second + 4.0 * first;
+    assert_near(page.value("out-ddrocker").await, expected, 1e-12, "ε₃");
+    let seen = texts(&page).await;
+    for title in ["φ₃", "ω₃", "ω₅", "ε₃", "ε₅"] {
+        assert!(seen.iter().any(|text| text == title), "{title}: {seen:?}");
+    }
+    assert!(seen.iter().any(|text| text.contains("rad/s²")), "{seen:?}");
+
+    // The unit is how ω₁ is written, not what it is.
+    page.choose("omega-unit", "per_min").await;
+    let shown: f64 = page
+        .written("omega")
+        .await
+        .replace('−', "-")
+        .parse()
+        .unwrap();
+    assert!(
+        (shown + 2.5 * 30.0 / std::f64::consts::PI).abs() < 1e-3,
+        "{shown}"
+    );
+    assert_near(page.value("out-drocker").await, -2.5 * first, 1e-12, "ω₃");
+    page.write("omega", "60").await;
+    let speed = std::f64::consts::TAU;
+    assert_near(page.value("out-drocker").await, speed * first, 1e-12, "ω₃");
+    page.choose("plot", "C2").await;
+    check_point(&page, "C2", 62.0, [speed, 4.0]).await;
+
+    // Back to analogues: nothing is left of it.
+    page.choose("axes", "analogues").await;
+    check_point(&page, "C2", 62.0, [1.0, 0.0]).await;
+    assert_eq!(page.value("out-drocker").await, first);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn bad_inputs_are_named_and_recovered_from() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    page.choose("axes", "physical").await;
+    for (field, bad, says) in [
+        ("omega", "fast", "this is not a number"),
+        ("omega", "20000", "out of range"),
+        ("epsilon", "1e9", "out of range"),
+        ("epsilon", "", "this is not a number"),
+    ] {
+        page.write(field, bad).await;
+        let problem = page.text("problem").await;
+        assert!(
+            problem.contains(says) && problem.contains("crank"),
+            "{problem}"
+        );
+        let invalid = page.attribute(field, "aria-invalid").await;
+        assert_eq!(invalid.as_deref(), Some("true"), "{field} {bad}");
+        page.write(field, "2").await;
+        assert_eq!(page.text("problem").await, "");
+    }
+    page.choose("speed", "true_time").await;
+    page.write("omega", "0").await;
+    assert!(page.text("problem").await.contains("stand still"));
+    page.choose("speed", "1").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(page.value("out-drocker").await, 0.0);
+    page.close().await;
+}
+
+/// In true time the crank turns by ω₁ in a second, whatever the speed was.
+#[tokio::test]
+async fn true_time_is_true() {
+    let page = Page::open().await;
+    page.stop_at("10").await;
+    page.choose("speed", "true_time").await;
+    page.write("omega", "0.5").await;
+    page.write("epsilon", "3").await;
+    assert!(page.text("input-note").await.contains("ω₁ alone"));
+    let turned = |view: &str| {
+        format!(
+            "const done = arguments[0];
+            import('assur/player.js').then(({{ played }}) => {{
+                const state = {{ view: {{ playing: true, phi_deg: 0, direction: 1, speed: 4, {view} }} }};
+                let by = 0;
+                const engine = {{ advance: (phi, delta) => ({{ phi: by = delta, sign: 1 }}) }};
+                played(state, 0.25, engine, {{ placed: true }});
+                done(by);
+            }});"
+        )
+    };
+    let by = page
+        .number(&turned("true_time: true, omega: -3, epsilon: 7"))
+        .await;
+    assert_eq!(by, -0.75);
+    let by = page.number(&turned("true_time: false, omega: -3")).await;
+    assert_near(
+        by,
+        std::f64::consts::TAU / 6.0,
+        1e-15,
+        "a quarter second at 4 ×",
+    );
+
+    // It plays, and the keys of speed leave it.
+    page.write("omega", "2").await;
+    page.click("play").await;
+    page.until("the crank to turn", async || {
+        page.value("out-phi1").await > 40.0
+    })
+    .await;
+    page.click("play").await;
+    page.keys("-").await;
+    assert_eq!(page.written("speed").await, "0.5");
+    page.close().await;
+}
+
+/// Dots of differences appear over φ″ alone; by mouse, by key, by finger.
+#[tokio::test]
+async fn differences_lie_on_the_curve() {
+    let page = Page::open().await;
+    page.stop_at("0").await;
+    let plain = page.picture("charts").await;
+    let dark = |picture: &crate::picture::Picture| {
+        // The title of the third plot stands above its third of the picture.
+        let split = picture.height * 3 / 5;
+        let rows = [0..split, split..picture.height];
+        rows.map(|rows| {
+            let places = picture.places(INK);
+            places.filter(|(_, y)| rows.contains(y)).count()
+        })
+    };
+    let before = dark(&plain);
+    page.click("differenced").await;
+    let shown = dark(&page.picture("charts").await);
+    assert!(shown[0].abs_diff(before[0]) < 20, "{before:?} {shown:?}");
+    assert!(shown[1] > before[1] + 250, "{before:?} {shown:?}");
+    let seen = texts(&page).await;
+    assert!(
+        seen.iter().any(|text| text.contains("differences of φ′")),
+        "{seen:?}"
+    );
+    page.press("differenced", Key::Space).await;
+    assert!(page.picture("charts").await.difference(&plain) < 20);
+    page.fingers("differenced", &[vec![(5.0, 5.0)]]).await;
+    assert!(
+        page.element("differenced")
+            .await
+            .is_selected()
+            .await
+            .unwrap()
+    );
+    page.until("the address", async || {
+        page.address().await.contains("v.differenced=true")
+    })
+    .await;
+    page.close().await;
+}
+
+/// Zeros are labelled with their angle, extrema with value and angle; one label
+/// serves both curves at a common zero.
+#[tokio::test]
+async fn zeros_and_extrema_are_labelled() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    let seen = texts(&page).await;
+    let count = |wanted: &str| seen.iter().filter(|text| *text == wanted).count();
+    // Every text once for each of the two times it was drawn.
+    for wanted in ["23.1°", "217.1°", "99.7°", "340.1°"] {
+        assert_eq!(count(wanted), 2, "{wanted}: {seen:?}");
+    }
+    for wanted in [
+        "60.3° at 23.1°",
+        "148.2° at 217.1°",
+        "0.673 at 99.7°",
+        "−1.094 at 340.1°",
+    ] {
+        assert_eq!(count(wanted), 2, "{wanted}: {seen:?}");
+    }
+    page.choose("plot", "C1").await;
+    let seen = texts(&page).await;
+    let count = |wanted: &str| seen.iter().filter(|text| *text == wanted).count();
+    for wanted in ["90.0°", "270.0°", "180.0°"] {
+        assert!(count(wanted) >= 4, "{wanted}: {seen:?}");
+    }
+    page.close().await;
+}
