@@ -213,7 +213,7 @@ impl Chart {
         let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
         // y grows upwards: its pixels run from the bottom to the top.
         let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
-        let mut lines: Vec<(Vec<(f64, f64)>, Role, i32)> = Vec::new();
+        let mut lines: Vec<Line> = Vec::new();
         for tick in &panel.x_ticks {
             let x = tick.value.to_radians();
             lines.push((vec![(x, y0), (x, y1)], Role::Line, FINE));
@@ -230,7 +230,7 @@ impl Chart {
             lines.push((vec![(x0, 0.0), (x1, 0.0)], Role::Secondary, FINE));
         }
         // Extrema are full dots, zeros open ones, differences small ones.
-        let mut dots: Vec<((f64, f64), Role, i32)> = Vec::new();
+        let mut dots: Vec<Dot> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
             let runs = curve.within(y0, y1).into_iter();
             lines.extend(runs.map(|run| (run, series.role, 2 * FINE)));
@@ -283,3 +283,7 @@ impl Panel {
 }
 
 type Place = Cartesian2d<RangedCoordf64, RangedCoordf64>;
+
+/// What is drawn with a colour: its points and its width, its place and its radius.
+type Line = (Vec<(f64, f64)>, Role, i32);
+type Dot = ((f64, f64), Role, i32);
