@@ -146,7 +146,17 @@ async fn axes_are_by_time() {
 async fn bad_inputs_are_named_and_recovered_from() {
     let page = Page::open().await;
     page.stop_at("62").await;
-    page.choose("axes", "physical").await;
+    // By keys alone: from the choice of plot to that of the axes, then to ω₁.
+    page.focus("plot").await;
+    page.keys(Key::Tab + "").await;
+    page.keys(Key::Down + "").await;
+    page.settle().await;
+    assert_eq!(page.written("axes").await, "physical");
+    page.keys(Key::Tab + "").await;
+    page.keys("3").await;
+    page.settle().await;
+    let [_, first, _] = jet("rocker.angle", 62.0);
+    assert_near(page.value("out-drocker").await, 3.0 * first, 1e-12, "ω₃");
     for (field, bad, says) in [
         ("omega", "fast", "this is not a number"),
         ("omega", "20000", "out of range"),
