@@ -79,7 +79,7 @@ export class PlotBar {
   #offer(points, words) {
     this.#points = points;
     const options = points.map((value) => {
-      const kind = /^C\d/.test(value) ? "plots.centre" : "plots.joint";
+      const kind = /^C\d/.test(value) ? "plots.centre" : value.startsWith("P") ? "plots.traced" : "plots.joint";
       return make("option", { value }, [words.text(kind, { name: subscript(value) })]);
     });
     this.#plot.replaceChildren(make("option", { value: "angles" }, [words.text("plots.angles")]), ...options);

@@ -1,6 +1,6 @@
 //! Hands on plots and drawing: what a mouse and fingers do there.
 
-use assur::catalog::mixer::Case;
+use assur::catalog::mixer::{Case, Dimensions, Mixer};
 use assur::{Assembly, FourBar, Point};
 use assur_tests::assert_near;
 
@@ -84,17 +84,21 @@ async fn fingers_drive_the_crank() {
 }
 
 /// The view of the drawing: pixels per metre and where A is, from the bounds of
-/// the lesson's first case as the page fits them.
-struct View {
-    scale: f64,
+/// the mechanism as the page fits them.
+pub(crate) struct View {
+    pub(crate) scale: f64,
     left: f64,
     top: f64,
 }
 
 impl View {
     async fn of(page: &Page) -> Self {
+        Self::showing(page, &Case::A.dimensions()).await
+    }
+
+    pub(crate) async fn showing(page: &Page, dimensions: &Dimensions) -> Self {
         let area = page.element("mechanism").await.rect().await.unwrap();
-        let mixer = assur::catalog::mixer::Mixer::new(&Case::A.dimensions()).unwrap();
+        let mixer = Mixer::new(dimensions).unwrap();
         let [left, bottom, right, top] = bounds(&mixer);
         let scale =
             ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
@@ -105,12 +109,12 @@ impl View {
         }
     }
 
-    fn at(&self, p: Point) -> (f64, f64) {
+    pub(crate) fn at(&self, p: Point) -> (f64, f64) {
         (self.left + self.scale * p.x, self.top - self.scale * p.y)
     }
 }
 
-fn bounds(mixer: &assur::catalog::mixer::Mixer) -> [f64; 4] {
+fn bounds(mixer: &Mixer) -> [f64; 4] {
     assur_draw::Scene::new(mixer, assur_draw::Overlays::default()).bounds()
 }
 

@@ -14,4 +14,6 @@ mod picture;
 mod pixels;
 mod plots;
 mod share;
+mod tracers;
 mod undo;
+mod wheels;
