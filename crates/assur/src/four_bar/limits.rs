@@ -144,16 +144,22 @@ impl FourBar {
                 (0.0, 2.0)
             };
             let [start, end] = [from + shift, to + shift];
-            let inside = turnings.iter().map(|crank| {
+            let inside = |crank: &f64| {
                 let before = cycle.is_full() && *crank < start;
                 if before { crank + (to - from) } else { *crank }
-            });
-            let mut stops: Vec<f64> = inside.filter(|at| (start..=end).contains(at)).collect();
-            stops.extend([start, end]);
-            stops.sort_by(f64::total_cmp);
-            let angles: Vec<f64> = stops.into_iter().filter_map(rocker).collect();
-            let steps = angles.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-            ways * steps.sum::<f64>()
+            };
+            // Between one turning and the next the rocker goes one way.
+            let (mut at, mut last, mut sum) = (start, rocker(start), 0.0);
+            while at < end {
+                let ahead = turnings.iter().map(inside).filter(|crank| *crank > at);
+                at = ahead.fold(end, f64::min);
+                let next = rocker(at).or(last);
+                sum += next
+                    .zip(last)
+                    .map_or(0.0, |(next, last)| (next - last).abs());
+                last = next;
+            }
+            ways * sum
         };
         cycle.arcs().iter().map(travel).collect()
     }

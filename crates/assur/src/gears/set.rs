@@ -1,6 +1,6 @@
 //! Several wheels around one driver, each in mesh with it.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::TAU;
 
 use super::{GearPair, Mesh};
 use crate::{Dimension, Fault, Invalid, Vector};
@@ -95,29 +95,33 @@ impl GearSet {
     /// the teeth overlap, or those of their idlers: in one plane they foul each
     /// other. Two rings around one driver always do.
     pub fn overlaps(&self) -> Vec<[usize; 2]> {
+        let discs: Vec<Vec<Disc>> = self.pairs.iter().map(GearPair::discs).collect();
         let mut found = Vec::new();
-        for (second, pair) in self.pairs.iter().enumerate() {
-            for (first, other) in self.pairs[..second].iter().enumerate() {
-                let discs = pair.discs();
-                let fouls = |a: &Disc| discs.iter().any(|b| a.overlaps(b));
-                if other.discs().iter().any(fouls) {
+        for first in 0..discs.len() {
+            for second in first + 1..discs.len() {
+                let fouls = |a: &Disc| discs[second].iter().any(|b| a.overlaps(b));
+                if discs[first].iter().any(fouls) {
                     found.push([first, second]);
                 }
             }
         }
-        found.sort_unstable();
         found
     }
 
     /// The middle of the widest gap between the discs around the driver, as seen
     /// from its centre: where another wheel has most room. Radians, in [−π, π].
     pub fn free_direction(&self) -> f64 {
-        let mut taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
-        taken.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let mut next: Vec<f64> = taken.iter().skip(1).map(|[from, _]| *from).collect();
-        next.extend(taken.first().map(|[from, _]| from + TAU));
-        let gaps = taken.iter().zip(next).map(|([_, to], from)| [*to, from]);
-        let widest = gaps.reduce(|best, gap| {
+        let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
+        // From the end of each shadow to where the next one begins.
+        let gap = |(wheel, [from, to]): (usize, &[f64; 2])| {
+            let others = taken
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != wheel);
+            let ahead = others.map(|(_, [other, _])| (other - from).rem_euclid(TAU));
+            [*to, from + ahead.fold(TAU, f64::min)]
+        };
+        let widest = taken.iter().enumerate().map(gap).reduce(|best, gap| {
             if gap[1] - gap[0] > best[1] - best[0] {
                 gap
             } else {
@@ -171,17 +175,16 @@ impl GearPair {
             .collect()
     }
 
-    /// The directions from the driver's centre that the driven wheel takes,
-    /// ascending, from one in [−π, π].
+    /// The directions from the driver's centre that the driven wheel takes: first
+    /// and last.
     fn shadow(&self) -> [f64; 2] {
-        let disc = |disc: Disc| {
-            let share = disc.radius / disc.centre.norm();
-            if share < 1.0 { share.asin() } else { FRAC_PI_2 }
+        // A quarter turn where the disc reaches over the driver's centre.
+        let disc = |Disc { centre, radius }: Disc| {
+            let tangent = centre.norm_squared() - radius * radius;
+            radius.atan2(tangent.max(0.0).sqrt())
         };
         let half = self.discs().into_iter().map(disc).fold(0.0, f64::max);
-        let from = self.centre_line - half;
-        let from = from - TAU * (from / TAU).round();
-        [from, from + 2.0 * half.min(PI)]
+        [self.centre_line - half, self.centre_line + half]
     }
 }
 
