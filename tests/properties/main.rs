@@ -4,3 +4,4 @@
 mod draw;
 mod motion;
 mod poses;
+mod structure;

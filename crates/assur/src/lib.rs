@@ -27,6 +27,7 @@ mod geometry;
 mod invalid;
 mod jet;
 pub mod motion;
+pub mod structure;
 
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,

@@ -1,0 +1,130 @@
+//! Whether a graph with its drivers can be taken apart.
+
+use super::pebbles::{BODY, Pebbles};
+use super::{Driver, Fault, Graph, Pair};
+
+/// The freedoms, all spent but those of the whole in the plane.
+///
+/// # Errors
+/// Every fault, of single pairs and drivers or else of the count.
+pub(super) fn check(graph: &Graph, drivers: &[Driver]) -> Result<Pebbles, Vec<Fault>> {
+    let faults = [pairs(graph), driven(graph, drivers)].concat();
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let (mut pebbles, surplus) = Pebbles::count(graph, drivers, |_| true);
+
+    let mut faults = vec![];
+    if drivers.is_empty() {
+        faults.push(Fault::NoDriver);
+    }
+    let (with_ground, joined) = joined_to_ground(graph);
+    let apart = (0..graph.links).filter(|&link| !with_ground[link]);
+    let apart: Vec<usize> = apart.collect();
+    if !apart.is_empty() {
+        faults.push(Fault::Apart { links: apart });
+    }
+    let undriven = (0..graph.links).filter(|&link| {
+        link != graph.ground && with_ground[link] && !pebbles.locked(graph.ground, link)
+    });
+    let undriven: Vec<usize> = undriven.collect();
+    if !undriven.is_empty() {
+        faults.push(Fault::Undriven {
+            links: undriven,
+            freedoms: pebbles.free_on(&joined) - BODY,
+        });
+    }
+    for part in surplus {
+        let inside = |node: &usize| part.nodes.binary_search(node).is_ok();
+        let within = |driver: &Driver| driver.links.iter().all(inside);
+        faults.push(Fault::Overconstrained {
+            drivers: (0..drivers.len())
+                .filter(|&i| within(&drivers[i]))
+                .collect(),
+            excess: part.excess,
+            links: part
+                .nodes
+                .into_iter()
+                .filter(|&node| node < graph.links)
+                .collect(),
+        });
+    }
+    if faults.is_empty() {
+        Ok(pebbles)
+    } else {
+        Err(faults)
+    }
+}
+
+fn pairs(graph: &Graph) -> Vec<Fault> {
+    let mut faults = vec![];
+    if graph.ground >= graph.links {
+        faults.push(Fault::NoGround);
+    }
+    for (pair, joined) in graph.pairs.iter().enumerate() {
+        let links = joined.links();
+        for (i, &link) in links.iter().enumerate() {
+            if link >= graph.links {
+                faults.push(Fault::NoSuchLink { pair, link });
+            }
+            if links[..i].iter().filter(|&&other| other == link).count() == 1 {
+                faults.push(Fault::SelfJoined { pair, link });
+            }
+        }
+        if links.len() < 2 {
+            faults.push(Fault::Unjoined { pair });
+        }
+    }
+    faults
+}
+
+fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
+    let mut faults = vec![];
+    for (driver, &Driver { pair, links }) in drivers.iter().enumerate() {
+        let [a, b] = links;
+        match graph.pairs.get(pair) {
+            None => faults.push(Fault::NoSuchPair { driver }),
+            Some(Pair::Gear(_)) => faults.push(Fault::HigherPair { driver }),
+            Some(joined) => {
+                let joined = joined.links();
+                if a == b || !joined.contains(&a) || !joined.contains(&b) {
+                    faults.push(Fault::NotInPair { driver });
+                }
+            }
+        }
+        let same =
+            |other: &Driver| other.pair == pair && (other.links == links || other.links == [b, a]);
+        if let Some(earlier) = drivers[..driver].iter().position(same) {
+            faults.push(Fault::DrivenTwice { driver, earlier });
+        }
+    }
+    faults
+}
+
+/// For each link whether pairs join it to the ground, and all nodes of the
+/// count so joined: links, and the points of their pairs.
+fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
+    let mut links = vec![false; graph.links];
+    let mut nodes = vec![];
+    let mut found = vec![graph.ground];
+    links[graph.ground] = true;
+    let mut used = vec![false; graph.pairs.len()];
+    while let Some(link) = found.pop() {
+        nodes.push(link);
+        for (pair, joined) in graph.pairs.iter().enumerate() {
+            if !used[pair] && joined.links().contains(&link) {
+                used[pair] = true;
+                if matches!(joined, Pair::Revolute(_)) {
+                    nodes.push(graph.links + pair);
+                }
+                for &other in joined.links() {
+                    if !links[other] {
+                        links[other] = true;
+                        found.push(other);
+                    }
+                }
+            }
+        }
+    }
+    (links, nodes)
+}

@@ -1,0 +1,93 @@
+//! What is wrong with a graph or its drivers.
+
+use std::fmt;
+
+/// One reason why a graph cannot be taken apart. Links, pairs and drivers are
+/// named by their indices, links in ascending order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The ground is none of the links.
+    NoGround,
+    /// There is no driver.
+    NoDriver,
+    /// A pair names a link that does not exist.
+    NoSuchLink {
+        /// The pair.
+        pair: usize,
+        /// The link it names.
+        link: usize,
+    },
+    /// A pair joins a link to itself.
+    SelfJoined {
+        /// The pair.
+        pair: usize,
+        /// The link.
+        link: usize,
+    },
+    /// A pair joins fewer than two links.
+    Unjoined {
+        /// The pair.
+        pair: usize,
+    },
+    /// A driver is on a pair that does not exist.
+    NoSuchPair {
+        /// The driver.
+        driver: usize,
+    },
+    /// A driver does not name two different links of its pair.
+    NotInPair {
+        /// The driver.
+        driver: usize,
+    },
+    /// A driver is on a higher pair, which has two freedoms.
+    HigherPair {
+        /// The driver.
+        driver: usize,
+    },
+    /// A driver drives the same two links of the same pair as one before it.
+    DrivenTwice {
+        /// The driver.
+        driver: usize,
+        /// The one before it.
+        earlier: usize,
+    },
+    /// Links that no pairs join to the ground.
+    Apart {
+        /// The links, all such.
+        links: Vec<usize>,
+    },
+    /// Links still free to move when all drivers stand.
+    Undriven {
+        /// The links, all such.
+        links: Vec<usize>,
+        /// How many freedoms they have together: so many drivers are missing.
+        freedoms: usize,
+    },
+    /// Links that hold too many constraints: they count as locked, and more
+    /// than that. There may be several such parts.
+    Overconstrained {
+        /// The links of the part.
+        links: Vec<usize>,
+        /// The drivers in it; without any, the pairs alone are too many.
+        drivers: Vec<usize>,
+        /// How many constraints are too many.
+        excess: usize,
+    },
+    /// Links of one group joined by prismatic pairs only, in a ring or between
+    /// links of given angle: their angles are determined twice over and a
+    /// translation not at all, though the count is right. Such is a group of
+    /// two links and three prismatic pairs.
+    Sliding {
+        /// The links.
+        links: Vec<usize>,
+    },
+}
+
+impl fmt::Display for Fault {
+    /// For the programmer's log; the words for people live in string tables.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self:?}")
+    }
+}
+
+impl std::error::Error for Fault {}

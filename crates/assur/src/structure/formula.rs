@@ -1,0 +1,71 @@
+//! The structural formula, as I(0,1) → II₂(2,3).
+
+use super::{Group, Step, Structure};
+use std::fmt::Display;
+
+impl Structure {
+    /// The structural formula in Artobolevsky's way: for each step the class,
+    /// the order below it and the links, named by the caller. Links that move
+    /// as one have a + between them.
+    pub fn formula<N: Display>(&self, name: impl Fn(usize) -> N) -> String {
+        let body = |links: &[usize]| {
+            let names = links.iter().map(|&link| name(link).to_string());
+            names.collect::<Vec<_>>().join("+")
+        };
+        let steps = self.steps.iter().map(|step| match step {
+            Step::Driver { links: [a, b], .. } => format!("I({},{})", name(*a), name(*b)),
+            Step::Group(group) => {
+                let bodies: Vec<_> = group.bodies.iter().map(|links| body(links)).collect();
+                format!("{}({})", group.symbol(), bodies.join(","))
+            }
+        });
+        steps.collect::<Vec<_>>().join(" → ")
+    }
+}
+
+impl Group {
+    /// Class and order, as IV₃.
+    pub fn symbol(&self) -> String {
+        let order = self.order().to_string();
+        let subscript = order.chars().filter_map(|digit| {
+            let value = digit.to_digit(10)?;
+            char::from_u32(u32::from('₀') + value)
+        });
+        roman(self.class) + &subscript.collect::<String>()
+    }
+}
+
+fn roman(mut number: usize) -> String {
+    let mut roman = String::new();
+    for (value, letters) in [
+        (100, "C"),
+        (90, "XC"),
+        (50, "L"),
+        (40, "XL"),
+        (10, "X"),
+        (9, "IX"),
+        (5, "V"),
+        (4, "IV"),
+        (1, "I"),
+    ] {
+        while number >= value {
+            roman += letters;
+            number -= value;
+        }
+    }
+    roman
+}
+
+#[cfg(test)]
+mod tests {
+    use super::roman;
+
+    #[test]
+    fn roman_numerals() {
+        let numbers = [1, 2, 3, 4, 5, 6, 8, 9, 14, 39, 40, 66, 99];
+        assert_eq!(
+            numbers.map(roman).join(" "),
+            "I II III IV V VI VIII IX XIV XXXIX XL LXVI XCIX"
+        );
+    }
+}

@@ -1,0 +1,198 @@
+//! One Assur group of a linkage.
+
+use super::pebbles::Pebbles;
+use super::{Driver, Fault, Graph, Pair, contour};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// An Assur group.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Its bodies: each a link, or links that cannot move against each other
+    /// when the drivers stand. Ascending, as are the links in each.
+    pub bodies: Vec<Vec<usize>>,
+    /// The pairs between its bodies; a hinge of k bodies k − 1 times.
+    pub inner: Vec<usize>,
+    /// The pairs that join its bodies to links solved before.
+    pub outer: Vec<Outer>,
+    /// The class by the highest contour: 2, 3, 4 and so on.
+    pub class: usize,
+    /// The form, if it is a dyad of two bodies and three one-freedom pairs.
+    pub dyad: Option<Dyad>,
+}
+
+/// An outer pair of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Outer {
+    /// The pair.
+    pub pair: usize,
+    /// The link of the group.
+    pub link: usize,
+    /// The link solved before. Of several in one hinge, the first solved.
+    pub base: usize,
+}
+
+/// The five forms of a dyad: outer, inner, outer pair; R revolute, P prismatic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dyad {
+    /// Form 1.
+    RRR,
+    /// Form 2: one outer pair prismatic.
+    RRP,
+    /// Form 3: the inner pair prismatic.
+    RPR,
+    /// Form 4: both outer pairs prismatic.
+    PRP,
+    /// Form 5: the inner and one outer pair prismatic.
+    RPP,
+}
+
+impl Group {
+    /// Its links, ascending.
+    pub fn links(&self) -> Vec<usize> {
+        let mut links = self.bodies.concat();
+        links.sort_unstable();
+        links
+    }
+
+    /// The order: the number of outer pairs.
+    pub fn order(&self) -> usize {
+        self.outer.len()
+    }
+
+    /// The group of these links, which depend on each other and on links solved
+    /// before; `base` says which of a pair's links is solved first.
+    pub(super) fn new(
+        graph: &Graph,
+        drivers: &[Driver],
+        links: &[usize],
+        base: impl Fn(&[usize]) -> usize,
+    ) -> Result<Self, Fault> {
+        let bodies = bodies(graph, drivers, links);
+        let body_of: BTreeMap<usize, usize> = bodies
+            .iter()
+            .enumerate()
+            .flat_map(|(body, links)| links.iter().map(move |&link| (link, body)))
+            .collect();
+
+        let mut group = Self {
+            bodies,
+            inner: vec![],
+            outer: vec![],
+            class: 2,
+            dyad: None,
+        };
+        // For the class: bodies with what replaces higher pairs, and joints.
+        let mut count = group.bodies.len();
+        let mut joints: Vec<Vec<usize>> = vec![];
+        for (index, pair) in graph.pairs.iter().enumerate() {
+            let mut here = BTreeMap::new();
+            for &link in pair.links() {
+                if let Some(&body) = body_of.get(&link) {
+                    // Of links of one body the first stands for all.
+                    let first = here.entry(body).or_insert(link);
+                    *first = link.min(*first);
+                }
+            }
+            let base = base(pair.links());
+            let outer = !body_of.contains_key(&base);
+            if outer {
+                group.outer.extend(here.values().map(|&link| Outer {
+                    pair: index,
+                    link,
+                    base,
+                }));
+            } else {
+                group.inner.extend(vec![index; here.len() - 1]);
+            }
+            let joint: Vec<usize> = here.into_keys().collect();
+            if matches!(pair, Pair::Gear(_)) {
+                // Not where the other wheel comes later.
+                if outer && joint.len() == 1 || joint.len() == 2 {
+                    joints.extend(joint.iter().map(|&body| vec![body, count]));
+                    count += 1;
+                }
+            } else if !outer {
+                joints.push(joint);
+            }
+        }
+        group.check_sliding(graph, &body_of)?;
+        if count == 2 {
+            group.dyad = group.form(graph);
+        } else {
+            group.class = contour::longest(count, &joints).max(3);
+        }
+        group.outer.sort_unstable();
+        Ok(group)
+    }
+
+    /// The form of two bodies, or none of the dyads.
+    fn form(&self, graph: &Graph) -> Option<Dyad> {
+        let slides = |pair: usize| matches!(graph.pairs[pair], Pair::Prismatic(_));
+        let outer = self.outer.iter().filter(|outer| slides(outer.pair)).count();
+        if self.bodies.len() != 2 {
+            return None;
+        }
+        match (self.inner.iter().any(|&pair| slides(pair)), outer) {
+            (false, 0) => Some(Dyad::RRR),
+            (false, 1) => Some(Dyad::RRP),
+            (true, 0) => Some(Dyad::RPR),
+            (false, 2) => Some(Dyad::PRP),
+            (true, 1) => Some(Dyad::RPP),
+            _ => None,
+        }
+    }
+
+    /// An error where prismatic pairs alone determine the angle of bodies twice
+    /// over.
+    fn check_sliding(&self, graph: &Graph, body_of: &BTreeMap<usize, usize>) -> Result<(), Fault> {
+        let sliding: Vec<BTreeSet<usize>> = self
+            .inner
+            .iter()
+            .copied()
+            .chain(self.outer.iter().map(|outer| outer.pair))
+            .filter(|&pair| matches!(graph.pairs[pair], Pair::Prismatic(_)))
+            .map(|pair| {
+                let links = graph.pairs[pair].links().iter();
+                links
+                    .filter_map(|link| body_of.get(link).copied())
+                    .collect()
+            })
+            .collect();
+        // Bodies of one angle.
+        let mut parts: Vec<BTreeSet<usize>> = vec![];
+        for ends in &sliding {
+            let mut part = ends.clone();
+            while let Some(i) = parts.iter().position(|other| !other.is_disjoint(&part)) {
+                part.extend(parts.swap_remove(i));
+            }
+            parts.push(part);
+        }
+        parts.retain(|part| {
+            let here = sliding.iter().filter(|ends| ends.is_subset(part));
+            let (outer, inner): (Vec<_>, Vec<_>) = here.partition(|ends| ends.len() == 1);
+            inner.len() >= part.len() || outer.len() > 1
+        });
+        let bodies = parts.into_iter().flatten();
+        let mut links: Vec<usize> = bodies.flat_map(|body| self.bodies[body].clone()).collect();
+        links.sort_unstable();
+        if links.is_empty() {
+            Ok(())
+        } else {
+            Err(Fault::Sliding { links })
+        }
+    }
+}
+
+/// The links in sets that cannot move against each other, by the pairs and
+/// drivers between them.
+fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
+    let (mut pebbles, _) = Pebbles::count(graph, drivers, |link| links.contains(&link));
+    let mut bodies: Vec<Vec<usize>> = vec![];
+    for &link in links {
+        match bodies.iter_mut().find(|body| pebbles.locked(body[0], link)) {
+            Some(body) => body.push(link),
+            None => bodies.push(vec![link]),
+        }
+    }
+    bodies
+}
