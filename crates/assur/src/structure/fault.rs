@@ -73,10 +73,10 @@ pub enum Fault {
         /// How many constraints are too many.
         excess: usize,
     },
-    /// Links of one group joined by prismatic pairs only, in a ring or between
-    /// links of given angle: their angles are determined twice over and a
-    /// translation not at all, though the count is right. Such is a group of
-    /// two links and three prismatic pairs.
+    /// Links of one group or body in which prismatic pairs alone determine an
+    /// angle twice over: in a ring of them, or in a row of them between links
+    /// of given angle. A translation is left free for it, though the count is
+    /// right. Such is a group of two links and three prismatic pairs.
     Sliding {
         /// The links.
         links: Vec<usize>,

@@ -1,7 +1,7 @@
 //! One Assur group of a linkage.
 
 use super::pebbles::Pebbles;
-use super::{Driver, Fault, Graph, Pair, contour};
+use super::{Depends, Driver, Fault, Graph, Pair, contour};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An Assur group.
@@ -60,14 +60,17 @@ impl Group {
     }
 
     /// The group of these links, which depend on each other and on links solved
-    /// before; `base` says which of a pair's links is solved first.
+    /// before.
     pub(super) fn new(
         graph: &Graph,
         drivers: &[Driver],
         links: &[usize],
-        base: impl Fn(&[usize]) -> usize,
+        depends: &Depends,
     ) -> Result<Self, Fault> {
         let bodies = bodies(graph, drivers, links);
+        for body in &bodies {
+            check_body(graph, drivers, body)?;
+        }
         let body_of: BTreeMap<usize, usize> = bodies
             .iter()
             .enumerate()
@@ -93,7 +96,8 @@ impl Group {
                     *first = link.min(*first);
                 }
             }
-            let base = base(pair.links());
+            // It is the group's own where no link of it is solved before.
+            let base = depends.base(pair.links());
             let outer = !body_of.contains_key(&base);
             if outer {
                 group.outer.extend(here.values().map(|&link| Outer {
@@ -195,4 +199,37 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
         }
     }
     bodies
+}
+
+/// An error where prismatic pairs spoil the locking of a body: it comes apart
+/// into groups on one of its links, and one of those is at fault.
+fn check_body(graph: &Graph, drivers: &[Driver], body: &[usize]) -> Result<(), Fault> {
+    if body.len() == 1 {
+        return Ok(());
+    }
+    let inside = |link: &usize| body.contains(link);
+    let pairs = graph.pairs.iter().map(|pair| match pair {
+        Pair::Revolute(links) => Pair::Revolute(links.iter().copied().filter(inside).collect()),
+        _ => pair.clone(),
+    });
+    let alone = Graph {
+        links: graph.links,
+        ground: body[0],
+        pairs: pairs
+            .filter(|pair| pair.links().len() > 1 && pair.links().iter().all(inside))
+            .collect(),
+    };
+    let drivers: Vec<Driver> = drivers
+        .iter()
+        .copied()
+        .filter(|driver| driver.links.iter().all(inside))
+        .collect();
+    let (pebbles, _) = Pebbles::count(&alone, &drivers, |link| inside(&link));
+    let depends = Depends::of(&alone, pebbles);
+    for block in depends.blocks() {
+        Group::new(&alone, &drivers, &block, &depends).map_err(|_| Fault::Sliding {
+            links: body.to_vec(),
+        })?;
+    }
+    Ok(())
 }

@@ -44,8 +44,11 @@
 //!
 //! # What counting cannot see
 //!
-//! Special dimensions: a parallelogram with a third rocker moves, though it
-//! counts as locked. Such a linkage is refused as [`Fault::Overconstrained`].
+//! Special dimensions. A parallelogram with a third rocker moves, though it
+//! counts as locked, and is refused as [`Fault::Overconstrained`]. Prismatic pairs
+//! with nothing else between them, which count right and yet do not determine
+//! a place, are [`Fault::Sliding`]. What is not refused can be solved, but for
+//! special dimensions.
 //!
 //! ```
 //! use assur::structure::{Driver, Graph, Pair, decompose};
@@ -74,7 +77,7 @@ mod pebbles;
 pub use fault::Fault;
 pub use group::{Dyad, Group, Outer};
 
-use pebbles::Pebbles;
+use pebbles::{BODY, Pebbles};
 use std::collections::BTreeSet;
 
 /// A pair and the links it joins, by their indices.
@@ -211,7 +214,7 @@ impl Structure {
 /// All faults at once. What is wrong with single pairs and drivers comes first
 /// and alone; the freedoms are counted only after that.
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
-    let depends = Depends::of(check::check(graph, drivers)?, graph);
+    let depends = Depends::of(graph, check::check(graph, drivers)?);
     let mut blocks = depends.blocks();
 
     // A block comes one later than the last of those it is joined to.
@@ -226,10 +229,12 @@ pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fau
             level[link] = next.unwrap_or(0) + 1;
         }
     }
+    // A link that a driver moves against one solved before is a block of its own.
     let driven = |block: &[usize]| {
         drivers.iter().position(|driver| {
-            let of = |&link: &usize| driver.links.contains(&link);
-            block.len() == 1 && block.iter().all(of) && depends.base(&driver.links) != block[0]
+            block.len() == 1
+                && driver.links.contains(&block[0])
+                && depends.base(&driver.links) != block[0]
         })
     };
     blocks.sort_by_key(|block| (level[block[0]], driven(block).is_none(), block[0]));
@@ -247,7 +252,7 @@ pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fau
                     steps.push(Step::Driver { driver, links });
                 }
             }
-            match Group::new(graph, drivers, block, |links| depends.base(links)) {
+            match Group::new(graph, drivers, block, &depends) {
                 Ok(group) => steps.push(Step::Group(group)),
                 Err(fault) => faults.push(fault),
             }
@@ -271,10 +276,10 @@ struct Depends {
 }
 
 impl Depends {
-    fn of(mut pebbles: Pebbles, graph: &Graph) -> Self {
+    fn of(graph: &Graph, mut pebbles: Pebbles) -> Self {
         let Graph { links, ground, .. } = *graph;
         // The frame determines and is not determined: its freedoms stay free.
-        pebbles.gather(&[ground], 3);
+        pebbles.gather(&[ground], BODY);
         let on = (0..links).map(|link| {
             let nodes = pebbles.reach(&[link]).into_iter();
             nodes.filter(|&node| node < links).collect()
@@ -283,10 +288,11 @@ impl Depends {
         Self { ground, on }
     }
 
-    /// The links but the ground, in blocks that depend on each other; each
-    /// block depends on blocks before it.
+    /// The links that depend on the ground, in blocks that depend on each other;
+    /// each block depends on blocks before it.
     fn blocks(&self) -> Vec<Vec<usize>> {
-        let moving = (0..self.on.len()).filter(|&link| link != self.ground);
+        let depends = |&link: &usize| link != self.ground && self.on[link].contains(&self.ground);
+        let moving = (0..self.on.len()).filter(depends);
         let mut blocks: Vec<Vec<usize>> = vec![];
         for link in moving {
             let on = self.on[link].iter().copied();
