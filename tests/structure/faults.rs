@@ -108,6 +108,21 @@ fn three_prismatic_pairs_are_no_dyad() {
     );
 }
 
+/// It counts as a group of Class IV.
+#[test]
+fn four_prismatic_pairs_close_no_contour() {
+    let mut graph = hinged(6, &[&[0, 1], &[1, 2], &[0, 4]]);
+    for links in [[2, 3], [3, 4], [4, 5], [5, 2]] {
+        graph.pairs.push(Pair::Prismatic(links));
+    }
+    assert_eq!(
+        faults(&graph, &[driver(0, [0, 1])]),
+        [Fault::Sliding {
+            links: vec![2, 3, 4, 5]
+        }]
+    );
+}
+
 /// Links 2, 3 and 4 count as one body, but their ring is of sliders only.
 #[test]
 fn three_prismatic_pairs_lock_no_body() {
