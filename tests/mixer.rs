@@ -2,8 +2,9 @@
 //! 40-digit arithmetic, and extrema and classes of known linkages.
 
 use assur::catalog::mixer::{Case, Mixer};
+use assur::gears::Mesh;
 use assur::motion::{Features, Input, Kind, extrema, features};
-use assur::{Assembly, Dimension, Fault, FourBar, Grashof, Swing};
+use assur::{Assembly, Counts, Dimension, Fault, FourBar, Grashof, Swing};
 use assur_tests::assert_near;
 
 fn mixer(case: Case) -> Mixer {
@@ -31,6 +32,33 @@ fn swings_of_fig_4() {
             assert_near(travel, 2.0 * rocker, 1e-13, "there and back");
         }
     }
+}
+
+/// W = 1, with the idler of the mesh as printed, too.
+#[test]
+fn one_freedom_with_every_mesh() {
+    for (mesh, links, lower, higher) in [
+        (Mesh::External, 4, 5, 1),
+        (Mesh::Internal, 4, 5, 1),
+        (Mesh::AsPrinted, 5, 6, 2),
+    ] {
+        let mut dimensions = Case::A.dimensions();
+        dimensions.mesh = mesh;
+        let counts = Mixer::new(&dimensions).unwrap().counts();
+        let expected = Counts {
+            links,
+            lower,
+            higher,
+        };
+        assert_eq!(counts, expected, "{mesh:?}");
+        assert_eq!(counts.mobility(), 1, "{mesh:?}");
+    }
+    let bar = Counts {
+        links: 2,
+        lower: 3,
+        higher: 0,
+    };
+    assert_eq!(bar.mobility(), 0, "a triangle is stiff");
 }
 
 #[test]

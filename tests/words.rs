@@ -1,23 +1,100 @@
-//! The string tables: every language says everything, and every problem of the
-//! engine has its words.
+//! The string tables: every language says everything, in every form its nouns need;
+//! every problem of the engine has its words; no key is missing, none is left over.
 #![cfg(not(target_family = "wasm"))]
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 type Words = BTreeMap<String, String>;
 
-const LANGUAGES: [(&str, &str); 4] = [
-    ("en", include_str!("../lang/en.json")),
-    ("ru", include_str!("../lang/ru.json")),
-    ("uk", include_str!("../lang/uk.json")),
-    ("kk", include_str!("../lang/kk.json")),
+/// Every language, with the forms that CLDR's plural rules give a noun beside a
+/// number in it.
+const LANGUAGES: [(&str, &[&str]); 4] = [
+    ("en", &["one", "other"]),
+    ("ru", &["few", "many", "one", "other"]),
+    ("uk", &["few", "many", "one", "other"]),
+    ("kk", &["one", "other"]),
 ];
 
-fn tables() -> Vec<(&'static str, Words)> {
-    LANGUAGES
-        .into_iter()
-        .map(|(lang, text)| (lang, serde_json::from_str(text).unwrap()))
+/// Keys that scripts build: how they begin, and the sources in one of which the
+/// rest of every such key is named.
+const BUILT: [(&str, &[&str]); 13] = [
+    ("assembly.", &["www/rail.js"]),
+    (
+        "field.",
+        &[
+            "crates/assur-file/src/problem.rs",
+            "crates/assur-file/src/state.rs",
+            "www/rail.js",
+        ],
+    ),
+    ("grashof.", &["crates/assur-web/src/summary.rs"]),
+    ("lang.", &["www/words.js"]),
+    ("mesh.", &["www/rail.js"]),
+    ("name.", &["www/rail.js"]),
+    ("notice.", &["www/opening.js"]),
+    ("plots.unit.", &["www/engine.js"]),
+    ("preset.", &["crates/assur-web/src/simulator.rs"]),
+    (
+        "problem.",
+        &[
+            "crates/assur-file/src/problem.rs",
+            "www/carrier.js",
+            "www/model.js",
+        ],
+    ),
+    ("readouts.", &["www/readouts.js"]),
+    ("slider.", &["www/rail.js"]),
+    ("status.", &["www/status.js"]),
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn source(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The files of a folder whose names end so, by their names.
+fn files(folder: &str, ending: &str) -> BTreeMap<String, String> {
+    let entries = fs::read_dir(root().join(folder)).unwrap();
+    entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(ending))
+        .map(|name| (name.clone(), source(&format!("{folder}/{name}"))))
         .collect()
+}
+
+/// The tables of all languages; in `place` the language stands for `*`.
+fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
+    let table = |(lang, forms)| {
+        let text = source(&place.replace('*', lang));
+        (lang, forms, serde_json::from_str(&text).unwrap())
+    };
+    LANGUAGES.into_iter().map(table).collect()
+}
+
+/// The tables of a lesson's panel and of all lessons.
+fn lesson_tables() -> Vec<String> {
+    let modules = files("www/lessons", ".js").into_keys();
+    modules
+        .map(|name| format!("lang/lessons/{}", name.replace(".js", ".*.json")))
+        .collect()
+}
+
+/// A key without the form of the noun, and the form.
+fn split(key: &str) -> (&str, Option<&str>) {
+    match key.rsplit_once('.') {
+        Some((base, form @ ("one" | "few" | "many" | "other"))) => (base, Some(form)),
+        _ => (key, None),
+    }
+}
+
+/// What a script may ask for: keys, of those with several forms what is common.
+fn asked(words: &Words) -> BTreeSet<&str> {
+    words.keys().map(|key| split(key).0).collect()
 }
 
 /// The `{places}` of a sentence.
@@ -29,17 +106,176 @@ fn places(sentence: &str) -> BTreeSet<&str> {
         .collect()
 }
 
+/// What stands between two of these marks in one line.
+fn quoted(text: &str, mark: char) -> BTreeSet<&str> {
+    let lines = text.lines();
+    lines
+        .flat_map(|line| line.split(mark).skip(1).step_by(2))
+        .collect()
+}
+
+/// Whether a source names a word: in quotes, as a number, as the key of an object; a
+/// code as the variant of `Problem`. What stands in its tests does not count.
+fn names(source_name: &str, word: &str) -> bool {
+    let text = source(source_name);
+    let text = text.split("#[cfg(test)]").next().unwrap();
+    let letter = |c: char| c.is_alphanumeric() || c == '_';
+    let alone = |word: &str| {
+        let mut ends = text.match_indices(word).map(|(at, _)| text.split_at(at));
+        ends.any(|(before, from)| {
+            !before.ends_with(letter) && !from[word.len()..].starts_with(letter)
+        })
+    };
+    let number = word.parse::<u8>().is_ok();
+    let variant = source_name.ends_with("problem.rs");
+    quoted(text, '"').contains(word)
+        || (number && alone(word))
+        || (variant && alone(&pascal(word)))
+        || text.contains(&format!("  {word}: ("))
+}
+
+/// `too_long` as `TooLong`.
+fn pascal(code: &str) -> String {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    code.split('_').map(capital).collect()
+}
+
 #[test]
 fn every_language_says_everything() {
-    let tables = tables();
-    let (_, first) = &tables[0];
-    for (lang, words) in &tables {
-        let keys: Vec<&String> = words.keys().collect();
-        assert_eq!(keys, first.keys().collect::<Vec<_>>(), "{lang}");
-        for (key, sentence) in words {
-            assert!(!sentence.trim().is_empty(), "{lang}: {key}");
-            assert_eq!(places(sentence), places(&first[key]), "{lang}: {key}");
+    let all = lesson_tables()
+        .into_iter()
+        .chain(["lang/*.json".to_owned()]);
+    for place in all {
+        let tables = tables(&place);
+        let (_, _, first) = &tables[0];
+        for (lang, forms, words) in &tables {
+            assert_eq!(asked(words), asked(first), "{place} {lang}");
+            let mut found: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+            for (key, sentence) in words {
+                assert!(!sentence.trim().is_empty(), "{place} {lang}: {key}");
+                let (base, form) = split(key);
+                let model = first.get(&format!("{base}.other"));
+                let model = model.or_else(|| first.get(key)).unwrap();
+                assert_eq!(places(sentence), places(model), "{place} {lang}: {key}");
+                if let Some(form) = form {
+                    found.entry(base).or_default().insert(form);
+                }
+            }
+            for (base, found) in found {
+                assert!(found.iter().eq(*forms), "{place} {lang}: {base} {found:?}");
+                assert!(places(&words[&format!("{base}.other")]).contains("count"));
+            }
         }
+    }
+}
+
+#[test]
+fn no_key_is_left_over() {
+    let page = source("www/index.html");
+    let mut scripts = files("www", ".js");
+    scripts.extend(files("www/lessons", ".js"));
+    let named: BTreeSet<&str> = quoted(&page, '"')
+        .into_iter()
+        .chain(scripts.values().flat_map(|script| quoted(script, '"')))
+        .collect();
+    let words = &tables("lang/*.json")[0].2;
+    for key in asked(words) {
+        let built = BUILT.iter().any(|(start, sources)| {
+            key.strip_prefix(start)
+                .is_some_and(|rest| sources.iter().any(|source| names(source, rest)))
+        });
+        let used = named.contains(key) || page.contains(&format!("{{{{{key}}}}}")) || built;
+        assert!(used, "{key} is used nowhere");
+    }
+}
+
+#[test]
+fn no_key_is_missing() {
+    let words = &tables("lang/*.json")[0].2;
+    let keys = asked(words);
+    let spaces: BTreeSet<&str> = keys
+        .iter()
+        .map(|key| key.split('.').next().unwrap())
+        .collect();
+    let is_key = |text: &&str| {
+        let mut parts = text.split('.');
+        let space = parts.next().is_some_and(|part| spaces.contains(part));
+        let plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
+        space && parts.next().is_some() && text.chars().all(plain)
+    };
+    let page = source("www/index.html");
+    for part in page.split("data-t").skip(1) {
+        let key = part.split('"').nth(1).unwrap();
+        assert!(keys.contains(key), "index.html asks for {key}");
+    }
+    for part in page.split("{{").skip(1) {
+        let key = part.split("}}").next().unwrap();
+        assert!(keys.contains(key) || key == "version", "index.html: {key}");
+    }
+    for (name, script) in files("www", ".js") {
+        for key in quoted(&script, '"').into_iter().filter(is_key) {
+            assert!(keys.contains(key), "{name} asks for {key}");
+        }
+        for built in quoted(&script, '`') {
+            let Some((start, _)) = built.split_once("${") else {
+                continue;
+            };
+            let known = BUILT.iter().any(|(listed, _)| *listed == start);
+            let key = start.ends_with('.') && spaces.contains(start.split('.').next().unwrap());
+            assert!(known || !key, "{name} builds keys from {start}");
+        }
+    }
+}
+
+/// What every step of a lesson says, its choices and what it shows; and what the
+/// panel itself says.
+#[test]
+fn lessons_have_their_words_and_no_more() {
+    for (name, script) in files("www/lessons", ".js") {
+        let place = format!("lang/lessons/{}", name.replace(".js", ".*.json"));
+        let words = &tables(&place)[0].2;
+        if name == "panel.js" {
+            let named = quoted(&script, '"');
+            assert!(
+                asked(words).is_subset(&named),
+                "{place}: a key is left over"
+            );
+            for call in ["text(\"", "counted(\""] {
+                for part in script.split(call).skip(1) {
+                    let key = part.split('"').next().unwrap();
+                    assert!(asked(words).contains(key), "{name} asks for {key}");
+                }
+            }
+            continue;
+        }
+        let mut expected = BTreeSet::new();
+        for step in script.split("    id: \"").skip(1) {
+            let id = step.split('"').next().unwrap();
+            expected.extend(
+                ["title", "text", "question", "hint", "right"].map(|part| format!("{id}.{part}")),
+            );
+            if let Some((_, list)) = step.split_once("choices: [") {
+                let list = list.split(']').next().unwrap();
+                expected.extend(
+                    quoted(list, '"')
+                        .iter()
+                        .map(|one| format!("{id}.choice.{one}")),
+                );
+            }
+            let names = step
+                .split("name: \"")
+                .skip(1)
+                .map(|rest| rest.split('"').next().unwrap());
+            expected.extend(names.map(|name| format!("{id}.show.{name}")));
+            let whole = words.contains_key(&format!("{id}.right.other"));
+            assert_eq!(step.contains("whole: true"), whole, "{name}: {id}.right");
+        }
+        assert!(
+            (3..=8).contains(&script.matches("    id: \"").count()),
+            "{name}"
+        );
+        let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
+        assert_eq!(asked(words), expected, "{name}");
     }
 }
 
@@ -88,7 +324,7 @@ fn every_problem_has_words() {
         "epsilon",
         "plot",
     ];
-    for (lang, words) in tables() {
+    for (lang, _, words) in tables("lang/*.json") {
         for code in codes {
             assert!(
                 words.contains_key(&format!("problem.{code}")),

@@ -10,6 +10,7 @@ import init, { Simulator, labelNames, presets, readState, roleNames } from "assu
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
  * @typedef {{
+ *   counts: { links: number, lower: number, higher: number, mobility: number },
  *   grashof: string,
  *   cycle: Cycle,
  *   home: number,

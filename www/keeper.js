@@ -1,5 +1,5 @@
 // Keeps the state beyond the page: in the address and in the browser. Both may be forbidden; the page then does without.
-import { fromAddress, toAddress, toFile } from "assur/carrier.js";
+import { toAddress, toFile } from "assur/carrier.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
@@ -12,14 +12,12 @@ const ASIDE = "assur.state.unread";
 /** Not more often than this, in milliseconds: browsers limit how often an address may change. */
 const PERIOD = 400;
 
-/** @returns {string} what follows the # of the address, or nothing */
-export function addressed() {
-  return location.hash.slice(1);
-}
-
-/** @returns {unknown} what the address holds, for the engine to check */
-export function fromHere() {
-  return fromAddress(addressed());
+/**
+ * @param {string} address
+ * @returns {string} what follows the # in it, or nothing
+ */
+export function addressed(address) {
+  return address.split("#").slice(1).join("#");
 }
 
 /** @returns {string | null} what was kept last */

@@ -10,6 +10,7 @@ import { Header } from "assur/header.js";
 import { History } from "assur/history.js";
 import { keep } from "assur/keeper.js";
 import { helpRows, listen } from "assur/keys.js";
+import { Lesson } from "assur/lesson.js";
 import { Loop } from "assur/loop.js";
 import { MechanismHands } from "assur/mechanism-hands.js";
 import { MechanismView } from "assur/mechanism.js";
@@ -59,7 +60,8 @@ function run(engine, habits, opening, startWords) {
     const { state } = taken;
     if (state) history.step(() => store.update(() => state));
   };
-  addEventListener("hashchange", () => take(takeAddress(engine, habits)));
+  // The address that was entered: by now another may have been written over it.
+  addEventListener("hashchange", ({ newURL }) => take(takeAddress(newURL, engine, habits)));
   const commands = Object.freeze({
     ...makeCommands({ store, model, drafts, history, presets: engine.presets }),
     open: filePicker((text, name) => take(takeFile(text, name, engine, habits))),
@@ -75,6 +77,7 @@ function run(engine, habits, opening, startWords) {
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
+  const lesson = new Lesson({ store, model, history, presets: engine.presets }, () => loop.request());
   const views = [
     mechanism,
     hands,
@@ -86,11 +89,12 @@ function run(engine, habits, opening, startWords) {
     new StatusLine(),
     new ReadoutTable(),
     new ProblemView(),
+    lesson,
     header,
     notices,
   ];
 
-  listen({ ...commands, trace: () => hands.trace(), help: () => help.showModal(), close: () => {
+  listen({ ...commands, trace: () => hands.trace(), lesson: () => lesson.toggle(), help: () => help.showModal(), close: () => {
     header.close();
     notices.clear();
     hands.trace(false);

@@ -13,8 +13,10 @@ import { NumberBox } from "assur/number-box.js";
  *   role: string,
  *   slider?: SliderRange,
  *   unit?: string,
+ *   counted?: string,
  * }>} RowKind
  * `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * `counted`: the key of the words for a number of what the slider counts.
  */
 
 export class NumberRow {
@@ -65,17 +67,19 @@ export class NumberRow {
 
   /**
    * @param {number} value
-   * @param {import("assur/numbers.js").Numbers} numbers
+   * @param {import("assur/words.js").Words} words
    * @param {boolean} invalid
    */
-  show(value, numbers, invalid) {
-    const { slider: range, unit = "" } = this.#kind;
+  show(value, words, invalid) {
+    const { numbers } = words;
+    const { slider: range, unit = "", counted } = this.#kind;
     this.#box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
     // A value beyond the slider's range widens it, so that the slider tells the truth.
     const max = Math.max(range.max, value);
     if (Number(this.#slider.max) !== max) this.#slider.max = String(max);
     if (Number(this.#slider.value) !== value) this.#slider.value = String(value);
+    if (counted) this.#slider.setAttribute("aria-valuetext", words.counted(counted, value));
     const part = Math.min(Math.max((value - range.min) / (max - range.min), 0), 1);
     this.#slider.style.setProperty("--fill", String(part));
   }

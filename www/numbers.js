@@ -26,10 +26,20 @@ export class Numbers {
   #locale;
   /** @type {Map<string, Intl.NumberFormat>} */
   #formats = new Map();
+  #plurals;
 
   /** @param {string} lang */
   constructor(lang) {
     this.#locale = ALIKE.get(lang) ?? lang;
+    this.#plurals = new Intl.PluralRules(lang);
+  }
+
+  /**
+   * The form of a noun beside a number, as the language has them: one, few, many, other.
+   * @param {number} count
+   */
+  form(count) {
+    return this.#plurals.select(count);
   }
 
   /**

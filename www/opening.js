@@ -1,7 +1,7 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file.
-import { fromFile } from "assur/carrier.js";
+import { fromAddress, fromFile } from "assur/carrier.js";
 import { attempt } from "assur/engine.js";
-import { addressed, fromHere, kept, putAside } from "assur/keeper.js";
+import { addressed, kept, putAside } from "assur/keeper.js";
 import { initialState } from "assur/state.js";
 import { LANGUAGES } from "assur/words.js";
 
@@ -31,12 +31,14 @@ function take(kind, unwrap, engine, { calm, lang }) {
 }
 
 /**
+ * @param {string} address
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Taken | null} null where the address holds none
  */
-export function takeAddress(engine, habits) {
-  return addressed() === "" ? null : take("address", fromHere, engine, habits);
+export function takeAddress(address, engine, habits) {
+  const hash = addressed(address);
+  return hash === "" ? null : take("address", () => fromAddress(hash), engine, habits);
 }
 
 /**
@@ -60,7 +62,7 @@ export function takeFile(text, name, engine, habits) {
 export function open(engine, habits) {
   /** @type {Failure[]} */
   const failures = [];
-  const address = takeAddress(engine, habits);
+  const address = takeAddress(location.href, engine, habits);
   if (address?.state) return { state: address.state, failures };
   if (address) failures.push(address.failure);
   const text = kept();

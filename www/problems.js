@@ -51,6 +51,7 @@ export class ProblemView {
   /** @param {Snapshot} snapshot */
   render({ problems, words }) {
     const sentences = problems.map((problem) => sentence(problem, words));
+    if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;
     this.#shown = shown;

@@ -148,8 +148,8 @@ export function wheelCard(index, put, drafts, remove) {
   return {
     lines: [teeth.element, line.element],
     show(/** @type {Wheel} */ wheel, { words }, wrong) {
-      teeth.show(wheel.z, words.numbers, wrong.has(teeth.field));
-      line.show(wheel.centre_line_deg, words.numbers, wrong.has(line.field));
+      teeth.show(wheel.z, words, wrong.has(teeth.field));
+      line.show(wheel.centre_line_deg, words, wrong.has(line.field));
     },
   };
 }
@@ -184,8 +184,8 @@ export function tracerCard(index, put, drafts, remove) {
       }
       select.value = tracer.link;
       head.style.setProperty("--accent", `var(--role-${tracer.link})`);
-      rows[0].show(tracer.x, words.numbers, wrong.has(rows[0].field));
-      rows[1].show(tracer.y, words.numbers, wrong.has(rows[1].field));
+      rows[0].show(tracer.x, words, wrong.has(rows[0].field));
+      rows[1].show(tracer.y, words, wrong.has(rows[1].field));
     },
   };
 }

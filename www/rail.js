@@ -26,7 +26,7 @@ const LENGTHS = Object.freeze([
 /** @type {readonly RowKind[]} */
 const WHEELS = Object.freeze([
   { field: "module", symbol: "m", role: "secondary" },
-  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH },
+  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH, counted: "wheels.teeth" },
 ]);
 
 const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
@@ -87,7 +87,7 @@ export class Rail {
     const shown = [state.document, ...SWITCHES.map((name) => state.view[name]), words, summary, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words.numbers, wrong.has(row.field));
+    for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words, wrong.has(row.field));
     for (const list of this.#lists) list.show(snapshot, wrong);
     for (const { button, document } of this.#presets) {
       button.setAttribute("aria-pressed", String(contains(state.document, document)));

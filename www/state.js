@@ -16,6 +16,7 @@
  *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean,
  *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
  *   true_time: boolean, differenced: boolean,
+ *   step: number,
  * }>} View
  *
  * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State
@@ -81,6 +82,7 @@ export function initialState(document, view) {
       epsilon: 0,
       true_time: false,
       differenced: false,
+      step: 0,
       lang: "en",
       ...view,
     }),

@@ -4,8 +4,8 @@ import { Numbers } from "assur/numbers.js";
 /** The languages there are string tables for; the first is the one to fall back to. */
 export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 
-/** @type {Map<string, Promise<Words>>} */
-const loaded = new Map();
+/** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
+const tables = new Map();
 
 /**
  * @param {readonly string[]} wanted as the browser lists them, best first
@@ -36,16 +36,13 @@ export class Words {
 
   /**
    * @param {string} lang
+   * @param {readonly string[]} [lessons] further tables, of lang/lessons; without, it is the page's own
    * @returns {Promise<Words>}
    */
-  static load(lang) {
-    let words = loaded.get(lang);
-    if (!words) {
-      words = fetchTable(lang).then((table) => new Words(lang, table));
-      words.catch(() => loaded.delete(lang));
-      loaded.set(lang, words);
-    }
-    return words;
+  static async load(lang, lessons) {
+    const names = lessons?.map((name) => `lessons/${name}.${lang}`) ?? [lang];
+    const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
+    return new Words(lang, new Map(entries));
   }
 
   /**
@@ -57,6 +54,16 @@ export class Words {
     const text = this.#table.get(key);
     if (text === undefined) return key;
     return text.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
+  }
+
+  /**
+   * A text that says how many: its forms stand under `key.one`, `key.few`, `key.many`, `key.other`, as the language has them.
+   * @param {string} key
+   * @param {number} count stands in the place {count}
+   * @param {Readonly<Record<string, string>>} [places]
+   */
+  counted(key, count, places = {}) {
+    return this.text(`${key}.${this.numbers.form(count)}`, { count: this.numbers.exact(count), ...places });
   }
 
   /** @param {string} key */
@@ -78,11 +85,25 @@ export class Words {
 }
 
 /**
- * @param {string} lang
+ * @param {string} name
  * @returns {Promise<ReadonlyMap<string, string>>}
  */
-async function fetchTable(lang) {
-  const response = await fetch(import.meta.resolve(`assur/lang/${lang}.json`));
-  if (!response.ok) throw new Error(`${response.status} ${lang}.json`);
+function table(name) {
+  let wanted = tables.get(name);
+  if (!wanted) {
+    wanted = fetchTable(name);
+    wanted.catch(() => tables.delete(name));
+    tables.set(name, wanted);
+  }
+  return wanted;
+}
+
+/**
+ * @param {string} name
+ * @returns {Promise<ReadonlyMap<string, string>>}
+ */
+async function fetchTable(name) {
+  const response = await fetch(import.meta.resolve(`assur/lang/${name}.json`));
+  if (!response.ok) throw new Error(`${response.status} ${name}.json`);
   return new Map(Object.entries(await response.json()));
 }

@@ -206,6 +206,17 @@ impl Page {
         element.id().await.unwrap()
     }
 
+    /// What a script of the test gives to its last argument, a function, in its time.
+    #[allow(dead_code, reason = "page_speed has no such script")]
+    pub(crate) async fn ask_later(
+        &self,
+        script: &str,
+        arguments: Vec<serde_json::Value>,
+    ) -> serde_json::Value {
+        let answer = self.driver.execute_async(script, arguments).await.unwrap();
+        answer.json().clone()
+    }
+
     /// Gives a file to the page as if it had been chosen.
     pub(crate) async fn choose_file(&self, id: &str, path: &Path) {
         let path = path.to_str().unwrap();

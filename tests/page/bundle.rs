@@ -38,6 +38,12 @@ async fn opens_from_a_file_and_runs() {
     );
     page.choose("lang", "ru").await;
     assert!(page.text("out-swing-rocker").await.contains("87,905°"));
+    page.click("tab-lesson").await;
+    page.until("the lesson", async || {
+        page.count("#lesson-title").await == 1
+    })
+    .await;
+    assert_eq!(page.text("lesson-title").await, "Машина и её части");
     // From the disk, too, the state is in the address and comes back with it.
     page.until("the address to follow", async || {
         page.address().await.contains("v.lang=ru")

@@ -5,6 +5,7 @@
 mod bad_input;
 mod browser;
 mod bundle;
+mod damage;
 mod export;
 mod hands;
 mod keys;
@@ -14,6 +15,7 @@ mod picture;
 mod pixels;
 mod plots;
 mod share;
+mod steps;
 mod tracers;
 mod undo;
 mod wheels;

@@ -87,6 +87,9 @@ pub struct View {
     /// Differences of φ′ shown over φ″.
     #[serde(default)]
     pub differenced: bool,
+    /// The open step of the lesson, counted from 1; 0 while it is closed.
+    #[serde(default)]
+    pub step: u8,
     /// Language of the page.
     pub lang: String,
 }
@@ -260,6 +263,7 @@ mod tests {
                 epsilon: 0.5,
                 true_time: true,
                 differenced: true,
+                step: 3,
                 lang: "en".to_owned(),
             },
         }
@@ -336,6 +340,7 @@ mod tests {
             "epsilon",
             "true_time",
             "differenced",
+            "step",
         ] {
             assert!(view.remove(added).is_some(), "{added}");
         }
@@ -350,6 +355,7 @@ mod tests {
             epsilon: 0.0,
             true_time: false,
             differenced: false,
+            step: 0,
             ..expected.view
         };
         assert_eq!(read(&older.to_string()).unwrap(), expected);
@@ -386,6 +392,8 @@ mod tests {
             ("\"z\":18.0", "\"z\":[]", "document.wheels[0].z"),
             ("\"tracers\":[]", "\"tracers\":[7]", "document.tracers[0]"),
             ("\"playing\":true", "\"playing\":1", "view.playing"),
+            ("\"step\":3", "\"step\":-1", "view.step"),
+            ("\"step\":3", "\"step\":1.5", "view.step"),
         ] {
             assert!(text.contains(from), "{from}");
             match read(&text.replace(from, to)) {

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 #[derive(Serialize)]
 pub(crate) struct Summary {
+    counts: CountsSummary,
     grashof: &'static str,
     cycle: CycleSummary,
     home: f64,
@@ -22,6 +23,14 @@ pub(crate) struct Summary {
     dead_points: Vec<f64>,
     change_points: Vec<f64>,
     bounds: [f64; 4],
+}
+
+#[derive(Serialize)]
+struct CountsSummary {
+    links: u32,
+    lower: u32,
+    higher: u32,
+    mobility: i64,
 }
 
 #[derive(Serialize)]
@@ -62,6 +71,7 @@ struct Transmission {
 
 impl Summary {
     pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
+        let counts = mixer.counts();
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
@@ -84,6 +94,12 @@ impl Summary {
             rocker: limit.rocker,
         };
         Self {
+            counts: CountsSummary {
+                links: counts.links,
+                lower: counts.lower,
+                higher: counts.higher,
+                mobility: counts.mobility(),
+            },
             grashof: grashof(linkage.grashof()),
             home: cycle.home(),
             swing: swings.iter().map(|swing| between(*swing)).collect(),

@@ -14,7 +14,7 @@ pub use quantity::{Axis, Quantity, Tracked, Turning};
 pub use tracer::{Carrier, Tracer};
 
 use crate::gears::{GearSet, Mate, Mesh};
-use crate::{Assembly, FourBar, Invalid};
+use crate::{Assembly, Counts, FourBar, Invalid};
 
 /// The three cases of fig. 4. Lengths are in metres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,6 +112,20 @@ impl Mixer {
                 let reasons = [linkage.err(), gears.err(), tracers.err()];
                 Err(reasons.into_iter().flatten().flatten().collect())
             }
+        }
+    }
+
+    /// Its links and pairs: four hinges of the linkage, and for every wheel beside
+    /// wheel 4, which is one link with the rocker, a hinge and a mesh.
+    pub fn counts(&self) -> Counts {
+        let pairs = self.gears.pairs().iter();
+        let wheels = pairs
+            .map(|pair| 1 + u32::from(pair.idler().is_some()))
+            .sum::<u32>();
+        Counts {
+            links: 3 + wheels,
+            lower: 4 + wheels,
+            higher: wheels,
         }
     }
 }

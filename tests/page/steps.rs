@@ -1,0 +1,407 @@
+//! The lesson's steps: opened, walked through and answered by mouse, by keys and by
+//! touch; what is right is what the engine, run natively, says of the mechanism.
+
+use assur::catalog::mixer::{Case, Mixer};
+use thirtyfour::prelude::*;
+
+use crate::browser::{Page, setting};
+
+fn mixer(case: Case) -> Mixer {
+    Mixer::new(&case.dimensions()).unwrap()
+}
+
+async fn open(page: &Page) {
+    page.click("tab-lesson").await;
+    loaded(page).await;
+}
+
+async fn loaded(page: &Page) {
+    page.until("the lesson", async || {
+        page.count("#lesson-title").await == 1
+    })
+    .await;
+    page.settle().await;
+}
+
+/// Goes on to a step by the buttons.
+async fn turn_to(page: &Page, number: usize) {
+    for _ in 1..number {
+        page.click("lesson-on").await;
+    }
+    let progress = page.text("lesson-progress").await;
+    assert!(
+        progress.contains(&format!("Step {number} of 6")),
+        "{progress}"
+    );
+}
+
+/// Types an answer, has it checked, and gives the verdict.
+async fn answer(page: &Page, text: &str) -> String {
+    page.write("lesson-answer", text).await;
+    verdict(page).await
+}
+
+async fn verdict(page: &Page) -> String {
+    page.attribute("lesson-said", "data-verdict").await.unwrap()
+}
+
+async fn visible(page: &Page, id: &str) -> bool {
+    page.element(id).await.is_displayed().await.unwrap()
+}
+
+#[tokio::test]
+async fn six_questions_answered_by_mouse() {
+    let page = Page::open().await;
+    // Who comes first sees the machine run, and the settings.
+    assert!(visible(&page, "rail").await && !visible(&page, "lesson").await);
+    assert_eq!(
+        page.attribute("play", "data-playing").await.as_deref(),
+        Some("true")
+    );
+    let names = page.loaded().await;
+    assert!(
+        !names.iter().any(|name| name.contains("lessons")),
+        "{names:?}"
+    );
+    open(&page).await;
+    assert!(visible(&page, "lesson").await && !visible(&page, "rail").await);
+    assert!(visible(&page, "mechanism").await && visible(&page, "charts").await);
+    assert!(
+        !page
+            .element("lesson-back")
+            .await
+            .is_enabled()
+            .await
+            .unwrap()
+    );
+
+    let [a, c] = [mixer(Case::A), mixer(Case::C)];
+    let limits = a.linkage.limits(a.assembly);
+    let [low, high] = [limits[0], limits[1]];
+    assert!(low.rocker < high.rocker);
+    let swing = c.linkage.swings(c.assembly)[0].scaled(c.gears.ratio());
+    let slow = a.linkage.time_ratio(a.assembly).unwrap();
+    let numbers = [
+        (f64::from(a.counts().links), 0.0),
+        (a.gears.ratio(), 0.005),
+        (high.crank.to_degrees(), 0.5),
+        (swing.stroke().unwrap().to_degrees(), 0.5),
+        (360.0 * slow / (1.0 + slow), 0.5),
+    ];
+    for (index, (exact, within)) in numbers.into_iter().enumerate() {
+        let told = page.text("lesson-question").await;
+        assert!(
+            within == 0.0 || told.contains(&within.to_string()),
+            "{told}"
+        );
+        page.click("lesson-show").await;
+        // Just outside the tolerance, just inside, and with a comma.
+        let off = if within == 0.0 { 1.0 } else { 1.02 * within };
+        for wrong in [exact + off, exact - off] {
+            assert_eq!(
+                answer(&page, &wrong.to_string()).await,
+                "not_yet",
+                "{wrong} for {exact}"
+            );
+            assert!(page.text("lesson-said").await.len() > 30);
+        }
+        assert_eq!(answer(&page, "about two").await, "unread");
+        for right in [exact + 0.98 * within, exact - 0.98 * within] {
+            let right = right.to_string();
+            assert_eq!(answer(&page, &right).await, "right", "{right} for {exact}");
+            assert_eq!(answer(&page, &right.replace('.', ",")).await, "right");
+        }
+        let progress = page.text("lesson-progress").await;
+        assert!(
+            progress.contains(&format!("{} right answer", index + 1)),
+            "{progress}"
+        );
+        page.click("lesson-on").await;
+    }
+
+    page.click("lesson-check").await;
+    assert_eq!(verdict(&page).await, "unanswered");
+    page.click("lesson-show-b").await;
+    let pressed = page.attribute("preset-b", "aria-pressed").await;
+    assert_eq!(pressed.as_deref(), Some("true"));
+    for (choice, expected) in [
+        ("in_line", "not_yet"),
+        ("dead_point", "not_yet"),
+        ("on_frame", "right"),
+    ] {
+        page.click(&format!("lesson-{choice}")).await;
+        assert_eq!(verdict(&page).await, "", "a new choice is not yet judged");
+        page.click("lesson-check").await;
+        assert_eq!(verdict(&page).await, expected, "{choice}");
+    }
+    assert!(
+        page.text("lesson-progress")
+            .await
+            .contains("6 right answers")
+    );
+    assert!(!page.element("lesson-on").await.is_enabled().await.unwrap());
+
+    // What was answered is still there; the settings come back.
+    page.click("lesson-back").await;
+    assert!(!page.written("lesson-answer").await.is_empty());
+    page.click("tab-settings").await;
+    assert!(visible(&page, "rail").await && !visible(&page, "lesson").await);
+    page.close().await;
+}
+
+/// "Show it" puts the mechanism where the text says, in one step of undo.
+#[tokio::test]
+async fn what_is_shown() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    page.write("field-l3", "0.7").await;
+    open(&page).await;
+    turn_to(&page, 3).await;
+    page.click("lesson-show").await;
+    let a = mixer(Case::A);
+    let limit = a.linkage.limits(a.assembly)[0].crank.to_degrees();
+    assert!((page.value("out-phi1").await - limit).abs() < 1e-9);
+    assert!(page.value("out-drocker").await.abs() < 1e-9);
+    assert!(
+        page.element("loop_vectors")
+            .await
+            .is_selected()
+            .await
+            .unwrap()
+    );
+    // The other limit, a turn more or less.
+    let other = a.linkage.limits(a.assembly)[1].crank.to_degrees();
+    assert_eq!(answer(&page, &(other - 360.0).to_string()).await, "right");
+    page.click("undo").await;
+    assert!(
+        !page
+            .element("loop_vectors")
+            .await
+            .is_selected()
+            .await
+            .unwrap()
+    );
+    assert_eq!(page.written("field-l3").await, "0.7");
+    assert_eq!(verdict(&page).await, "", "that was of another mechanism");
+    page.close().await;
+}
+
+/// The mechanism is what it is now, not what the lesson showed.
+#[tokio::test]
+async fn the_present_mechanism_is_asked_about() {
+    let page = Page::open().await;
+    page.stop_at("10").await;
+    page.write("field-z5", "24").await;
+    page.click("mesh-internal").await;
+    open(&page).await;
+    turn_to(&page, 2).await;
+    assert_eq!(answer(&page, "-2").await, "not_yet");
+    assert_eq!(answer(&page, "1.5").await, "right");
+    page.click("tab-settings").await;
+    page.write("field-l4", "2").await;
+    page.click("tab-lesson").await;
+    assert_eq!(verdict(&page).await, "", "judged of another mechanism");
+    assert_eq!(answer(&page, "1.5").await, "stale");
+
+    // All links turn: the rocker has neither limit positions nor a swing.
+    let lengths = async |lengths: [&str; 4]| {
+        page.click("tab-settings").await;
+        for (field, length) in ["l4", "l1", "l2", "l3"].into_iter().zip(lengths) {
+            page.write(&format!("field-{field}"), length).await;
+        }
+        assert_eq!(page.text("problem").await, "");
+        page.click("tab-lesson").await;
+    };
+    lengths(["0.37", "0.8", "0.85", "0.8"]).await;
+    for step in [3, 4] {
+        page.click("lesson-on").await;
+        assert_eq!(answer(&page, "1").await, "none", "step {step}");
+    }
+
+    // A crank that cannot turn: dead points, and no strokes per turn.
+    lengths(["0.85", "0.8", "0.4", "0.55"]).await;
+    page.click("lesson-on").await;
+    assert_eq!(answer(&page, "1").await, "none");
+    page.click("lesson-on").await;
+    page.click("lesson-dead_point").await;
+    page.click("lesson-check").await;
+    assert_eq!(verdict(&page).await, "right");
+    page.close().await;
+}
+
+#[tokio::test]
+async fn by_keys_alone() {
+    let page = Page::open().await;
+    let focused = async || {
+        let id = page.ask("return document.activeElement.id").await;
+        id.as_str().unwrap().to_owned()
+    };
+    page.keys("l").await;
+    loaded(&page).await;
+    assert_eq!(focused().await, "lesson-title");
+    let told = page.attribute("tab-lesson", "aria-keyshortcuts").await;
+    assert_eq!(told.as_deref(), Some("L"));
+    page.keys(Key::Tab + "").await;
+    assert_eq!(focused().await, "lesson-show");
+    page.keys(Key::Enter + "").await;
+    page.keys(Key::Tab + "").await;
+    assert_eq!(focused().await, "lesson-answer");
+    // The field has its letters.
+    page.keys("l").await;
+    assert_eq!(page.written("lesson-answer").await, "l");
+    assert!(visible(&page, "lesson").await);
+    page.keys(Key::Backspace + "4").await;
+    page.keys(Key::Enter + "").await;
+    assert_eq!(verdict(&page).await, "right");
+    assert_eq!(
+        page.attribute("lesson-said", "role").await.as_deref(),
+        Some("status")
+    );
+
+    // Back over the title to the button that goes on; at the end its twin has the focus.
+    page.chord(&[Key::Shift], Key::Tab).await;
+    page.chord(&[Key::Shift], Key::Tab).await;
+    assert_eq!(focused().await, "lesson-on");
+    for _ in 1..6 {
+        page.keys(" ").await;
+    }
+    assert!(page.text("lesson-progress").await.contains("Step 6"));
+    assert_eq!(focused().await, "lesson-back");
+    // Tab: the two cases, the choices by arrows, the check.
+    for _ in 0..3 {
+        page.keys(Key::Tab + "").await;
+    }
+    page.keys(" ").await;
+    page.keys(Key::Down + "").await;
+    assert_eq!(focused().await, "lesson-on_frame");
+    page.keys(Key::Enter + "").await;
+    assert_eq!(verdict(&page).await, "right");
+    page.keys("l").await;
+    assert!(!visible(&page, "lesson").await);
+    assert_eq!(focused().await, "tab-lesson");
+    page.close().await;
+}
+
+#[tokio::test]
+async fn by_touch() {
+    let page = Page::open().await;
+    let tap = async |id: &str| page.fingers(id, &[vec![(12.0, 12.0)]]).await;
+    tap("tab-lesson").await;
+    loaded(&page).await;
+    tap("lesson-on").await;
+    assert!(page.text("lesson-progress").await.contains("Step 2"));
+    tap("lesson-show").await;
+    assert_eq!(
+        page.attribute("play", "data-playing").await.as_deref(),
+        Some("false")
+    );
+    tap("lesson-answer").await;
+    page.keys("-2").await;
+    tap("lesson-check").await;
+    assert_eq!(verdict(&page).await, "right");
+    tap("tab-settings").await;
+    assert!(visible(&page, "rail").await);
+    page.close().await;
+}
+
+/// The open step is in the address; one that the lesson has not gives the last.
+#[tokio::test]
+async fn a_link_opens_the_step() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    open(&page).await;
+    turn_to(&page, 3).await;
+    page.until("the address to follow", async || {
+        page.address().await.contains("v.step=3")
+    })
+    .await;
+    let link = page.address().await;
+    page.anew(&link).await;
+    loaded(&page).await;
+    assert_eq!(page.text("lesson-title").await, "Limit positions");
+    page.anew(&link.replace("v.step=3", "v.step=200")).await;
+    loaded(&page).await;
+    assert!(page.text("lesson-progress").await.contains("Step 6 of 6"));
+    page.click("lesson-back").await;
+    assert!(page.text("lesson-progress").await.contains("Step 5 of 6"));
+    page.close().await;
+}
+
+/// Words of the lesson and forms of nouns in every language, as the browser's plural
+/// rules have them.
+#[tokio::test]
+async fn in_every_language() {
+    let page = Page::open_at(&setting("ASSUR_URL"), "ru").await;
+    page.stop_at("75").await;
+    open(&page).await;
+    assert_eq!(answer(&page, "4").await, "right");
+    for (lang, title, solved, teeth) in [
+        (
+            "ru",
+            "Машина и её части",
+            "1 верный ответ",
+            ["21 зуб", "22 зуба", "25 зубьев"],
+        ),
+        (
+            "uk",
+            "Машина та її частини",
+            "1 правильна відповідь",
+            ["21 зубець", "22 зубці", "25 зубців"],
+        ),
+        (
+            "kk",
+            "Машина және оның бөліктері",
+            "1 дұрыс жауап",
+            ["21 тіс", "22 тіс", "25 тіс"],
+        ),
+        (
+            "en",
+            "The machine and its parts",
+            "1 right answer",
+            ["21 teeth", "22 teeth", "25 teeth"],
+        ),
+    ] {
+        page.choose("lang", lang).await;
+        page.until("its words", async || {
+            page.text("lesson-title").await == title
+        })
+        .await;
+        assert!(
+            page.text("lesson-progress").await.contains(solved),
+            "{lang}"
+        );
+        for text in teeth {
+            let count = text.split(' ').next().unwrap();
+            page.click("tab-settings").await;
+            page.write("field-z5", count).await;
+            let said = page.attribute("slider-z5", "aria-valuetext").await;
+            assert_eq!(said.as_deref(), Some(text), "{lang}");
+        }
+        page.click("tab-lesson").await;
+        assert_eq!(answer(&page, "4").await, "right");
+        let rules =
+            format!("return new Intl.PluralRules('{lang}').resolvedOptions().pluralCategories");
+        let rules = page.ask(&rules).await;
+        let mut rules: Vec<&str> = rules
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|one| one.as_str().unwrap())
+            .collect();
+        rules.sort_unstable();
+        let words = std::fs::read_to_string(format!(
+            "{}/../lang/{lang}.json",
+            env!("CARGO_MANIFEST_DIR")
+        ));
+        let words: serde_json::Value = serde_json::from_str(&words.unwrap()).unwrap();
+        let mut forms: Vec<&str> = words
+            .as_object()
+            .unwrap()
+            .keys()
+            .filter_map(|key| key.strip_prefix("wheels.teeth."))
+            .collect();
+        forms.sort_unstable();
+        assert_eq!(forms, rules, "{lang}");
+    }
+    page.close().await;
+}

@@ -1,0 +1,96 @@
+// The lesson beside the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
+import { byId, write } from "assur/dom.js";
+import { withView } from "assur/state.js";
+import { Words } from "assur/words.js";
+
+/**
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/lessons/panel.js").Panel} Panel
+ * @typedef {import("assur/lessons/panel.js").Parts} Parts
+ */
+
+export class Lesson {
+  #settings = byId("rail", HTMLElement);
+  #place = byId("lesson", HTMLElement);
+  #tabs = [byId("tab-settings", HTMLButtonElement), byId("tab-lesson", HTMLButtonElement)];
+  #parts;
+  #changed;
+  /** @type {Panel | null} */
+  #panel = null;
+  /** The language it has, or is waiting for. */
+  #lang = "";
+  #open = false;
+  /** The step to come back to. */
+  #last = 1;
+  /** Whether the focus is to follow into it. */
+  #called = false;
+
+  /**
+   * @param {Parts} parts
+   * @param {() => void} changed
+   */
+  constructor(parts, changed) {
+    this.#parts = parts;
+    this.#changed = changed;
+    this.#tabs.forEach((tab, i) => tab.addEventListener("click", () => this.#turn(i === 1)));
+  }
+
+  /** Opens it and takes the focus there, or closes it. */
+  toggle() {
+    this.#called = !this.#open;
+    if (this.#open && this.#place.contains(document.activeElement)) this.#tabs[1].focus();
+    this.#turn(!this.#open);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, words } = snapshot;
+    const open = state.view.step > 0;
+    if (open !== this.#open) this.#reveal(open);
+    if (!open) return;
+    this.#last = state.view.step;
+    if (this.#lang !== words.lang) this.#load(state.lesson, words);
+    this.#panel?.render(snapshot);
+    if (this.#panel && this.#called) {
+      this.#called = false;
+      this.#panel.focus();
+    }
+  }
+
+  /** @param {boolean} open */
+  #turn(open) {
+    this.#parts.store.update((state) => withView(state, { step: open ? state.view.step || this.#last : 0 }));
+  }
+
+  /** @param {boolean} open */
+  #reveal(open) {
+    this.#open = open;
+    this.#settings.hidden = open;
+    this.#place.hidden = !open;
+    this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
+    // What did not arrive is asked for again.
+    if (!this.#panel) this.#lang = "";
+  }
+
+  /**
+   * @param {string} lesson
+   * @param {Words} words of the page, in the language that is wanted
+   */
+  async #load(lesson, words) {
+    const { lang } = words;
+    this.#lang = lang;
+    try {
+      const [{ Panel }, { STEPS }, text] = await Promise.all([
+        import("assur/lessons/panel.js"),
+        import(`assur/lessons/${lesson}.js`),
+        Words.load(lang, ["panel", lesson]),
+      ]);
+      if (this.#lang !== lang) return;
+      this.#panel ??= new Panel(this.#place, STEPS, this.#parts, text);
+      this.#panel.speak(text);
+      this.#changed();
+    } catch {
+      if (!this.#panel) write(this.#place, words.text("lesson.failed"));
+    }
+  }
+}
