@@ -24,6 +24,8 @@ export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 /** The links that are no wheels, and the keys of their names. */
 const LINKS = Object.freeze({ crank: "name.l1", coupler: "name.l2", rocker: "name.l3" });
 
+const REMOVAL = Object.freeze({ wheels: "wheels.remove", tracers: "tracers.remove" });
+
 export class RailList {
   #name;
   #build;
@@ -87,8 +89,8 @@ export class RailList {
       id: `${this.#name}-remove-${number}`,
       type: "button",
       class: "control icon",
-      "data-t-label": `${this.#name}.remove`,
-      "data-t-title": `${this.#name}.remove`,
+      "data-t-label": REMOVAL[this.#name],
+      "data-t-title": REMOVAL[this.#name],
       "data-n": this.#name === "tracers" ? subscript(String(number)) : String(number),
     }, ["×"]);
     remove.addEventListener("click", () => this.#change((entries, document) => removed(this.#name, index, entries, document)));
