@@ -351,6 +351,10 @@ async fn plots_are_saved_under_a_legend() {
             "{label} in {labels:?}"
         );
     }
+    // The spaces before a unit keep it off its symbol.
+    let unit = drawn.iter().find(|e| e.text() == Some("  angle, °"));
+    let space = ("http://www.w3.org/XML/1998/namespace", "space");
+    assert_eq!(unit.unwrap().attribute(space), Some("preserve"));
     // In the legend and in the first title.
     for curve in ["φ₃", "φ₅"] {
         let count = labels.iter().filter(|text| *text == curve).count();

@@ -87,8 +87,7 @@ export class Svg {
   /** @returns {string} the document */
   toString() {
     const { width, height } = this.#size;
-    const box = `0 0 ${width} ${height}`;
-    const head = attributes({ xmlns: NAMESPACE, "xml:space": "preserve", width, height, viewBox: box, role: "img" });
+    const head = attributes({ xmlns: NAMESPACE, width, height, viewBox: `0 0 ${width} ${height}`, role: "img" });
     return `<svg${head}>\n<title>${escaped(this.#title)}</title>\n${this.#elements.join("\n")}\n</svg>\n`;
   }
 
@@ -214,6 +213,7 @@ export class Svg {
         "font-size": size,
         "font-weight": weight ?? "",
         "text-anchor": anchor === "start" ? "" : anchor,
+        "xml:space": /^\s|\s$|\s\s/.test(text) ? "preserve" : "",
         ...look,
       },
       text,

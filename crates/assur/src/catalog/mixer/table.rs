@@ -68,7 +68,8 @@ impl Column<Quantity> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::mixer::Case;
+    use crate::catalog::mixer::{Carrier, Case, Tracer};
+    use crate::gears::Mate;
     use crate::motion::{Row, sweep};
 
     fn rows(lengths: [f64; 4], steps: u32) -> (Vec<String>, Vec<Row>) {
@@ -91,6 +92,36 @@ mod tests {
         let expected = links.as_flattened().iter().chain(points.as_flattened());
         let expected: Vec<String> = expected.map(|(of, what)| format!("{of}.{what}")).collect();
         assert_eq!(names, expected);
+    }
+
+    /// Each wheel and each traced point has its columns.
+    #[test]
+    fn wheels_and_traced_points_are_in_the_table() {
+        let mut dimensions = Case::A.dimensions();
+        dimensions.wheels.push(Mate {
+            teeth: 24.0,
+            centre_line: 2.0,
+        });
+        dimensions.tracers.push(Tracer {
+            carrier: Carrier::Coupler,
+            x: 0.425,
+            y: 0.0,
+        });
+        let mixer = Mixer::new(&dimensions).unwrap();
+        let columns = mixer.columns();
+        let row = &sweep(&mixer, &columns, 36)[7];
+        let value = |name: &str| {
+            let column = columns.iter().position(|column| column.name() == name);
+            row.values[column.unwrap()].unwrap()
+        };
+        // u = −36 / 24, and P₁ is the middle of the coupler.
+        let off = value("wheel6.ddangle") + 1.5 * value("rocker.ddangle");
+        assert!(off.abs() < 1e-14, "{off:e}");
+        for what in ["x", "y", "dx", "dy", "ddx", "ddy"] {
+            let [traced, middle] = ["P1", "C2"].map(|point| value(&format!("{point}.{what}")));
+            assert!((traced - middle).abs() < 1e-14, "{what}");
+        }
+        assert_eq!(columns.len(), 3 * (5 + 2 * 8));
     }
 
     #[test]
