@@ -15,6 +15,7 @@ import { Surface } from "assur/surface.js";
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
 
+/** Radius of a dot and height of a number's box, at the usual size of text. */
 const DOT = 4.5;
 const TAG = 17;
 /** Dashes of the second cursor's line, and of the first's. */
@@ -74,6 +75,14 @@ export class ChartCursor {
     this.#angle(panels[0], hovered, snapshot);
   }
 
+  get #dot() {
+    return DOT * this.#theme.scale;
+  }
+
+  get #tall() {
+    return TAG * this.#theme.scale;
+  }
+
   /**
    * The crank angle of the second cursor, above the topmost plot.
    * @param {Panel} panel
@@ -87,7 +96,7 @@ export class ChartCursor {
     const width = context.measureText(text).width + 10;
     const middle = across(panel, phi);
     const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
-    this.#tag(left, panel.top - TAG - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
+    this.#tag(left, panel.top - this.#tall - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
   }
 
   /**
@@ -100,11 +109,11 @@ export class ChartCursor {
    */
   #panel(panel, snapshot, phi, values, tagged, dashes = WHOLE) {
     const { context } = this.#surface;
-    const { colours } = this.#theme;
+    const { colours, weight } = this.#theme;
     const x = across(panel, phi);
     if (!(x >= panel.left - 1 && x <= panel.left + panel.width + 1)) return;
     context.strokeStyle = colours.ink;
-    context.lineWidth = 1;
+    context.lineWidth = weight;
     context.beginPath();
     context.moveTo(x, panel.top);
     context.lineTo(x, panel.top + panel.height);
@@ -113,10 +122,10 @@ export class ChartCursor {
     context.setLineDash(WHOLE);
     const dots = this.#dots(panel, snapshot, values);
     if (dots.length === 0) return;
-    context.lineWidth = 2;
+    context.lineWidth = 2 * weight;
     for (const { y, colour } of dots) {
       context.beginPath();
-      context.arc(x, y, DOT, 0, 2 * Math.PI);
+      context.arc(x, y, this.#dot, 0, 2 * Math.PI);
       context.fillStyle = colours.paper;
       context.fill();
       context.strokeStyle = colour;
@@ -154,13 +163,15 @@ export class ChartCursor {
     setChartFont(context, this.#theme);
     const widths = dots.map(({ text }) => context.measureText(text).width + 10);
     const widest = Math.max(...widths);
-    const toTheLeft = x + DOT + 6 + widest > panel.left + panel.width + 8;
+    const [dot, tall] = [this.#dot, this.#tall];
+    const toTheLeft = x + dot + 6 + widest > panel.left + panel.width + 8;
     const tops = spread(
-      dots.map(({ y }) => y - TAG / 2),
+      dots.map(({ y }) => y - tall / 2),
       panel.top,
       panel.top + panel.height,
+      tall,
     );
-    dots.forEach((dot, i) => this.#tag(toTheLeft ? x - DOT - 5 - widths[i] : x + DOT + 5, tops[i], widths[i], dot));
+    dots.forEach((each, i) => this.#tag(toTheLeft ? x - dot - 5 - widths[i] : x + dot + 5, tops[i], widths[i], each));
   }
 
   /**
@@ -174,7 +185,7 @@ export class ChartCursor {
     context.textAlign = "left";
     context.textBaseline = "middle";
     context.beginPath();
-    context.roundRect(left, top, width, TAG, 5);
+    context.roundRect(left, top, width, this.#tall, 5);
     context.globalAlpha = 0.92;
     context.fillStyle = this.#theme.colours.paper;
     context.fill();
@@ -183,7 +194,7 @@ export class ChartCursor {
     context.strokeStyle = colour;
     context.stroke();
     context.fillStyle = ink;
-    context.fillText(text, left + 5, top + TAG / 2 + 0.5);
+    context.fillText(text, left + 5, top + this.#tall / 2 + 0.5);
   }
 }
 
@@ -191,14 +202,15 @@ export class ChartCursor {
  * @param {readonly number[]} tops in rising order
  * @param {number} first
  * @param {number} last
- * @returns {number[]} the same, at least a tag's height apart, between first and last
+ * @param {number} tall the height of a tag
+ * @returns {number[]} the same, at least that far apart, between first and last
  */
-function spread(tops, first, last) {
-  const placed = tops.map((top) => Math.min(Math.max(top, first), last - TAG));
+function spread(tops, first, last, tall) {
+  const placed = tops.map((top) => Math.min(Math.max(top, first), last - tall));
   for (let i = 1; i < placed.length; i++) {
-    const lack = placed[i - 1] + TAG + 2 - placed[i];
+    const lack = placed[i - 1] + tall + 2 - placed[i];
     if (lack <= 0) continue;
-    const down = Math.min(lack / 2, last - TAG - placed[i]);
+    const down = Math.min(lack / 2, last - tall - placed[i]);
     placed[i] += down;
     placed[i - 1] -= lack - down;
   }

@@ -11,7 +11,7 @@ import { across, down, written } from "assur/panels.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Sizes in pixels: from a mark to its label, height of a label, a second try farther off. */
+/** Sizes in pixels of usual text: from a mark to its label, height of a label, a second try farther off. */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
@@ -40,10 +40,10 @@ export function drawMarks(context, panel, title, words, theme) {
   context.lineWidth = 3;
   context.strokeStyle = theme.colours.paper;
   const points = [...panel.points, ...zeroLine(panel)];
-  const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value)))];
+  const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, words);
-    const box = freePlace(panel, mark, context.measureText(text).width, taken, points);
+    const box = freePlace(panel, mark, context.measureText(text).width, taken, points, theme.scale);
     if (!box) continue;
     taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
     const middle = (box.top + box.bottom) / 2;
@@ -97,21 +97,23 @@ function zeroLine({ left, width, y0, y1, top, height }) {
  * @param {number} width
  * @param {readonly Box[]} taken
  * @param {readonly number[]} points of the curves, x and y of each
+ * @param {number} scale how much larger than usual text is
  * @returns {Box | null} null where every place is taken
  */
-function freePlace(panel, mark, width, taken, points) {
+function freePlace(panel, mark, width, taken, points, scale) {
+  const [gap, height, farther] = [GAP, HEIGHT, FARTHER].map((pixels) => pixels * scale);
   const x = across(panel, mark.phi);
   const y = down(panel, mark.value);
-  const [above, below] = [y - GAP - HEIGHT, y + GAP];
-  const tops = mark.kind === "max" ? [above, above - FARTHER, below, below + FARTHER] : [below, below + FARTHER, above, above - FARTHER];
-  const lefts = [x - width / 2, x - width / 4, x - (3 * width) / 4, x + GAP, x - GAP - width];
+  const [above, below] = [y - gap - height, y + gap];
+  const tops = mark.kind === "max" ? [above, above - farther, below, below + farther] : [below, below + farther, above, above - farther];
+  const lefts = [x - width / 2, x - width / 4, x - (3 * width) / 4, x + gap, x - gap - width];
   let best = null;
   let least = MOST_COVERED + 1;
   for (const top of tops) {
-    if (top < panel.top - HEIGHT || top + HEIGHT > panel.top + panel.height + 3) continue;
+    if (top < panel.top - height || top + height > panel.top + panel.height + 3) continue;
     for (const wanted of lefts) {
       const left = Math.min(Math.max(wanted, panel.left + 2), panel.left + panel.width - width);
-      const box = { left, top, right: left + width, bottom: top + HEIGHT };
+      const box = { left, top, right: left + width, bottom: top + height };
       if (taken.some((other) => overlap(box, other))) continue;
       const covered = count(points, box);
       if (covered >= least) continue;
@@ -140,10 +142,11 @@ function count(points, { left, top, right, bottom }) {
 /**
  * @param {number} x
  * @param {number} y
+ * @param {number} by
  * @returns {Box}
  */
-function around(x, y) {
-  return { left: x - 3, top: y - 3, right: x + 3, bottom: y + 3 };
+function around(x, y, by) {
+  return { left: x - by, top: y - by, right: x + by, bottom: y + by };
 }
 
 /**

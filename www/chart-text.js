@@ -14,9 +14,6 @@ const SIZE = 11;
 /** So many curves are named in the title, each in its colour; of more only what they are. */
 const MOST_NAMED = 3;
 
-/** The room the engine leaves for text does not grow with it. */
-const LARGEST_SCALE = 1.09;
-
 /**
  * @param {import("assur/painter.js").Context} context
  * @param {readonly Panel[]} panels
@@ -38,7 +35,7 @@ export function drawChartText(context, panels, words, theme) {
  * @param {number} [size]
  */
 export function setChartFont(context, theme, size = SIZE) {
-  context.font = `${size * Math.min(theme.scale, LARGEST_SCALE)}px ${theme.font}`;
+  context.font = `${size * theme.scale}px ${theme.font}`;
 }
 
 /**
@@ -55,10 +52,10 @@ function drawTitle(context, panel, words, theme) {
   let right = left;
   const write = (/** @type {string} */ text, /** @type {string} */ colour) => {
     context.fillStyle = colour;
-    context.fillText(text, right, top - 9);
+    context.fillText(text, right, top - 9 * theme.scale);
     right += context.measureText(text).width;
   };
-  context.font = `600 ${14 * Math.min(theme.scale, LARGEST_SCALE)}px ${theme.font}`;
+  context.font = `600 ${14 * theme.scale}px ${theme.font}`;
   for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
   setChartFont(context, theme, 12);
   const unit = words.text(unitOf(panel), { power: powerOf(panel) });
@@ -67,7 +64,7 @@ function drawTitle(context, panel, words, theme) {
   const fits = right + context.measureText(`  ${unit}${proof}`).width <= left + panel.width;
   write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);
-  return { left, top: top - 22, right: right + 4, bottom: top - 5 };
+  return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
 /**
@@ -96,7 +93,7 @@ function firsts({ physical, series }) {
  * @param {Panel} panel
  * @returns {string} the key of the words that say what a panel shows, and in which unit
  */
-function unitOf({ kind, order, physical }) {
+export function unitOf({ kind, order, physical }) {
   return `plots.${kind}.${physical && order > 0 ? "by_time" : "unit"}.${order}`;
 }
 
@@ -104,7 +101,7 @@ function unitOf({ kind, order, physical }) {
  * @param {Panel} panel
  * @returns {string} before the unit, where numbers are written in a power of ten
  */
-function powerOf(panel) {
+export function powerOf(panel) {
   const exponent = power(panel);
   if (exponent === 0) return "";
   const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
@@ -142,7 +139,7 @@ function drawAngles(context, panel, words, theme) {
   context.textBaseline = "top";
   context.fillStyle = theme.colours.secondary;
   const right = panel.left + panel.width;
-  const top = panel.top + panel.height + 7;
+  const top = panel.top + panel.height + 7 * theme.scale;
   let free = -Infinity;
   for (const { value } of panel.xticks) {
     const text = `${words.numbers.upTo(value, 2)}°`;

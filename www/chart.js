@@ -52,7 +52,7 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     this.#surface.clear();
-    this.panels = this.#paint(this.#surface.context, snapshot, this.#theme);
+    this.panels = this.#paint(this.#surface.context, this.#surface.ratio, snapshot, this.#theme);
     this.#redrawn();
   }
 
@@ -66,19 +66,21 @@ export class ChartView {
    * @param {import("assur/painter.js").Sheet} sheet
    * @param {Theme} theme
    */
-  paint({ context }, theme) {
-    if (this.#snapshot) this.#paint(context, this.#snapshot, theme);
+  paint({ context, ratio }, theme) {
+    if (this.#snapshot) this.#paint(context, ratio, this.#snapshot, theme);
   }
 
   /**
    * @param {Context} context one unit of which is one CSS pixel
+   * @param {number} ratio of whose device pixels there are to it
    * @param {Snapshot} snapshot
    * @param {Theme} theme
    * @returns {readonly Panel[]} where the plots are
    */
-  #paint(context, { words }, theme) {
+  #paint(context, ratio, { words }, theme) {
     const { width, height } = this.#surface;
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette: theme.palette }));
+    const { palette, scale } = theme;
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio }));
     const panels = drawn.value?.panels ?? [];
     const titles = drawChartText(context, panels, words, theme);
     panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));

@@ -61,6 +61,7 @@ export function commands({ store, model, drafts, history, presets }) {
     slower: () => hasten(-1),
     assembly1: () => assemble(1),
     assembly2: () => assemble(2),
+    projector: () => store.update((state) => withView(state, { projector: !state.view.projector })),
     undo: () => history.undo(),
     redo: () => history.redo(),
     reset: () => history.step(() => store.update((state) => withDocument(state, { ...preset, tracers: [] }))),

@@ -69,7 +69,7 @@ export class Figure {
    */
   paintGround(sheet, size, view) {
     if (!this.#snapshot) return;
-    paintSquares(sheet.context, size, view, this.#theme, this.#snapshot.words);
+    paintSquares(sheet.context, size, view, this.#theme, this.#snapshot.words, sheet.ratio);
     this.#painter.shapes(sheet, this.#still, view, this.#poses);
   }
 
@@ -86,13 +86,15 @@ export class Figure {
   /**
    * @param {Sheet} sheet
    * @param {Transform} view
+   * @param {boolean} small whether there is little room
    */
-  paintLabels(sheet, view) {
+  paintLabels(sheet, view, small) {
     const snapshot = this.#snapshot;
     if (!snapshot) return;
     const write = (/** @type {string} */ label) => labelText(label, snapshot);
+    const taken = small ? [] : null;
     for (const layers of [this.#still, this.#rigid, this.#changing]) {
-      this.#painter.labels(sheet, layers, view, this.#poses, write);
+      this.#painter.labels(sheet, layers, view, this.#poses, write, taken);
     }
   }
 

@@ -1,12 +1,14 @@
-// The buttons of the header: undo, redo, and the menu.
-import { byId } from "assur/dom.js";
+// The buttons of the header: undo, redo, the menu, projector mode and, in it, the folded rail.
+import { byId, setData } from "assur/dom.js";
 
 /** Buttons that do what a command of their name does. */
-const BUTTONS = Object.freeze(["undo", "redo", "open", "save", "copy", "export", "reset"]);
+const BUTTONS = Object.freeze(["undo", "redo", "open", "save", "copy", "export", "reset", "projector"]);
 
 export class Header {
   #undo = byId("undo", HTMLButtonElement);
   #redo = byId("redo", HTMLButtonElement);
+  #projector = byId("projector", HTMLButtonElement);
+  #settings = byId("settings", HTMLButtonElement);
   #history;
 
   /**
@@ -16,6 +18,7 @@ export class Header {
   constructor(history, commands) {
     this.#history = history;
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
+    this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
     const menu = byId("menu", HTMLDetailsElement);
     // It closes when something in it, or anything else, is pressed.
     addEventListener("click", ({ target }) => {
@@ -23,14 +26,23 @@ export class Header {
     });
   }
 
-  /** Closes the menu. */
+  /** @param {boolean} open whether the settings stand beside the drawing, in projector mode */
+  fold(open) {
+    this.#settings.setAttribute("aria-expanded", String(open));
+    setData(byId("app", HTMLElement), "rail", open ? "open" : "folded");
+  }
+
+  /** Closes the menu and folds the rail. */
   close() {
+    this.fold(false);
     const menu = byId("menu", HTMLDetailsElement);
     if (menu.contains(document.activeElement)) menu.querySelector("summary")?.focus();
     menu.open = false;
   }
 
-  render() {
+  /** @param {import("assur/model.js").Snapshot} snapshot */
+  render({ state }) {
+    this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     const { canUndo, canRedo } = this.#history;
     // A button that can do no more gives the focus to its twin, else it would be lost.
     const focused = document.activeElement;

@@ -34,7 +34,13 @@ export class History {
       this.#future = [];
       this.#open = true;
     });
-    for (const end of ENDS) addEventListener(end, () => this.close());
+    for (const end of ENDS) {
+      addEventListener(end, ({ target }) => {
+        // A slider moved by keys changes at every press: they are one step until the focus leaves it.
+        const pressed = end === "change" && target instanceof HTMLInputElement && target.type === "range";
+        if (!pressed) this.close();
+      });
+    }
   }
 
   get canUndo() {

@@ -28,6 +28,8 @@ export const KEYS = Object.freeze([
   { command: "redo", name: "edit.redo", combos: ["Control+Shift+Z", "Control+Y"], control: "redo", again: true },
   { command: "export", name: "menu.export", combos: ["E"], control: "export" },
   { command: "lesson", name: "key.lesson", combos: ["L"], control: "tab-lesson" },
+  { command: "projector", name: "view.projector", combos: ["P"], control: "projector" },
+  { command: "settings", name: "view.settings", combos: ["S"], control: "settings" },
   { command: "help", name: "help.label", combos: ["?"], control: "help-open" },
   { command: "close", name: "key.close", combos: ["Escape"] },
 ]);

@@ -78,6 +78,7 @@ function run(engine, habits, opening, startWords) {
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const lesson = new Lesson({ store, model, history, presets: engine.presets }, () => loop.request());
+  /** @type {{ render(snapshot: import("assur/model.js").Snapshot): void }[]} */
   const views = [
     mechanism,
     hands,
@@ -94,7 +95,7 @@ function run(engine, habits, opening, startWords) {
     notices,
   ];
 
-  listen({ ...commands, trace: () => hands.trace(), lesson: () => lesson.toggle(), help: () => help.showModal(), close: () => {
+  listen({ ...commands, trace: () => hands.trace(), lesson: () => lesson.toggle(), settings: () => byId("settings", HTMLButtonElement).click(), help: () => help.showModal(), close: () => {
     header.close();
     notices.clear();
     hands.trace(false);
@@ -106,11 +107,21 @@ function run(engine, habits, opening, startWords) {
     store.update((state) => played(state, dt, engine, model));
     return store.get().view.playing;
   };
+  // Sentences for screen readers come with the first rest: most visits begin in motion, and need none.
+  let speaks = false;
+  const teachToSpeak = async () => {
+    speaks = true;
+    const { Spoken } = await import("assur/spoken.js");
+    views.push(new Spoken(chart, opening.state.view.playing));
+    loop.request();
+  };
   const render = () => {
     const state = store.get();
+    if (!state.view.playing && !speaks) teachToSpeak().catch(() => (speaks = false));
     const legible = !state.view.playing || unwritten >= WRITING_PERIOD;
     if (legible) unwritten = 0;
     model.follow(state);
+    theme.project(state.view.projector);
     const snapshot = model.snapshot(state, words, legible);
     for (const view of views) view.render(snapshot);
   };

@@ -17,6 +17,8 @@ import { Transform, Zoom } from "assur/transform.js";
 /** Free room around the drawing, in pixels. */
 const MARGIN = 44;
 const SMALL_MARGIN = 36;
+/** A drawing whose shorter side has less is a small one. */
+const SMALL = 320;
 
 /** Radius and strength of the ring around a joint that can be dragged. */
 const RING = 15;
@@ -165,10 +167,14 @@ export class MechanismView {
     this.#draw();
   }
 
+  get #small() {
+    return Math.min(this.#surface.width, this.#surface.height) < SMALL;
+  }
+
   /** @returns {Transform} */
   #fit() {
     const { width, height } = this.#surface;
-    const margin = Math.min(width, height) < 320 ? SMALL_MARGIN : MARGIN;
+    const margin = (this.#small ? SMALL_MARGIN : MARGIN) * this.#theme.scale;
     const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
     return Transform.fit(bounds, width, height, margin);
   }
@@ -181,7 +187,7 @@ export class MechanismView {
     this.#sheet.cover(this.#surface, key, () => this.#figure.paintGround(this.#sheet, this.#surface, view));
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
-    this.#figure.paintLabels(this.#surface, view);
+    this.#figure.paintLabels(this.#surface, view, this.#small);
   }
 
   /** @param {Transform} view */
@@ -192,7 +198,7 @@ export class MechanismView {
     const { context } = this.#surface;
     const [left, top] = view.toScreen(joint.x, joint.y);
     context.beginPath();
-    context.arc(left, top, RING, 0, 2 * Math.PI);
+    context.arc(left, top, RING * this.#theme.weight, 0, 2 * Math.PI);
     context.globalAlpha = RING_OPACITY;
     context.fillStyle = this.#theme.colours[joint.role];
     context.fill();

@@ -2,7 +2,6 @@
 
 /**
  * @typedef {import("assur/display-list.js").Layer} Layer
- * @typedef {import("assur/display-list.js").Label} Label
  * @typedef {import("assur/display-list.js").Shape} Shape
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {import("assur/transform.js").Transform} Transform
@@ -10,6 +9,8 @@
  * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | import("assur/export/svg.js").Svg} Context
  * @typedef {{ readonly context: Context, readonly ratio: number }} Sheet
  * What is painted on: a context and its device pixels per CSS pixel.
+ *
+ * @typedef {Readonly<{ left: number, right: number, top: number, bottom: number }>} Box
  *
  * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
  * How a shape is painted: opacity of its filling, whether paper fills it, width of its line in pixels and the
@@ -28,6 +29,8 @@ const LOOKS = [
 ];
 
 const TEXT_SIZE = 15;
+/** How much smaller text is on a small sheet. */
+const SMALL = 0.85;
 /** @type {number[]} */
 const NO_DASH = [];
 
@@ -64,10 +67,12 @@ export class Painter {
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
    * @param {(label: string) => string} write what stands for a label
+   * @param {Box[] | null} taken where labels are on a small sheet; another in their place is left out
    */
-  labels({ context, ratio }, layers, view, poses, write) {
+  labels({ context, ratio }, layers, view, poses, write, taken) {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.font = `600 ${TEXT_SIZE * this.#theme.scale}px ${this.#theme.font}`;
+    const size = TEXT_SIZE * this.#theme.scale * (taken ? SMALL : 1);
+    context.font = `600 ${size}px ${this.#theme.font}`;
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.lineJoin = "round";
@@ -76,7 +81,16 @@ export class Painter {
     for (const layer of layers) {
       if (layer.labels.length === 0) continue;
       const [x, y, angle] = poses[layer.body];
-      for (const label of layer.labels) this.#label(context, label, view, x, y, angle, write(label.label));
+      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      for (const label of layer.labels) {
+        const text = write(label.label);
+        const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
+        const [at, down] = [left + label.dx * size, top - label.dy * size];
+        if (taken && !claim(taken, at, down, context.measureText(text).width, size)) continue;
+        context.strokeText(text, at, down);
+        context.fillStyle = this.#theme.colours[label.role];
+        context.fillText(text, at, down);
+      }
     }
   }
 
@@ -96,30 +110,26 @@ export class Painter {
     if (stroke) {
       context.globalAlpha = opacity;
       context.strokeStyle = colour;
-      context.lineWidth = stroke / scale;
-      context.setLineDash(dash.map((length) => length / scale));
+      const pixel = this.#theme.weight / scale;
+      context.lineWidth = stroke * pixel;
+      context.setLineDash(dash.map((length) => length * pixel));
       context.stroke(path);
     }
   }
+}
 
-  /**
-   * @param {Context} context
-   * @param {Label} label
-   * @param {Transform} view
-   * @param {number} x where the label's body is
-   * @param {number} y
-   * @param {number} angle
-   * @param {string} text
-   */
-  #label(context, label, view, x, y, angle, text) {
-    const cos = Math.cos(angle);
-    const sin = Math.sin(angle);
-    const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
-    const size = TEXT_SIZE * this.#theme.scale;
-    const at = left + label.dx * size;
-    const down = top - label.dy * size;
-    context.strokeText(text, at, down);
-    context.fillStyle = this.#theme.colours[label.role];
-    context.fillText(text, at, down);
-  }
+/**
+ * Takes the place of a text, unless another is there.
+ * @param {Box[]} taken
+ * @param {number} x its middle
+ * @param {number} y
+ * @param {number} width
+ * @param {number} height
+ * @returns {boolean} whether the place was free
+ */
+function claim(taken, x, y, width, height) {
+  const box = { left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 };
+  const free = taken.every((it) => box.right <= it.left || it.right <= box.left || box.bottom <= it.top || it.bottom <= box.top);
+  if (free) taken.push(box);
+  return free;
 }

@@ -54,27 +54,29 @@ export class Sheet {
  * @param {Transform} view
  * @param {Theme} theme
  * @param {Words} words
+ * @param {number} ratio device pixels per CSS pixel
  */
-export function paintSquares(context, { width, height }, view, theme, words) {
+export function paintSquares(context, { width, height }, view, theme, words, ratio) {
   const side = roundUp(SQUARE / view.scale);
   const pixels = side * view.scale;
   context.fillStyle = theme.sheet;
   context.fillRect(0, 0, width, height);
+  const line = sharp(theme.weight, ratio);
   context.beginPath();
   for (let x = positive(view.left, pixels); x < width; x += pixels) {
-    context.moveTo(Math.round(x) + 0.5, 0);
-    context.lineTo(Math.round(x) + 0.5, height);
+    context.moveTo(line.at(x), 0);
+    context.lineTo(line.at(x), height);
   }
   for (let y = positive(view.top, pixels); y < height; y += pixels) {
-    context.moveTo(0, Math.round(y) + 0.5);
-    context.lineTo(width, Math.round(y) + 0.5);
+    context.moveTo(0, line.at(y));
+    context.lineTo(width, line.at(y));
   }
-  context.lineWidth = 1;
+  context.lineWidth = line.width;
   context.globalAlpha = 0.55;
   context.strokeStyle = theme.colours.line;
   context.stroke();
   context.globalAlpha = 1;
-  paintScaleBar(context, height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme);
+  paintScaleBar(context, height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme, ratio);
 }
 
 /**
@@ -83,15 +85,17 @@ export function paintSquares(context, { width, height }, view, theme, words) {
  * @param {number} length
  * @param {string} text
  * @param {Theme} theme
+ * @param {number} ratio
  */
-function paintScaleBar(context, height, length, text, theme) {
-  const [left, bottom] = [16.5, height - 13.5];
+function paintScaleBar(context, height, length, text, theme, ratio) {
+  const line = sharp(1.5 * theme.weight, ratio);
+  const [left, bottom] = [line.at(16), line.at(height - 14)];
   context.beginPath();
   context.moveTo(left, bottom - 5);
   context.lineTo(left, bottom);
   context.lineTo(left + length, bottom);
   context.lineTo(left + length, bottom - 5);
-  context.lineWidth = 1.5;
+  context.lineWidth = line.width;
   context.strokeStyle = theme.colours.secondary;
   context.stroke();
   context.font = `${12 * theme.scale}px ${theme.font}`;
@@ -99,6 +103,17 @@ function paintScaleBar(context, height, length, text, theme) {
   context.textBaseline = "alphabetic";
   context.fillStyle = theme.colours.secondary;
   context.fillText(text, left + 5, bottom - 6);
+}
+
+/**
+ * A line along an axis whose edges lie between pixels of the screen: else a thin one is pale and twice as wide.
+ * @param {number} width
+ * @param {number} ratio device pixels per CSS pixel
+ * @returns {{ width: number, at(place: number): number }} its width, and where it stands for a place
+ */
+function sharp(width, ratio) {
+  const whole = Math.max(Math.round(width * ratio), 1) / ratio;
+  return { width: whole, at: (place) => Math.round((place - whole / 2) * ratio) / ratio + whole / 2 };
 }
 
 /**

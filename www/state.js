@@ -17,6 +17,7 @@
  *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
  *   true_time: boolean, differenced: boolean,
  *   step: number,
+ *   projector: boolean,
  * }>} View
  *
  * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State
@@ -83,6 +84,7 @@ export function initialState(document, view) {
       true_time: false,
       differenced: false,
       step: 0,
+      projector: false,
       lang: "en",
       ...view,
     }),

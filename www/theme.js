@@ -1,9 +1,9 @@
-// The colours of the roles, read from the style sheet, light or dark.
+// Colours of the roles, sizes of text and lines, read from the style sheet: light or dark, projector or not.
 
 /** @typedef {Readonly<Record<string, string>>} Colours */
 
 /** What the style sheet asks for. */
-const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 1600px)"]);
+const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 640px)", "(min-width: 1200px)", "(min-width: 1600px)"]);
 
 /** Size of the page's text on most screens, in pixels. */
 const USUAL_SIZE = 14;
@@ -23,6 +23,8 @@ export class Theme {
   font = "sans-serif";
   /** How much larger than usual text is, on large screens. */
   scale = 1;
+  /** How much thicker than usual lines are. */
+  weight = 1;
   /** Counts the changes. */
   revision = 0;
 
@@ -43,6 +45,14 @@ export class Theme {
     }
   }
 
+  /** @param {boolean} on whether all is to be seen from the last row: large, thick, in high contrast */
+  project(on) {
+    const root = document.documentElement;
+    if (root.dataset.projector === String(on)) return;
+    root.dataset.projector = String(on);
+    this.#read();
+  }
+
   #read() {
     const style = getComputedStyle(this.#element);
     const context = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
@@ -61,6 +71,7 @@ export class Theme {
     this.inks = Object.fromEntries(this.#roles.map((role) => [role, mixed(colours[role], colours.ink)]));
     this.revision += 1;
     this.font = style.fontFamily;
+    this.weight = Number(style.getPropertyValue("--weight"));
     this.scale = Number.parseFloat(style.fontSize) / USUAL_SIZE;
   }
 }

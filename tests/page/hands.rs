@@ -14,7 +14,7 @@ const RIGHT: f64 = 10.0;
 const SAME: usize = 20;
 
 /// Where the plots have a crank angle.
-async fn column(page: &Page, degrees: f64) -> f64 {
+pub(crate) async fn column(page: &Page, degrees: f64) -> f64 {
     let width = page.element("charts").await.rect().await.unwrap().width;
     LEFT + (width - LEFT - RIGHT) * degrees / 360.0
 }
@@ -92,7 +92,7 @@ pub(crate) struct View {
 }
 
 impl View {
-    async fn of(page: &Page) -> Self {
+    pub(crate) async fn of(page: &Page) -> Self {
         Self::showing(page, &Case::A.dimensions()).await
     }
 
@@ -118,13 +118,13 @@ fn bounds(mixer: &Mixer) -> [f64; 4] {
     assur_draw::Scene::new(mixer, assur_draw::Overlays::default()).bounds()
 }
 
-fn joints(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> [Point; 4] {
+pub(crate) fn joints(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> [Point; 4] {
     let linkage = FourBar::new(lengths).unwrap();
     let pose = linkage.pose::<1>(assembly, degrees.to_radians()).unwrap();
     linkage.joints(&pose).map(|joint| joint.place())
 }
 
-async fn lengths(page: &Page) -> [f64; 4] {
+pub(crate) async fn lengths(page: &Page) -> [f64; 4] {
     let mut lengths = [0.0; 4];
     for (length, field) in lengths.iter_mut().zip(["l1", "l2", "l3", "l4"]) {
         let written = page.written(&format!("field-{field}")).await;

@@ -2,20 +2,26 @@
 //! asserted is what it shows, in pixels and in read-outs against the engine.
 #![cfg(not(target_family = "wasm"))]
 
+mod access;
 mod bad_input;
 mod browser;
 mod bundle;
 mod damage;
+mod device;
 mod export;
 mod hands;
+mod keyboard;
 mod keys;
+mod layout;
 mod lesson;
 mod overlays;
 mod picture;
 mod pixels;
 mod plots;
+mod pointer;
 mod share;
 mod steps;
+mod touch;
 mod tracers;
 mod undo;
 mod wheels;

@@ -40,6 +40,19 @@ struct Margin {
     bottom: i32,
 }
 
+impl Margin {
+    fn scaled(&self, scale: f64) -> Self {
+        let [left, top, right, bottom] = [self.left, self.top, self.right, self.bottom]
+            .map(|pixels| (f64::from(pixels) * scale).round() as i32);
+        Self {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    }
+}
+
 /// A colour for every role, in the order of [`ROLES`].
 pub type Palette = [RGBColor; ROLES.len()];
 
@@ -149,7 +162,8 @@ impl Chart {
     }
 
     /// Draws the chart on an area [`FINE`] times as many units wide and high as
-    /// it has pixels, and says where the text belongs.
+    /// it has pixels, and says where the text belongs. Margins, lines and dots are
+    /// `scale` times as large as usual.
     ///
     /// # Errors
     /// What the backend could not draw. An area too small for a plot is left
@@ -158,19 +172,21 @@ impl Chart {
         &self,
         area: &DrawingArea<B, Shift>,
         palette: &Palette,
+        scale: f64,
     ) -> Result<Vec<Panel>, DrawingAreaErrorKind<B::ErrorType>> {
-        let panels = self.panels(area.dim_in_pixel());
+        let panels = self.panels(area.dim_in_pixel(), scale);
         for (panel, plot) in panels.iter().zip(&self.plots) {
-            self.draw_panel(area, panel, plot, palette)?;
+            self.draw_panel(area, panel, plot, palette, scale)?;
         }
         Ok(panels)
     }
 
     /// The three panels of an area, none where they would have no room.
-    fn panels(&self, (width, height): (u32, u32)) -> Vec<Panel> {
+    fn panels(&self, (width, height): (u32, u32), scale: f64) -> Vec<Panel> {
         let [width, height] = [width, height].map(|fine| (fine as i32 / FINE).max(0));
-        let inner = width - MARGIN.left - MARGIN.right;
-        let each = (height - MARGIN.bottom) / 3 - MARGIN.top;
+        let margin = MARGIN.scaled(scale);
+        let inner = width - margin.left - margin.right;
+        let each = (height - margin.bottom) / 3 - margin.top;
         if inner < 20 || each < 20 {
             return Vec::new();
         }
@@ -178,14 +194,14 @@ impl Chart {
             let Range { min, max } = plot.range;
             let mut panel = Panel {
                 order,
-                left: f64::from(MARGIN.left),
-                top: f64::from(MARGIN.top + order as i32 * (MARGIN.top + each)),
+                left: f64::from(margin.left),
+                top: f64::from(margin.top + order as i32 * (margin.top + each)),
                 width: f64::from(inner),
                 height: f64::from(each),
                 x: self.axis,
                 y: [min, max],
-                x_ticks: ticks::crank(self.axis, f64::from(inner)),
-                y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each)),
+                x_ticks: ticks::crank(self.axis, f64::from(inner), scale),
+                y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each), scale),
                 marks: plot.curves.iter().map(|c| c.marks(min, max)).collect(),
                 points: Vec::new(),
             };
@@ -206,6 +222,7 @@ impl Chart {
         panel: &Panel,
         plot: &Plot,
         palette: &Palette,
+        scale: f64,
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
         let fine = |pixels: f64| pixels as i32 * FINE;
         let (left, top) = (fine(panel.left), fine(panel.top));
@@ -245,13 +262,14 @@ impl Chart {
             let shown = shown.filter(|(_, y)| (y0..=y1).contains(y));
             dots.extend(shown.map(|at| (*at, Role::Ink, 3 * FINE / 2)));
         }
+        let scaled = |size: i32| (f64::from(size) * scale) as i32;
         for (points, role, width) in lines {
-            let style = palette[role as usize].stroke_width(width.unsigned_abs());
+            let style = palette[role as usize].stroke_width(scaled(width).unsigned_abs());
             area.draw(&PathElement::new(points, style))?;
         }
         for (at, role, radius) in dots {
             let style = palette[role as usize].filled();
-            area.draw(&Circle::new(at, radius, style))?;
+            area.draw(&Circle::new(at, scaled(radius), style))?;
         }
         Ok(())
     }

@@ -90,6 +90,9 @@ pub struct View {
     /// The open step of the lesson, counted from 1; 0 while it is closed.
     #[serde(default)]
     pub step: u8,
+    /// Large text, thick lines, high contrast.
+    #[serde(default)]
+    pub projector: bool,
     /// Language of the page.
     pub lang: String,
 }
@@ -264,6 +267,7 @@ mod tests {
                 true_time: true,
                 differenced: true,
                 step: 3,
+                projector: true,
                 lang: "en".to_owned(),
             },
         }
@@ -341,6 +345,7 @@ mod tests {
             "true_time",
             "differenced",
             "step",
+            "projector",
         ] {
             assert!(view.remove(added).is_some(), "{added}");
         }
@@ -356,6 +361,7 @@ mod tests {
             true_time: false,
             differenced: false,
             step: 0,
+            projector: false,
             ..expected.view
         };
         assert_eq!(read(&older.to_string()).unwrap(), expected);

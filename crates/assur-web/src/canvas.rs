@@ -18,19 +18,23 @@ type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 pub(crate) struct Canvas<'a> {
     context: &'a CanvasRenderingContext2d,
     size: (u32, u32),
+    ratio: f64,
 }
 
 impl<'a> Canvas<'a> {
     /// Draws on `context`, whose transform maps pixels of the reader to the
-    /// backing store.
-    pub(crate) fn new(context: &'a CanvasRenderingContext2d, size: (u32, u32)) -> Self {
-        Self { context, size }
+    /// backing store, `ratio` times as many.
+    pub(crate) fn new(context: &'a CanvasRenderingContext2d, size: (u32, u32), ratio: f64) -> Self {
+        Self {
+            context,
+            size,
+            ratio,
+        }
     }
 
-    fn trace(&self, path: impl IntoIterator<Item = BackendCoord>) {
+    fn trace(&self, path: impl IntoIterator<Item = (f64, f64)>) {
         self.context.begin_path();
         for (index, (x, y)) in path.into_iter().enumerate() {
-            let (x, y) = (pixels(x), pixels(y));
             if index == 0 {
                 self.context.move_to(x, y);
             } else {
@@ -39,10 +43,9 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    fn stroke(&self, style: &impl BackendStyle) {
+    fn stroke(&self, style: &impl BackendStyle, width: f64) {
         self.context.set_stroke_style_str(&css(style.color()));
-        self.context
-            .set_line_width(f64::from(style.stroke_width()) / f64::from(FINE));
+        self.context.set_line_width(width);
         self.context.stroke();
     }
 
@@ -81,8 +84,10 @@ impl DrawingBackend for Canvas<'_> {
         path: I,
         style: &S,
     ) -> Drawn {
+        let mut path: Vec<_> = path.into_iter().map(place).collect();
+        let width = sharpened(&mut path, width(style), self.ratio);
         self.trace(path);
-        self.stroke(style);
+        self.stroke(style, width);
         Ok(())
     }
 
@@ -91,7 +96,7 @@ impl DrawingBackend for Canvas<'_> {
         path: I,
         style: &S,
     ) -> Drawn {
-        self.trace(path);
+        self.trace(path.into_iter().map(place));
         self.fill(style.color());
         Ok(())
     }
@@ -114,10 +119,40 @@ impl DrawingBackend for Canvas<'_> {
         if fill {
             self.fill(style.color());
         } else {
-            self.stroke(style);
+            self.stroke(style, width(style));
         }
         Ok(())
     }
+}
+
+fn place((x, y): BackendCoord) -> (f64, f64) {
+    (pixels(x), pixels(y))
+}
+
+fn width(style: &impl BackendStyle) -> f64 {
+    f64::from(style.stroke_width()) / f64::from(FINE)
+}
+
+/// Moves a line along an axis to where its edges lie between pixels, else a thin
+/// line is a pale one of twice its width; returns its width, in whole pixels.
+/// Those are the screen's: `ratio` of them to a pixel of the reader.
+fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
+    let [from, to] = path else {
+        return width;
+    };
+    let whole = (width * ratio).round().max(1.0) / ratio;
+    let half = 0.5 * whole;
+    let sharp = |at: f64| ((at - half) * ratio).round() / ratio + half;
+    if from.0 == to.0 {
+        from.0 = sharp(from.0);
+        to.0 = from.0;
+    } else if from.1 == to.1 {
+        from.1 = sharp(from.1);
+        to.1 = from.1;
+    } else {
+        return width;
+    }
+    whole
 }
 
 fn pixels(fine: i32) -> f64 {

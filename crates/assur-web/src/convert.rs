@@ -78,6 +78,16 @@ pub(crate) struct ChartRequest {
     pub(crate) width: u32,
     pub(crate) height: u32,
     palette: [[u8; 3]; ROLES.len()],
+    /// How much larger than usual text and lines are.
+    #[serde(default = "usual")]
+    pub(crate) scale: f64,
+    /// Pixels of the screen to one of the reader.
+    #[serde(default = "usual")]
+    pub(crate) ratio: f64,
+}
+
+fn usual() -> f64 {
+    1.0
 }
 
 impl ChartRequest {

@@ -213,10 +213,12 @@ impl Simulator {
     ) -> Result<JsValue, JsValue> {
         let loaded = self.loaded()?;
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
-        let canvas = Canvas::new(context, (request.width, request.height));
-        let drawn = loaded
-            .chart
-            .draw(&canvas.into_drawing_area(), &request.palette());
+        let canvas = Canvas::new(context, (request.width, request.height), request.ratio);
+        let drawn = loaded.chart.draw(
+            &canvas.into_drawing_area(),
+            &request.palette(),
+            request.scale,
+        );
         let panels = drawn.map_err(|error| {
             thrown([Problem::BadState {
                 path: "chart".to_owned(),

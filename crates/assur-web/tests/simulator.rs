@@ -316,8 +316,9 @@ fn nothing_is_set_before_set() {
     );
 }
 
-/// The layout of a chart of 400 by 600 pixels, and the context it was drawn on.
-fn chart(simulator: &Simulator) -> (JsValue, CanvasRenderingContext2d) {
+/// The layout of a chart of 400 by 600 pixels, and the context it was drawn on;
+/// `extra` goes into the request.
+fn chart(simulator: &Simulator, extra: &str) -> (JsValue, CanvasRenderingContext2d) {
     let document = web_sys::window().unwrap().document().unwrap();
     let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
     canvas.set_width(800);
@@ -331,7 +332,7 @@ fn chart(simulator: &Simulator) -> (JsValue, CanvasRenderingContext2d) {
         .map(|name| if name == "rocker" { "[1,2,250]" } else { grey })
         .collect();
     let request = format!(
-        r#"{{"width":400,"height":600,"palette":[{}]}}"#,
+        r#"{{"width":400,"height":600,"palette":[{}]{extra}}}"#,
         palette.join(",")
     );
     let layout = simulator
@@ -347,7 +348,7 @@ fn plots_are_chosen() {
     let crank = 1.0_f64;
     let analogues = simulator.plotted(crank).unwrap();
     assert_eq!(analogues.len(), 6);
-    let (layout, _) = chart(&simulator);
+    let (layout, _) = chart(&simulator, "");
     let texts = |path: &str, key: &str| -> Vec<String> {
         let list: Array = get(&layout, path).unchecked_into();
         let text = |item: JsValue| get(&item, key).as_string().unwrap();
@@ -398,7 +399,7 @@ fn plots_are_chosen() {
         assert!((value - 0.185 * expected).abs() < 1e-15);
     }
     assert_eq!(
-        get(&chart(&simulator).0, "panels.1.kind")
+        get(&chart(&simulator, "").0, "panels.1.kind")
             .as_string()
             .unwrap(),
         "length"
@@ -421,7 +422,10 @@ fn plots_are_chosen() {
 #[wasm_bindgen_test]
 fn chart_draws_where_its_layout_says() {
     let simulator = simulator();
-    let (layout, context) = chart(&simulator);
+    let large = chart(&simulator, r#","scale":1.5"#).0;
+    assert_eq!(number(&large, "panels.0.left"), 66.0);
+    let (layout, context) = chart(&simulator, "");
+    assert_eq!(number(&layout, "panels.0.left"), 44.0);
     let crank = 60.0_f64.to_radians();
     let values = simulator.readouts(crank).unwrap();
     let names = simulator.readout_names().unwrap();

@@ -2,7 +2,7 @@
 //!
 //! A page opened from a file may load no module and fetch no file beside it. But the modules find
 //! each other by bare names only, so it is enough to replace the import map by one in which every
-//! name stands for a `data:` address that holds the file itself, and to put the style sheet inside.
+//! name stands for a `data:` address that holds the file itself, and to put the style sheets inside.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,8 +22,8 @@ const PREFIX: &str = "assur/";
 
 const MAP_OPEN: &str = "<script type=\"importmap\">";
 const MAP_CLOSE: &str = "</script>";
-const STYLE: &str = "style.css";
-const STYLE_LINK: &str = "<link rel=\"stylesheet\" href=\"style.css\">";
+const STYLE_OPEN: &str = "<link rel=\"stylesheet\" href=\"";
+const STYLE_CLOSE: &str = "\">";
 
 /// The files of the site, by their paths with forward slashes.
 type Files = BTreeMap<String, Vec<u8>>;
@@ -69,7 +69,6 @@ struct ImportMap {
 
 fn assemble(files: &Files) -> Result<String> {
     let mut page = text(files, "index.html")?.to_owned();
-    let mut style = text(files, STYLE)?.to_owned();
     let mut imports = BTreeMap::new();
     for (name, bytes) in files {
         let address = data_address(name, bytes);
@@ -81,15 +80,10 @@ fn assemble(files: &Files) -> Result<String> {
             "json" | "wasm" => {
                 imports.insert(format!("{PREFIX}{name}"), address);
             }
-            "html" | "css" if name == "index.html" || name == STYLE => {}
-            "html" | "css" => bail!("the one-file page has no place for {name}"),
-            _ => {
-                page = page.replace(&format!("=\"{name}\""), &format!("=\"{address}\""));
-                for quote in ["", "'", "\""] {
-                    let from = format!("url({quote}{name}{quote})");
-                    style = style.replace(&from, &format!("url({quote}{address}{quote})"));
-                }
-            }
+            "html" if name == "index.html" => {}
+            "html" => bail!("the one-file page has no place for {name}"),
+            "css" => {}
+            _ => page = page.replace(&format!("=\"{name}\""), &format!("=\"{address}\"")),
         }
     }
     let map = serde_json::to_string(&ImportMap { imports }).context("the import map")?;
@@ -102,11 +96,34 @@ fn assemble(files: &Files) -> Result<String> {
         "{before}{MAP_OPEN}{}{MAP_CLOSE}{after}",
         map.replace('<', "\\u003c")
     );
-    let (before, after) = split_at_literal(&page, STYLE_LINK)?;
-    Ok(format!(
-        "{before}<style>\n{}</style>{after}",
-        style.replace("</", "<\\/")
-    ))
+    put_styles_inside(page, files)
+}
+
+/// Puts every style sheet in the place of the link to it.
+fn put_styles_inside(mut page: String, files: &Files) -> Result<String> {
+    let mut inside = Vec::new();
+    while let Some((before, rest)) = page.split_once(STYLE_OPEN) {
+        let (name, after) = split_at_literal(rest, STYLE_CLOSE)?;
+        let mut style = text(files, name)?.replace("</", "<\\/");
+        for (name, bytes) in files {
+            for quote in ["", "'", "\""] {
+                let from = format!("url({quote}{name}{quote})");
+                if style.contains(&from) {
+                    let address = data_address(name, bytes);
+                    style = style.replace(&from, &format!("url({quote}{address}{quote})"));
+                }
+            }
+        }
+        inside.push(name.to_owned());
+        page = format!("{before}<style>\n{style}</style>{after}");
+    }
+    let unlinked = files
+        .keys()
+        .find(|name| name.ends_with(".css") && !inside.contains(name));
+    match unlinked {
+        Some(name) => bail!("the one-file page has no place for {name}"),
+        None => Ok(page),
+    }
 }
 
 fn text<'a>(files: &'a Files, name: &str) -> Result<&'a str> {
@@ -227,6 +244,17 @@ mod tests {
     }
 
     #[test]
+    fn style_sheets_keep_their_order() {
+        let links = PAGE.replace(
+            "<link rel=\"icon\"",
+            "<link rel=\"stylesheet\" href=\"later.css\"><link rel=\"icon\"",
+        );
+        let page = assemble(&site(&[("index.html", &links), ("later.css", "b {}")])).unwrap();
+        let (first, then) = (page.find("color: red"), page.find("b {}"));
+        assert!(first.is_some() && first < then, "{page}");
+    }
+
+    #[test]
     fn the_style_sheet_cannot_end_its_element() {
         let page = assemble(&site(&[("style.css", "a::before{content:'</STYLE>'}")])).unwrap();
         assert!(page.contains("content:'<\\/STYLE>'"), "{page}");
@@ -244,7 +272,7 @@ mod tests {
             (
                 "index.html",
                 "<script type=\"importmap\">{}</script>",
-                "does not hold `<link rel=",
+                "no place for style.css",
             ),
             ("style.css", "", "the site holds no style.css"),
             (
@@ -263,6 +291,7 @@ mod tests {
                 "main.js:1 imports by a relative path",
             ),
             ("other.html", "<p>", "no place for other.html"),
+            ("other.css", "a {}", "no place for other.css"),
         ] {
             let error = assemble(&site(&[(name, text)])).unwrap_err().to_string();
             assert!(error.contains(sentence), "{error}");

@@ -17,10 +17,10 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
-/// Labels of the crank angle, radians, about 50 pixels apart.
-pub(super) fn crank([start, end]: [f64; 2], width: f64) -> Vec<Tick> {
+/// Labels of the crank angle, radians, about 50 pixels apart, or `scale` times as many.
+pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
-    let step = angle_step((to - from) * 50.0 / width, 30.0);
+    let step = angle_step((to - from) * 50.0 * scale / width, 30.0);
     multiples(step, from, to)
         .map(|value| Tick {
             value,
@@ -29,11 +29,12 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// Labels of the values, about 28 pixels apart; of angles in degrees.
-pub(super) fn values(range: Range, angle: bool, height: f64) -> Vec<Tick> {
+/// Labels of the values, about 28 pixels apart, more where text `scale` times as
+/// large would be crowded; of angles in degrees.
+pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
     let degrees = |value: f64| if angle { value.to_degrees() } else { value };
     let (from, to) = (degrees(range.min), degrees(range.max));
-    let least = (to - from) * 28.0 / height;
+    let least = (to - from) * (18.0 * scale).max(28.0) / height;
     let step = if angle {
         angle_step(least, 1.0)
     } else {
@@ -85,17 +86,18 @@ mod tests {
 
     #[test]
     fn crank_angles_are_the_usual_ones() {
-        let wide = crank([0.0, TAU], 330.0);
+        let wide = crank([0.0, TAU], 330.0, 1.0);
         assert_eq!(
             written(&wide),
             [0.0, 60.0, 120.0, 180.0, 240.0, 300.0, 360.0]
         );
         assert_eq!(wide[6].at, 330.0);
         assert_eq!(
-            written(&crank([0.0, TAU], 160.0)),
+            written(&crank([0.0, TAU], 160.0, 1.0)),
             [0.0, 120.0, 240.0, 360.0]
         );
-        assert_eq!(crank([0.0, 2.0 * TAU], 330.0).len(), 7);
+        assert_eq!(crank([0.0, 2.0 * TAU], 330.0, 1.0).len(), 7);
+        assert_eq!(written(&crank([0.0, TAU], 330.0, 2.0)).len(), 4);
     }
 
     #[test]
@@ -104,16 +106,16 @@ mod tests {
             min: -1.3,
             max: 2.2,
         };
-        let ticks = values(range, false, 150.0);
+        let ticks = values(range, false, 150.0, 1.0);
         assert_eq!(written(&ticks), [-1.0, 0.0, 1.0, 2.0]);
         for scale in [1e-9, 1e-3, 1.0, 1e5, 1e12] {
             let range = Range {
                 min: -1.3 * scale,
                 max: 2.2 * scale,
             };
-            let count = values(range, false, 150.0).len();
+            let count = values(range, false, 150.0, 1.0).len();
             assert!((2..=5).contains(&count), "{count} at {scale}");
-            let count = values(range, true, 150.0).len();
+            let count = values(range, true, 150.0, 1.0).len();
             assert!((1..=5).contains(&count), "{count} at {scale}");
         }
     }

@@ -1,0 +1,226 @@
+//! The layout from a phone to a large screen, in every language and at every pixel ratio.
+
+use serde_json::{Value, json};
+
+use crate::browser::Page;
+use crate::device::LANGUAGES;
+
+const SIZES: [(u32, u32); 7] = [
+    (360, 640),
+    (390, 844),
+    (768, 1024),
+    (1024, 768),
+    (1280, 800),
+    (1440, 900),
+    (1920, 1080),
+];
+
+/// Defects of the layout, in words; `least` is the side that every target must have.
+const DEFECTS: &str = r#"
+    const found = [];
+    const root = document.scrollingElement;
+    if (root.scrollWidth > root.clientWidth) found.push(`scrolls sideways by ${root.scrollWidth - root.clientWidth}`);
+    const name = (element) => element.id || element.textContent.trim() || element.className;
+    const visible = (element) => element.checkVisibility() && !element.closest(".unseen") && element.closest(".lane") === null;
+    // A choice is its whole label.
+    const controls = [...new Set([...document.querySelectorAll("button, select, input, summary, a[href]")]
+        .filter(visible).map((control) => control.matches("[type=radio], [type=checkbox]") ? control.closest("label") : control))];
+
+    // Boxes as far as the elements around them show them.
+    const box = (element) => {
+        let { left, right, top, bottom } = element.getBoundingClientRect();
+        for (let around = element.parentElement; around; around = around.parentElement) {
+            if (getComputedStyle(around).overflowY === "visible" || around === document.body) continue;
+            const clip = around.getBoundingClientRect();
+            [left, right] = [Math.max(left, clip.left), Math.min(right, clip.right)];
+            [top, bottom] = [Math.max(top, clip.top), Math.min(bottom, clip.bottom)];
+        }
+        return { left, right, top, bottom, width: right - left, height: bottom - top };
+    };
+
+    for (const element of [...controls, ...document.querySelectorAll("h1, h2, legend, th, td, dt, dd, .lesson, .name")]) {
+        if (!visible(element)) continue;
+        const { left, right } = element.getBoundingClientRect();
+        if (left < -0.5 || right > innerWidth + 0.5) found.push(`${name(element)} leaves the page`);
+        if (element.matches("select")) {
+            // A select cuts its text off without a word: an unhampered twin tells how wide it would be.
+            const twin = element.cloneNode(true);
+            twin.style.cssText = "position: absolute; visibility: hidden; width: max-content; flex: none; min-width: 0";
+            element.after(twin);
+            if (twin.offsetWidth > element.offsetWidth + 0.5) found.push(`${name(element)} cuts its entries: ${twin.offsetWidth} in ${element.offsetWidth}`);
+            twin.remove();
+        } else if (element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== "inline") {
+            found.push(`${name(element)} overflows: ${element.scrollWidth} in ${element.clientWidth}`);
+        }
+    }
+
+    controls.forEach((one, index) => {
+        const a = box(one);
+        const whole = one.getBoundingClientRect();
+        if (least > 0 && (whole.width < least - 0.5 || whole.height < least - 0.5)) {
+            found.push(`${name(one)} is ${whole.width} by ${whole.height}`);
+        }
+        for (const other of controls.slice(index + 1)) {
+            const b = box(other);
+            const [across, down] = [Math.min(a.right, b.right) - Math.max(a.left, b.left), Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)];
+            if (across > 0.5 && down > 0.5 && !one.contains(other) && !other.contains(one)) found.push(`${name(one)} covers ${name(other)}`);
+        }
+    });
+
+    const stage = document.getElementById("mechanism").getBoundingClientRect();
+    const plots = document.getElementById("charts").getBoundingClientRect();
+    if (stage.width < 280 || stage.height < 200) found.push(`the drawing has ${stage.width} by ${stage.height}`);
+    if (plots.width < 300 || plots.height < 330) found.push(`the plots have ${plots.width} by ${plots.height}`);
+    return found;
+"#;
+
+async fn defects(page: &Page, least: u32) -> Value {
+    page.ask(&format!("const least = {least};{DEFECTS}")).await
+}
+
+#[tokio::test]
+async fn layout_is_right_on_every_screen() {
+    let page = Page::open().await;
+    page.stop_at("217.15").await;
+    // Long numbers, and all there is to show.
+    page.write("field-l2", "0.8512345").await;
+    let mut found = Vec::new();
+    for lang in LANGUAGES {
+        page.speak(lang).await;
+        for size in SIZES {
+            page.screen(size, 1.0).await;
+            found.push((format!("{lang} {size:?}"), defects(&page, 0).await));
+            page.click("projector").await;
+            found.push((
+                format!("{lang} {size:?} projector"),
+                defects(&page, 0).await,
+            ));
+            page.click("projector").await;
+        }
+    }
+    found.retain(|(_, defects)| *defects != json!([]));
+    assert!(found.is_empty(), "{found:#?}");
+    page.close().await;
+}
+
+#[tokio::test]
+async fn fingers_find_large_targets() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    page.touched().await;
+    let mut found = Vec::new();
+    for lang in LANGUAGES {
+        page.speak(lang).await;
+        for size in SIZES {
+            page.screen(size, 1.0).await;
+            let coarse = page.ask("return matchMedia('(pointer: coarse)').matches");
+            assert_eq!(coarse.await, json!(true));
+            found.push((format!("{lang} {size:?}"), defects(&page, 44).await));
+        }
+        page.click("menu").await;
+        found.push((format!("{lang} menu"), defects(&page, 44).await));
+        page.click("menu").await;
+    }
+    found.retain(|(_, defects)| *defects != json!([]));
+    assert!(found.is_empty(), "{found:#?}");
+    page.close().await;
+}
+
+/// The settings of a low window go on below its edge: what is cut off is told by a fade,
+/// and the last of them can be scrolled to.
+#[tokio::test]
+async fn settings_scroll_to_the_last() {
+    let page = Page::open().await;
+    page.screen((1280, 600), 1.0).await;
+    let faded = "const rail = document.getElementById('rail');
+        return rail.scrollHeight > rail.clientHeight
+            && getComputedStyle(rail, '::after').backgroundImage.includes('gradient')";
+    assert_eq!(page.ask(faded).await, json!(true));
+    page.click("transmission").await; // scrolls there, as a person would
+    assert!(
+        page.element("transmission")
+            .await
+            .is_selected()
+            .await
+            .unwrap()
+    );
+    page.close().await;
+}
+
+/// Every canvas has as many pixels as the screen under it, and thin lines along the
+/// axes fill whole ones.
+#[tokio::test]
+async fn canvases_are_sharp_at_every_ratio() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    // The browser's tools tell the page of another ratio only together with another size.
+    for (width, ratio) in [(1280, 1.0), (1284, 1.5), (1288, 2.0), (1292, 3.0)] {
+        page.screen((width, 800), ratio).await;
+        for projector in [false, true] {
+            if projector {
+                page.click("projector").await;
+            }
+            let fitted = format!(
+                "return ['mechanism', 'charts', 'chart-cursor'].every((id) => {{
+                    const {{ width, height, clientWidth, clientHeight }} = document.getElementById(id);
+                    return width === Math.round(clientWidth * {ratio}) && height === Math.round(clientHeight * {ratio});
+                }})"
+            );
+            page.until("canvases of the screen's pixels", async || {
+                page.ask(&fitted).await == json!(true)
+            })
+            .await;
+            page.settle().await;
+            for id in ["mechanism", "charts"] {
+                let blurs = blurred(&page, id).await;
+                assert!(
+                    blurs.iter().all(|blurred| *blurred == 0),
+                    "{id} at {ratio}, projector {projector}: {blurs:?}"
+                );
+            }
+            if projector {
+                page.click("projector").await;
+            }
+        }
+    }
+    page.close().await;
+}
+
+/// Lines along the axes, across and down: how many pixels across each have neither
+/// the line's full strength nor the ground's. What crosses them is passed over by
+/// taking what is most often along them.
+async fn blurred(page: &Page, id: &str) -> Vec<usize> {
+    let rows = page
+        .ask(&format!(
+            "const canvas = document.getElementById('{id}');
+            const {{ width, height }} = canvas;
+            const copy = new OffscreenCanvas(width, height).getContext('2d');
+            copy.fillStyle = '#fff';
+            copy.fillRect(0, 0, width, height);
+            copy.drawImage(canvas, 0, 0);
+            const {{ data }} = copy.getImageData(0, 0, width, height);
+            const usual = (count, at) => {{
+                const times = new Array(256).fill(0);
+                for (let i = 0; i < count; i++) times[data[4 * at(i) + 1]] += 1;
+                return times.indexOf(Math.max(...times));
+            }};
+            return [
+                Array.from({{ length: width }}, (_, x) => usual(height, (y) => y * width + x)),
+                Array.from({{ length: height }}, (_, y) => usual(width, (x) => y * width + x)),
+            ]"
+        ))
+        .await;
+    let rows: [Vec<i64>; 2] = serde_json::from_value(rows).unwrap();
+    let mut found = Vec::new();
+    for row in rows {
+        let ground = *row.iter().max().unwrap();
+        let lines = row.split(|pixel| ground - pixel <= 2);
+        let before = found.len();
+        found.extend(lines.filter_map(|line| {
+            let full = line.iter().min()?;
+            Some(line.iter().filter(|pixel| **pixel - full > 2).count())
+        }));
+        assert!(found.len() - before >= 4, "{id}: too few lines, {found:?}");
+    }
+    found
+}

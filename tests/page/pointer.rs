@@ -1,0 +1,103 @@
+//! A mouse, a wheel and fingers on elements of the page.
+
+use serde_json::json;
+
+use crate::browser::Page;
+
+impl Page {
+    /// Drags with the pointer over a control, from and to shares of its width.
+    pub(crate) async fn drag(&self, id: &str, from: f64, to: f64) {
+        let element = self.element(id).await;
+        let area = element.rect().await.unwrap();
+        let y = area.y + area.height / 2.0;
+        let x = |share: f64| (area.x + share * area.width).round() as i64;
+        self.driver
+            .action_chain()
+            .move_to(x(from), y as i64)
+            .click_and_hold()
+            .move_to(x(0.5 * (from + to)), y as i64)
+            .move_to(x(to), y as i64)
+            .release()
+            .perform()
+            .await
+            .unwrap();
+        self.settle().await;
+    }
+
+    /// Moves the pointer to a place of an element, in pixels from its corner.
+    pub(crate) async fn hover(&self, id: &str, (x, y): (f64, f64)) {
+        let area = self.element(id).await.rect().await.unwrap();
+        let at = ((area.x + x).round() as i64, (area.y + y).round() as i64);
+        let chain = self.driver.action_chain();
+        chain.move_to(at.0, at.1).perform().await.unwrap();
+        self.settle().await;
+    }
+
+    pub(crate) async fn double_click(&self, id: &str, place: (f64, f64)) {
+        self.hover(id, place).await;
+        let chain = self.driver.action_chain();
+        chain.double_click().perform().await.unwrap();
+        self.settle().await;
+    }
+
+    /// Drags with the mouse along places of an element.
+    pub(crate) async fn drag_along(&self, id: &str, places: &[(f64, f64)]) {
+        let area = self.element(id).await.rect().await.unwrap();
+        let at = |(x, y): (f64, f64)| ((area.x + x).round() as i64, (area.y + y).round() as i64);
+        let (x, y) = at(places[0]);
+        let mut chain = self.driver.action_chain().move_to(x, y).click_and_hold();
+        for place in &places[1..] {
+            let (x, y) = at(*place);
+            chain = chain.move_to(x, y);
+        }
+        chain.release().perform().await.unwrap();
+        self.settle().await;
+    }
+
+    /// Puts fingers on places of an element, moves them and lifts them: every
+    /// entry is where all of them are.
+    pub(crate) async fn fingers(&self, id: &str, moments: &[Vec<(f64, f64)>]) {
+        let script = "const area = document.getElementById(arguments[0]).getBoundingClientRect();
+            return [area.x, area.y];";
+        let corner = self.driver.execute(script, vec![id.into()]).await.unwrap();
+        let [left, top]: [f64; 2] = corner.convert().unwrap();
+        let tools = self.driver.cdp();
+        for (index, moment) in moments.iter().enumerate() {
+            let points: Vec<_> = moment
+                .iter()
+                .enumerate()
+                .map(|(id, (x, y))| json!({ "x": left + x, "y": top + y, "id": id }))
+                .collect();
+            let kind = if index == 0 {
+                "touchStart"
+            } else {
+                "touchMove"
+            };
+            let event = json!({ "type": kind, "touchPoints": points });
+            let sent = tools.send_raw("Input.dispatchTouchEvent", event);
+            sent.await.unwrap();
+        }
+        let lifted = json!({ "type": "touchEnd", "touchPoints": [] });
+        let sent = tools.send_raw("Input.dispatchTouchEvent", lifted);
+        sent.await.unwrap();
+        self.settle().await;
+    }
+
+    /// Taps the middle of an element with a finger.
+    pub(crate) async fn tap(&self, id: &str) {
+        let area = self.element(id).await.rect().await.unwrap();
+        self.fingers(id, &[vec![(area.width / 2.0, area.height / 2.0)]])
+            .await;
+    }
+
+    /// Turns the wheel over a place of an element; away from the person is below 0.
+    pub(crate) async fn wheel(&self, id: &str, (x, y): (f64, f64), by: f64) {
+        let area = self.element(id).await.rect().await.unwrap();
+        let tools = self.driver.cdp();
+        let event = json!({ "type": "mouseWheel", "x": area.x + x, "y": area.y + y,
+            "deltaX": 0, "deltaY": by });
+        let sent = tools.send_raw("Input.dispatchMouseEvent", event);
+        sent.await.unwrap();
+        self.settle().await;
+    }
+}

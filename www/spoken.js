@@ -1,0 +1,176 @@
+// What a screen reader is told of drawing and plots: the state at rest, in sentences.
+import { degrees, radians } from "assur/angles.js";
+import { powerOf, unitOf } from "assur/chart-text.js";
+import { byId, write } from "assur/dom.js";
+import { subscript, written } from "assur/panels.js";
+import { sentence } from "assur/problems.js";
+import { wheelLink } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Mark} Mark
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/words.js").Words} Words
+ */
+
+/** So long nothing changes before it is told, in milliseconds: nobody listens to every value of a drag. */
+const PAUSE = 500;
+
+/** So near a special position the crank is said to be there, in radians. */
+const NEAR = radians(0.5);
+
+export class Spoken {
+  #drawing = byId("mechanism-told", HTMLElement);
+  #plots = byId("charts-told", HTMLElement);
+  #now = byId("told", HTMLElement);
+  #chart;
+  /** @type {readonly unknown[]} what the last sentences are made of */
+  #shown = [];
+  /** @type {readonly unknown[]} angle and mechanism that were told last */
+  #told = [];
+  #asked;
+  #timer = 0;
+
+  /**
+   * @param {{ readonly panels: readonly Panel[] }} chart
+   * @param {boolean} asked whether the first rest is a reader's doing, of which it hears
+   */
+  constructor(chart, asked) {
+    this.#chart = chart;
+    this.#asked = asked;
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, words, revision, problems, phiDeg } = snapshot;
+    const { playing } = state.view;
+    const shown = [words, revision, this.#chart.panels, playing || phiDeg, ...problems.map(({ code }) => code)];
+    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    clearTimeout(this.#timer);
+    if (playing) write(this.#drawing, words.text("told.moving"));
+    this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
+  }
+
+  /** @param {Snapshot} snapshot */
+  #tell(snapshot) {
+    const { state, words, revision, problems, phiDeg, summary } = snapshot;
+    write(this.#plots, plots(summary, this.#chart.panels, words));
+    if (state.view.playing) return;
+    // Problems are told as they arise, by an element of their own.
+    const failed = problems.map((problem) => sentence(problem, words)).join(" ");
+    const here = positions(summary, radians(phiDeg), words);
+    write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
+    const told = [phiDeg, revision];
+    if (this.#asked && !failed && told.some((part, i) => part !== this.#told[i])) {
+      write(this.#now, [words.text("told.now", angles(snapshot)), ...here].join(" "));
+    }
+    this.#told = told;
+    this.#asked = true;
+  }
+}
+
+/**
+ * @param {number} angle
+ * @param {Words} words
+ */
+function angleText(angle, words) {
+  return `${words.numbers.fixed(degrees(angle), 1)}°`;
+}
+
+/**
+ * @param {Snapshot} snapshot
+ * @returns {Record<string, string>} the angles of the links
+ */
+function angles({ readouts, summary, phiDeg, words }) {
+  const text = (/** @type {string} */ name) => (readouts ? angleText(readouts[name], words) : "");
+  const wheels = summary.wheels.map((_, index) => {
+    const link = wheelLink(index);
+    return `${linkName(link, words)} ${text(`${link}.angle`)}`;
+  });
+  return {
+    crank: angleText(radians(phiDeg), words),
+    coupler: text("coupler.angle"),
+    rocker: text("rocker.angle"),
+    wheels: wheels.join(", "),
+    transmission: text("transmission"),
+  };
+}
+
+/** @param {Snapshot} snapshot */
+function drawing(snapshot) {
+  const { summary, state, words } = snapshot;
+  return words.text("told.drawing", {
+    ...angles(snapshot),
+    type: words.text(`grashof.${summary.grashof}`),
+    assembly: words.numbers.exact(state.document.assembly),
+  });
+}
+
+/**
+ * The special positions that the crank is at.
+ * @param {Summary} summary
+ * @param {number} crank
+ * @param {Words} words
+ * @returns {string[]}
+ */
+function positions({ limits, dead_points: dead, change_points: change }, crank, words) {
+  /** @type {[string, number[]][]} */
+  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead], ["change", change]];
+  return kinds.flatMap(([kind, places]) => {
+    const phi = places.find((place) => Math.abs(Math.sin((place - crank) / 2)) < NEAR / 2);
+    return phi === undefined ? [] : [words.text(`told.${kind}`, { angle: angleText(phi, words) })];
+  });
+}
+
+/**
+ * @param {Summary} summary
+ * @param {readonly Panel[]} panels
+ * @param {Words} words
+ */
+function plots({ cycle }, panels, words) {
+  const axis = words.text("told.axis", { from: angleText(cycle.start, words), to: angleText(cycle.end, words) });
+  const told = panels.map((panel) => {
+    const unit = words.text(unitOf(panel), { power: powerOf(panel) });
+    const curves = panel.series.map(({ name, role }) => {
+      const marks = panel.marks.filter((mark) => mark.role === role);
+      return [quantityName(name, words), ...peaks(panel, marks, words)].join(", ");
+    });
+    return `${unit}: ${curves.join("; ")}.`;
+  });
+  return [axis, ...told].join(" ");
+}
+
+/**
+ * @param {Panel} panel
+ * @param {readonly Mark[]} marks of one curve
+ * @param {Words} words
+ * @returns {string[]} its least and its greatest value
+ */
+function peaks(panel, marks, words) {
+  return /** @type {const} */ (["min", "max"]).flatMap((kind) => {
+    const sense = kind === "max" ? -1 : 1;
+    const [peak] = marks.filter((mark) => mark.kind === kind).sort((a, b) => sense * (a.value - b.value));
+    if (!peak) return [];
+    const value = written(panel, peak.value, words.numbers);
+    return [words.text(`told.${kind}`, { value, angle: angleText(peak.phi, words) })];
+  });
+}
+
+/**
+ * @param {string} name as `rocker.angle`, `C2.x`
+ * @param {Words} words
+ */
+function quantityName(name, words) {
+  const [of, what] = name.split(".");
+  return what === "angle" ? linkName(of, words) : `${subscript(of)} ${what}`;
+}
+
+/**
+ * @param {string} link
+ * @param {Words} words
+ */
+function linkName(link, words) {
+  return link === "rocker" ? words.text("readouts.rocker") : words.text("name.wheels.z", { n: link.replace(/\D/g, "") });
+}
