@@ -95,11 +95,21 @@ function run(engine, habits, opening, startWords) {
     notices,
   ];
 
-  listen({ ...commands, trace: () => hands.trace(), lesson: () => lesson.toggle(), settings: () => byId("settings", HTMLButtonElement).click(), help: () => help.showModal(), close: () => {
-    header.close();
-    notices.clear();
-    hands.trace(false);
-  } });
+  listen({
+    ...commands,
+    trace: () => hands.trace(),
+    lesson: () => {
+      lesson.toggle();
+      header.fold(store.get().view.step > 0);
+    },
+    settings: () => byId("settings", HTMLButtonElement).click(),
+    help: () => help.showModal(),
+    close: () => {
+      header.close();
+      notices.clear();
+      hands.trace(false);
+    },
+  });
 
   let unwritten = 0;
   const step = (/** @type {number} */ dt) => {

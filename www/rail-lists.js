@@ -136,7 +136,7 @@ export function wheelCard(index, put, drafts, remove) {
   const n = String(index + LISTS.wheels.first);
   const common = { n, role: wheelLink(index) };
   const teeth = new NumberRow(
-    { ...common, field: `wheels[${index}].z`, id: `z${n}`, key: "wheels.z", symbol: `z${subscript(n)}`, slider: TEETH },
+    { ...common, field: `wheels[${index}].z`, id: `z${n}`, key: "wheels.z", symbol: `z${subscript(n)}`, slider: TEETH, counted: "wheels.teeth" },
     drafts,
     (z) => put({ z }),
   );

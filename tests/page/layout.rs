@@ -44,7 +44,8 @@ const DEFECTS: &str = r#"
         if (left < -0.5 || right > innerWidth + 0.5) found.push(`${name(element)} leaves the page`);
         if (element.matches("select")) {
             // A select cuts its text off without a word: an unhampered twin tells how wide it would be.
-            const twin = element.cloneNode(true);
+            const twin = element.cloneNode(false);
+            twin.append(element.selectedOptions[0].cloneNode(true));
             twin.style.cssText = "position: absolute; visibility: hidden; width: max-content; flex: none; min-width: 0";
             element.after(twin);
             if (twin.offsetWidth > element.offsetWidth + 0.5) found.push(`${name(element)} cuts its entries: ${twin.offsetWidth} in ${element.offsetWidth}`);
@@ -63,7 +64,9 @@ const DEFECTS: &str = r#"
         for (const other of controls.slice(index + 1)) {
             const b = box(other);
             const [across, down] = [Math.min(a.right, b.right) - Math.max(a.left, b.left), Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)];
-            if (across > 0.5 && down > 0.5 && !one.contains(other) && !other.contains(one)) found.push(`${name(one)} covers ${name(other)}`);
+            // An open menu lies over the page.
+            const menu = one.closest(".entries") !== other.closest(".entries");
+            if (!menu && across > 0.5 && down > 0.5 && !one.contains(other) && !other.contains(one)) found.push(`${name(one)} covers ${name(other)}`);
         }
     });
 

@@ -79,11 +79,11 @@ async fn six_questions_answered_by_mouse() {
     let limits = a.linkage.limits(a.assembly);
     let [low, high] = [limits[0], limits[1]];
     assert!(low.rocker < high.rocker);
-    let swing = c.linkage.swings(c.assembly)[0].scaled(c.gears.ratio());
+    let swing = c.linkage.swings(c.assembly)[0].scaled(c.gears.pairs()[0].ratio());
     let slow = a.linkage.time_ratio(a.assembly).unwrap();
     let numbers = [
-        (f64::from(a.counts().links), 0.0),
-        (a.gears.ratio(), 0.005),
+        ((a.graph().links - 1) as f64, 0.0),
+        (a.gears.pairs()[0].ratio(), 0.005),
         (high.crank.to_degrees(), 0.5),
         (swing.stroke().unwrap().to_degrees(), 0.5),
         (360.0 * slow / (1.0 + slow), 0.5),

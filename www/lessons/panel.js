@@ -2,7 +2,7 @@
 import { degrees } from "assur/angles.js";
 import { make, write } from "assur/dom.js";
 import { parseNumber } from "assur/numbers.js";
-import { OVERLAYS, withDocument, withView } from "assur/state.js";
+import { SWITCHES, withDocument, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Summary} Summary
@@ -187,14 +187,16 @@ export class Panel {
   #show({ preset, play = false, overlays = ["traces"], at }) {
     const { store, model, history, presets } = this.#parts;
     const { document = {} } = presets.find(({ id }) => id === preset) ?? {};
-    const shown = Object.fromEntries(OVERLAYS.map((name) => [name, overlays.includes(name)]));
+    const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
+    /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
+    const plots = { plot: "angles", axes: "analogues" };
     history.step(() => {
       store.update((state) => withDocument(state, document));
       // Where the crank goes is known once the engine has taken the mechanism.
       model.follow(store.get());
       const phi = at?.(model.summary);
       const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
-      store.update((state) => withView(state, { ...shown, ...place, playing: play }));
+      store.update((state) => withView(state, { ...shown, ...plots, ...place, playing: play }));
     });
   }
 

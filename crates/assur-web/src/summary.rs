@@ -25,12 +25,13 @@ pub(crate) struct Summary {
     bounds: [f64; 4],
 }
 
+/// Moving links, lower and higher pairs, degrees of freedom.
 #[derive(Serialize)]
 struct CountsSummary {
-    links: u32,
-    lower: u32,
-    higher: u32,
-    mobility: i64,
+    links: usize,
+    lower: usize,
+    higher: usize,
+    mobility: isize,
 }
 
 #[derive(Serialize)]
@@ -71,7 +72,7 @@ struct Transmission {
 
 impl Summary {
     pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
-        let counts = mixer.counts();
+        let graph = mixer.graph();
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
         let [start, end] = cycle.axis();
@@ -95,10 +96,10 @@ impl Summary {
         };
         Self {
             counts: CountsSummary {
-                links: counts.links,
-                lower: counts.lower,
-                higher: counts.higher,
-                mobility: counts.mobility(),
+                links: graph.links - 1,
+                lower: graph.lower_pairs(),
+                higher: graph.higher_pairs(),
+                mobility: graph.mobility(),
             },
             grashof: grashof(linkage.grashof()),
             home: cycle.home(),

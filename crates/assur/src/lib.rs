@@ -21,7 +21,6 @@
 //! ```
 
 pub mod catalog;
-mod counts;
 mod four_bar;
 pub mod gears;
 mod geometry;
@@ -30,7 +29,6 @@ mod jet;
 pub mod motion;
 pub mod structure;
 
-pub use counts::Counts;
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
 };

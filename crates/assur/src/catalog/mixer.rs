@@ -14,7 +14,8 @@ pub use quantity::{Axis, Quantity, Tracked, Turning};
 pub use tracer::{Carrier, Tracer};
 
 use crate::gears::{GearSet, Mate, Mesh};
-use crate::{Assembly, Counts, FourBar, Invalid};
+use crate::structure::{Graph, Pair};
+use crate::{Assembly, FourBar, Invalid};
 
 /// The three cases of fig. 4. Lengths are in metres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,17 +116,26 @@ impl Mixer {
         }
     }
 
-    /// Its links and pairs: four hinges of the linkage, and for every wheel beside
-    /// wheel 4, which is one link with the rocker, a hinge and a mesh.
-    pub fn counts(&self) -> Counts {
-        let pairs = self.gears.pairs().iter();
-        let wheels = pairs
-            .map(|pair| 1 + u32::from(pair.idler().is_some()))
-            .sum::<u32>();
-        Counts {
-            links: 3 + wheels,
-            lower: 4 + wheels,
-            higher: wheels,
+    /// Which link joins which: 0 the frame, 1 the crank, 2 the coupler, 3 the rocker
+    /// with wheel 4, which are one link; then the other wheels, each on a hinge of its
+    /// own and in mesh with the one before it in its train.
+    pub fn graph(&self) -> Graph {
+        let hinges = [[0, 1], [1, 2], [2, 3], [3, 0]];
+        let mut pairs: Vec<Pair> = hinges.map(|two| Pair::Revolute(two.to_vec())).to_vec();
+        let mut links = 4;
+        for gears in self.gears.pairs() {
+            let mut driver = 3;
+            for _ in gears.idler().into_iter().chain([gears.driven_wheel()]) {
+                pairs.push(Pair::Revolute(vec![0, links]));
+                pairs.push(Pair::Gear([driver, links]));
+                driver = links;
+                links += 1;
+            }
+        }
+        Graph {
+            links,
+            ground: 0,
+            pairs,
         }
     }
 }
