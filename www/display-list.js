@@ -2,7 +2,7 @@
 
 /**
  * @typedef {Path2D | import("assur/export/svg.js").SvgPath} Path
- * @typedef {{ role: string, look: number, path: Path }} Shape
+ * @typedef {{ role: string, look: number, path: Path, loops?: Float32Array[] }} Shape of polygons also the corners of each
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -38,8 +38,10 @@ export function readDisplayList(list, start, roles, labels, newPath) {
       at += 7;
     } else if (kind === POLYGONS || kind === POLYLINE || kind === CIRCLE) {
       const path = newPath();
-      layer.shapes.push({ role: roles[list[at + 1]], look: list[at + 2], path });
-      if (kind === POLYGONS) at = addPolygons(path, list, at + 3);
+      /** @type {Shape} */
+      const shape = { role: roles[list[at + 1]], look: list[at + 2], path };
+      layer.shapes.push(shape);
+      if (kind === POLYGONS) at = addPolygons(shape, list, at + 3);
       else if (kind === POLYLINE) at = addPoints(path, list, at + 3);
       else {
         path.arc(list[at + 3], list[at + 4], list[at + 5], 0, 2 * Math.PI);
@@ -54,17 +56,20 @@ export function readDisplayList(list, start, roles, labels, newPath) {
 }
 
 /**
- * @param {Path} path
+ * @param {Shape} shape
  * @param {Float32Array} list
  * @param {number} at
  * @returns {number} where the next record begins
  */
-function addPolygons(path, list, at) {
-  const loops = list[at];
+function addPolygons(shape, list, at) {
+  const count = list[at];
   at += 1;
-  for (let loop = 0; loop < loops; loop++) {
-    at = addPoints(path, list, at);
-    path.closePath();
+  shape.loops = [];
+  for (let loop = 0; loop < count; loop++) {
+    const end = addPoints(shape.path, list, at);
+    shape.path.closePath();
+    shape.loops.push(list.subarray(at + 1, end));
+    at = end;
   }
   return at;
 }

@@ -1,4 +1,5 @@
 // Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
+import { outlined } from "assur/outline.js";
 
 /**
  * @typedef {import("assur/display-list.js").Layer} Layer
@@ -36,6 +37,8 @@ const NO_DASH = [];
 
 export class Painter {
   #theme;
+  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
+  #bands = new WeakMap();
 
   /** @param {Theme} theme */
   constructor(theme) {
@@ -99,7 +102,8 @@ export class Painter {
    * @param {Shape} shape
    * @param {number} scale
    */
-  #shape(context, { role, look, path }, scale) {
+  #shape(context, shape, scale) {
+    const { role, look, path, loops } = shape;
     const { fill, paper, stroke, opacity = 1, dash = NO_DASH } = LOOKS[look];
     const colour = this.#theme.colours[role];
     if (paper || fill) {
@@ -107,14 +111,34 @@ export class Painter {
       context.fillStyle = paper ? this.#theme.colours.paper : colour;
       context.fill(path, "evenodd");
     }
-    if (stroke) {
+    const pixel = this.#theme.weight / scale;
+    // A recorder of pictures writes lines as lines.
+    if (stroke && loops && dash === NO_DASH && path instanceof Path2D) {
+      context.globalAlpha = opacity;
+      context.fillStyle = colour;
+      context.fill(this.#band(shape, loops, stroke * pixel));
+    } else if (stroke) {
       context.globalAlpha = opacity;
       context.strokeStyle = colour;
-      const pixel = this.#theme.weight / scale;
       context.lineWidth = stroke * pixel;
       context.setLineDash(dash.map((length) => length * pixel));
       context.stroke(path);
     }
+  }
+
+  /**
+   * @param {Shape} shape
+   * @param {readonly Float32Array[]} loops
+   * @param {number} width
+   * @returns {Path2D}
+   */
+  #band(shape, loops, width) {
+    let known = this.#bands.get(shape);
+    if (known?.width !== width) {
+      known = { width, band: outlined(loops, width) };
+      this.#bands.set(shape, known);
+    }
+    return known.band;
   }
 }
 
