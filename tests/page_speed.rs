@@ -1,5 +1,7 @@
 //! How fast the page is in a real browser: printed by `cargo xtask bench`, never
-//! asserted. Every line reads `page: NAME = FIGURE`.
+//! asserted. A figure is a line `page: NAME = FIGURE`, what the page asked the
+//! server for a line `asked: ADDRESS`. `ASSUR_MINUTES` is how long it is played
+//! and dragged with an eye on memory.
 #![cfg(not(target_family = "wasm"))]
 #![allow(
     dead_code,
@@ -11,63 +13,144 @@ mod browser;
 #[path = "page/picture.rs"]
 mod picture;
 
-use browser::Page;
+use std::env;
+use std::time::{Duration, Instant};
+
+use browser::{Page, setting};
+use serde_json::json;
+
+/// Keeps hold of the memory of every module that is made.
+const KEEP_MEMORY: &str = "for (const name of ['instantiate', 'instantiateStreaming']) {
+    const make = WebAssembly[name];
+    WebAssembly[name] = async (...given) => {
+        const made = await make.apply(WebAssembly, given);
+        globalThis.wasmMemory = (made.instance ?? made).exports.memory;
+        return made;
+    };
+}";
 
 /// Waits for a number of animation frames.
 const FRAMES: f64 = 300.0;
 const WAIT: &str = "const done = arguments[0]; let left = 300;
-    const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done(0));
+    const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done([]));
     requestAnimationFrame(frame);";
 
-/// Moves a slider step by step, one step a frame, as a hand does.
-const STEPS: f64 = 120.0;
-const DRAG: &str = "const done = arguments[0]; let left = 120;
+/// Moves a slider by its own steps down and up, one a frame, as a hand does; what each
+/// kept the main thread busy for, in milliseconds: the event, and all of the frame
+/// after it, of which a message posted from within is the end.
+const DRAG: &str = "const done = arguments[0];
     const slider = document.getElementById('slider-l3');
-    const [low, high] = [0.5, 0.9];
-    const frame = () => {
-        if (left-- <= 0) return done(0);
-        slider.value = String(low + (high - low) * left / 120);
+    const steps = 120;
+    const spent = [];
+    const { port1, port2 } = new MessageChannel();
+    let event = 0, frame = 0;
+    const step = () => {
+        if (spent.length === steps) return done(spent);
+        requestAnimationFrame(() => { frame = performance.now(); });
+        const start = performance.now();
+        if (spent.length % 60 < 30) slider.stepUp(); else slider.stepDown();
         slider.dispatchEvent(new Event('input', { bubbles: true }));
-        requestAnimationFrame(frame);
+        event = performance.now() - start;
+        requestAnimationFrame(() => port2.postMessage(0));
     };
-    requestAnimationFrame(frame);";
+    port1.onmessage = () => {
+        spent.push(event + performance.now() - frame);
+        setTimeout(step);
+    };
+    step();";
 
 #[tokio::test]
 async fn page_speed() {
     let page = Page::open().await;
-    let ready = "arguments[0](performance.getEntriesByName('ready')[0].startTime)";
-    println!(
-        "page: first drawn frame after navigation, ms = {:.0}",
-        page.number(ready).await
-    );
-
-    let before = page.metric("TaskDuration").await;
-    page.number(WAIT).await;
-    let spent = page.metric("TaskDuration").await - before;
-    println!(
-        "page: main thread per animation frame, ms = {:.2}",
-        spent / FRAMES * 1e3
-    );
-
-    page.click("play").await;
-    let before = page.metric("TaskDuration").await;
-    page.number(DRAG).await;
-    let spent = page.metric("TaskDuration").await - before;
-    println!(
-        "page: main thread per step of a dragged slider, ms = {:.2}",
-        spent / STEPS * 1e3
-    );
-
-    page.click("play").await;
-    let heap = page.metric("JSHeapUsedSize").await;
-    for _ in 0..5 {
-        page.number(DRAG).await;
-        page.number(WAIT).await;
+    page.command(
+        "Page.addScriptToEvaluateOnNewDocument",
+        json!({ "source": KEEP_MEMORY }),
+    )
+    .await;
+    page.anew(&setting("ASSUR_URL")).await;
+    let ready = "arguments[0]([performance.getEntriesByName('ready')[0].startTime])";
+    let first = page.numbers(ready).await;
+    print("first drawn frame after navigation, ms", first[0]);
+    println!("asked: {}", page.address().await);
+    for address in page.loaded().await {
+        println!("asked: {address}");
     }
-    let grown = page.metric("JSHeapUsedSize").await - heap;
-    println!(
-        "page: JavaScript heap grown over 5 × (drag and 300 frames), kB = {:.0}",
-        grown / 1e3
+
+    for overlay in ["centres", "vectors", "loop_vectors", "transmission"] {
+        page.click(overlay).await;
+    }
+    // The clock on the wall counts other programs in; the thread's own does not.
+    for (clock, name) in [
+        ("timeTicks", "main thread per frame, all overlays, ms"),
+        (
+            "threadTicks",
+            "main thread per frame, all overlays, ms of processor",
+        ),
+    ] {
+        page.command("Performance.disable", json!({})).await;
+        page.command("Performance.enable", json!({ "timeDomain": clock }))
+            .await;
+        let before = page.metric("TaskDuration").await;
+        page.numbers(WAIT).await;
+        let spent = page.metric("TaskDuration").await - before;
+        print(name, spent / FRAMES * 1e3);
+    }
+
+    page.click("play").await;
+    let mut steps = page.numbers(DRAG).await;
+    steps.sort_by(f64::total_cmp);
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    print(
+        "step of a dragged slider, median, ms",
+        steps[steps.len() / 2],
     );
+    print("step of a dragged slider, mean, ms", mean);
+    page.click("play").await;
+
+    memory(&page).await;
     page.close().await;
+}
+
+/// What the page holds while it is played and dragged.
+async fn memory(page: &Page) {
+    const LOOKS: u32 = 10;
+    let minutes = env::var("ASSUR_MINUTES").ok();
+    let minutes: f64 = minutes.map_or(0.5, |minutes| minutes.parse().unwrap());
+    let mut held = Vec::new();
+    let start = Instant::now();
+    for look in 0..=LOOKS {
+        let until = Duration::from_secs_f64(minutes * 60.0) * look / LOOKS;
+        while start.elapsed() < until {
+            page.numbers(WAIT).await;
+            page.click("play").await;
+            page.numbers(DRAG).await;
+            page.click("play").await;
+        }
+        // What is still there after everything was thrown away that nobody needs.
+        page.command("HeapProfiler.collectGarbage", json!({})).await;
+        let wasm = "arguments[0]([globalThis.wasmMemory.buffer.byteLength])";
+        held.push([
+            page.metric("JSHeapUsedSize").await,
+            page.numbers(wasm).await[0],
+        ]);
+    }
+    for (what, index) in [("JavaScript heap", 0), ("wasm memory", 1)] {
+        let most = held
+            .iter()
+            .fold(0.0, |most: f64, held| most.max(held[index]));
+        for (when, bytes) in [
+            ("at first", held[0][index]),
+            ("most", most),
+            ("at last", held[held.len() - 1][index]),
+        ] {
+            print(
+                &format!("{what} over {minutes} min, {when}, kB"),
+                bytes / 1e3,
+            );
+        }
+    }
+}
+
+fn print(name: &str, figure: f64) {
+    println!("page: {name} = {figure:.2}");
 }

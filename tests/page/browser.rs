@@ -363,20 +363,24 @@ impl Page {
         names.convert().unwrap()
     }
 
-    /// A number that a script works out in the page.
+    /// The numbers that a script works out in the page and hands on when it is done.
     #[allow(dead_code, reason = "asked for by page_speed only")]
-    pub(crate) async fn number(&self, script: &str) -> f64 {
+    pub(crate) async fn numbers(&self, script: &str) -> Vec<f64> {
         let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
         answer.convert().unwrap()
+    }
+
+    /// Tells the browser itself something, past the page.
+    #[allow(dead_code, reason = "asked for by page_speed only")]
+    pub(crate) async fn command(&self, name: &str, parameters: serde_json::Value) {
+        self.driver.cdp().send_raw(name, parameters).await.unwrap();
     }
 
     /// A figure of the browser's own bookkeeping, by its name.
     #[allow(dead_code, reason = "asked for by page_speed only")]
     pub(crate) async fn metric(&self, name: &str) -> f64 {
         let performance = self.driver.cdp();
-        let performance = performance.performance();
-        performance.enable().await.unwrap();
-        let metrics = performance.get_metrics().await.unwrap();
+        let metrics = performance.performance().get_metrics().await.unwrap();
         metrics
             .iter()
             .find(|metric| metric.name == name)

@@ -4,7 +4,6 @@
 
 use std::fs;
 use std::io::Write as _;
-use std::process::Command;
 
 use anyhow::{Context, Result};
 
@@ -16,8 +15,8 @@ use crate::workspace::Workspace;
 use crate::{bundle, server, site};
 
 /// Prints the figures of the engine, natively and in the browser, of the page and
-/// of its download.
-pub(crate) fn run(workspace: &Workspace) -> Result<()> {
+/// of its download; the page is played and dragged for some minutes.
+pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     tools::wasm_pack(workspace)?;
     let browser = browser::find_or_install(workspace)?;
     site::set_up_and_build(workspace)?;
@@ -26,15 +25,17 @@ pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     announce("engine, natively", "measuring");
     let mut native = workspace.cargo(["test", "--release", "--package", "assur-web"]);
     native.args(["--test", "speed", "--", "--nocapture"]);
-    let native = figures(&mut native, "speed: ")?;
+    let native = figures(&output(&mut native, "measuring")?, "speed: ");
     announce("engine, in the browser", "measuring");
     let mut wasm = browser_tests(workspace, "crates/assur-web", &browser)?;
     wasm.args(["--release", "--test", "speed", "--", "--nocapture"]);
-    let wasm = figures(&mut wasm, "speed: ")?;
+    let wasm = figures(&output(&mut wasm, "measuring")?, "speed: ");
     announce("page", "measuring");
     let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
     let mut page = page_test(workspace, "page_speed", address, &browser);
-    let page = figures(page.args(["--", "--nocapture"]), "page: ")?;
+    page.args(["--", "--nocapture"])
+        .env("ASSUR_MINUTES", minutes.to_string());
+    let page = output(&mut page, "measuring")?;
 
     let unit = native.first().map_or(f64::NAN, |(_, time)| *time);
     println!(
@@ -51,24 +52,22 @@ pub(crate) fn run(workspace: &Workspace) -> Result<()> {
         );
     }
     println!();
-    for (name, figure) in page {
+    for (name, figure) in figures(&page, "page: ") {
         println!("{name:60} {figure:>10}");
     }
+    let (requests, bytes) = download(workspace, &page)?;
     println!(
         "{:60} {:>10.1}",
-        "download of the page, brotli 11, kB",
-        download(workspace)? / 1e3
+        format!("download, {requests} requests, brotli 11, kB"),
+        bytes as f64 / 1e3
     );
     Ok(())
 }
 
-/// The lines `PREFIX NAME = FIGURE` that a command prints.
-fn figures(command: &mut Command, prefix: &str) -> Result<Vec<(String, f64)>> {
-    let printed = output(command, "measuring")?;
-    Ok(printed
-        .lines()
-        .filter_map(|line| figure(line, prefix))
-        .collect())
+/// The lines `PREFIX NAME = FIGURE` of what a command printed.
+fn figures(printed: &str, prefix: &str) -> Vec<(String, f64)> {
+    let lines = printed.lines();
+    lines.filter_map(|line| figure(line, prefix)).collect()
 }
 
 /// The name and the figure of a line, wherever in it the prefix stands.
@@ -77,22 +76,25 @@ fn figure(line: &str, prefix: &str) -> Option<(String, f64)> {
     Some((name.to_owned(), figure.trim().parse().ok()?))
 }
 
-/// The bytes of every file that the page asks for at its start, one language.
-fn download(workspace: &Workspace) -> Result<f64> {
+/// How many files the page asked for at its start, and their compressed bytes.
+fn download(workspace: &Workspace, printed: &str) -> Result<(usize, usize)> {
     let site = workspace.site();
+    let files: Vec<&str> = printed.lines().filter_map(asked).collect();
     let mut bytes = 0;
-    for folder in [site.clone(), site.join("pkg")] {
-        let unread = || format!("{} cannot be read", folder.display());
-        for entry in fs::read_dir(&folder).with_context(unread)? {
-            let path = entry.with_context(unread)?.path();
-            if path.is_file() {
-                bytes += compressed(&fs::read(&path).with_context(unread)?)?;
-            }
-        }
+    for file in &files {
+        let path = site.join(file);
+        let content = fs::read(&path);
+        bytes += compressed(&content.with_context(|| format!("{} is not there", path.display()))?)?;
     }
-    let words = site.join("lang").join("en.json");
-    let words = fs::read(&words).with_context(|| format!("{} cannot be read", words.display()))?;
-    Ok((bytes + compressed(&words)?) as f64)
+    Ok((files.len(), bytes))
+}
+
+/// The file of the site that is meant by a line `asked: ADDRESS`.
+fn asked(line: &str) -> Option<&str> {
+    let (_, address) = line.split_once("asked: http://")?;
+    let (_, path) = address.split_once('/')?;
+    let path = path.split(['#', '?']).next()?;
+    Some(if path.is_empty() { "index.html" } else { path })
 }
 
 fn compressed(bytes: &[u8]) -> Result<usize> {
@@ -105,7 +107,7 @@ fn compressed(bytes: &[u8]) -> Result<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{compressed, figure};
+    use super::{asked, compressed, figure};
 
     #[test]
     fn figures_are_read_from_their_lines() {
@@ -116,6 +118,17 @@ mod tests {
         );
         assert_eq!(figure("running 1 test", "speed: "), None);
         assert_eq!(figure("speed: engine = fast", "speed: "), None);
+    }
+
+    #[test]
+    fn files_are_read_from_their_addresses() {
+        for (line, file) in [
+            ("asked: http://127.0.0.1:80/#1&lesson=mixer", "index.html"),
+            ("asked: http://127.0.0.1:80/pkg/a.wasm", "pkg/a.wasm"),
+        ] {
+            assert_eq!(asked(line), Some(file));
+        }
+        assert_eq!(asked("asked: data:image/svg+xml,a/b"), None);
     }
 
     #[test]

@@ -64,7 +64,11 @@ enum Task {
     /// Prints how fast engine and page are, beside a yardstick of the same run
     ///
     /// Installs what is missing as `test` does. Nothing fails for being slow.
-    Bench,
+    Bench {
+        /// How long the page is played and dragged with an eye on its memory
+        #[arg(long, default_value_t = 0.5)]
+        minutes: f64,
+    },
     /// Builds the page into one file, dist/assur.html, that opens by double-click
     Bundle,
     /// Builds the page into the folder `site` of the target directory
@@ -86,7 +90,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
     match *task {
         Task::Serve { port, no_open } => serve(&workspace, port, !no_open)?,
         Task::Test => return test::run(&workspace),
-        Task::Bench => bench::run(&workspace)?,
+        Task::Bench { minutes } => bench::run(&workspace, minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;
