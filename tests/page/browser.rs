@@ -364,7 +364,6 @@ impl Page {
     }
 
     /// The numbers that a script works out in the page and hands on when it is done.
-    #[allow(dead_code, reason = "asked for by page_speed only")]
     pub(crate) async fn numbers(&self, script: &str) -> Vec<f64> {
         let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
         answer.convert().unwrap()

@@ -3,12 +3,17 @@
 const [kind, inputs, shown, done] = arguments;
 const byId = (id) => document.getElementById(id);
 const frame = () => new Promise(requestAnimationFrame);
-const controls = () => [...document.querySelectorAll("input:not([type=file]), select")].map((one) =>
+const controls = () => [...document.querySelectorAll("input:not([type=file]), select")].filter((one) => one.checkVisibility()).map((one) =>
   [one.id, /radio|checkbox/.test(one.type) ? one.checked : one.value]);
-const texts = () => ["status", "readouts", "problem"].map((id) => byId(id).textContent);
+const texts = () => ["status", "readouts", "problem"].map((id) => byId(id).innerText);
 const screen = () => JSON.stringify([controls(), texts()]);
 const own = () => [Object, Array, Function, String].map(({ prototype }) => Reflect.ownKeys(prototype).length).join();
-const until = async (holds) => { for (let i = 0; i < 90 && !holds(); i++) await frame(); };
+/** Milliseconds that a person would wait. */
+const PATIENCE = 10_000;
+const until = async (holds) => {
+  const began = performance.now();
+  while (!holds() && performance.now() - began < PATIENCE) await frame();
+};
 const give = (input) => {
   if (kind === "address") return void (location.hash = input);
   const data = new DataTransfer();
@@ -18,11 +23,11 @@ const give = (input) => {
 };
 const run = async () => {
   const [before, clean] = [screen(), own()];
-  const elements = document.querySelectorAll("*").length;
   const answers = [];
   for (const input of inputs) {
     byId("notice-close").click();
     await frame();
+    const elements = document.querySelectorAll("*").length;
     const began = performance.now();
     give(input);
     await until(() => !byId("notice").hidden || screen() !== before);

@@ -200,17 +200,17 @@ async fn true_time_is_true() {
                 let by = 0;
                 const engine = {{ advance: (phi, delta) => ({{ phi: by = delta, sign: 1 }}) }};
                 played(state, 0.25, engine, {{ placed: true }});
-                done(by);
+                done([by]);
             }});"
         )
     };
     let by = page
-        .number(&turned("true_time: true, omega: -3, epsilon: 7"))
+        .numbers(&turned("true_time: true, omega: -3, epsilon: 7"))
         .await;
-    assert_eq!(by, -0.75);
-    let by = page.number(&turned("true_time: false, omega: -3")).await;
+    assert_eq!(by, [-0.75]);
+    let by = page.numbers(&turned("true_time: false, omega: -3")).await;
     assert_near(
-        by,
+        by[0],
         std::f64::consts::TAU / 6.0,
         1e-15,
         "a quarter second at 4 ×",

@@ -202,6 +202,7 @@ export class Svg {
    * @param {Readonly<Record<string, string | number>>} look
    */
   #text(text, x, y, look) {
+    if (!text) return;
     const [, weight, size, family] = /^(?:(\w+) )?([\d.]+)px (.+)$/.exec(this.font) ?? ["", "", "10", "sans-serif"];
     const anchor = ANCHORS[/** @type {keyof typeof ANCHORS} */ (this.textAlign)];
     this.#add(

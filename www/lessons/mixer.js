@@ -26,7 +26,7 @@ export const STEPS = Object.freeze([
   },
   {
     id: "limits",
-    formula: "cos ∠DAC = (AC² + l₄² − l₃²) / (2AC·l₄)\nAC = l₂ ± l₁",
+    formula: "cos ∠DAC =\n(AC² + l₄² − l₃²) / (2AC·l₄)\nAC = l₂ ± l₁",
     shows: [{ preset: "a", at: (summary) => limits(summary)?.near.phi, overlays: ["traces", "loop_vectors"] }],
     question: { unit: "°", round: true, within: 0.5, answer: (summary) => inDegrees(limits(summary)?.far.phi) },
   },
@@ -44,7 +44,7 @@ export const STEPS = Object.freeze([
   },
   {
     id: "transmission",
-    formula: "cos μ = (l₂² + l₃² − BD²) / (2l₂l₃)",
+    formula: "cos μ =\n(l₂² + l₃² − BD²) / (2l₂l₃)",
     shows: [{ name: "a", preset: "a", ...COMPARED }, { name: "b", preset: "b", ...COMPARED }],
     question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },
   },
