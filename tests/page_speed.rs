@@ -62,7 +62,7 @@ const DRAG: &str = "const done = arguments[0];
 #[tokio::test]
 async fn page_speed() {
     let page = Page::open().await;
-    page.command(
+    page.tool(
         "Page.addScriptToEvaluateOnNewDocument",
         json!({ "source": KEEP_MEMORY }),
     )
@@ -87,8 +87,8 @@ async fn page_speed() {
             "main thread per frame, all overlays, ms of processor",
         ),
     ] {
-        page.command("Performance.disable", json!({})).await;
-        page.command("Performance.enable", json!({ "timeDomain": clock }))
+        page.tool("Performance.disable", json!({})).await;
+        page.tool("Performance.enable", json!({ "timeDomain": clock }))
             .await;
         let before = page.metric("TaskDuration").await;
         page.numbers(WAIT).await;
@@ -127,7 +127,7 @@ async fn memory(page: &Page) {
             page.click("play").await;
         }
         // What is still there after everything was thrown away that nobody needs.
-        page.command("HeapProfiler.collectGarbage", json!({})).await;
+        page.tool("HeapProfiler.collectGarbage", json!({})).await;
         let wasm = "arguments[0]([globalThis.wasmMemory.buffer.byteLength])";
         held.push([
             page.metric("JSHeapUsedSize").await,

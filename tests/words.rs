@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 20] = [
+const BUILT: [(&str, &[&str]); 21] = [
     ("assembly.", &["www/rail.js"]),
     (
         "field.",
@@ -55,6 +55,7 @@ const BUILT: [(&str, &[&str]); 20] = [
     ("readouts.", &["www/readouts.js"]),
     ("slider.", &["www/rail.js", "www/rail-lists.js"]),
     ("status.", &["www/status.js"]),
+    ("told.", &["www/spoken.js"]),
     ("tracers.", &["www/rail-lists.js"]),
 ];
 

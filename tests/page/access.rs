@@ -61,6 +61,13 @@ async fn axe_finds_nothing() {
         page.screen((360, 640), 1.0).await;
         check(&page, &format!("{lang} narrow")).await;
         page.screen((1280, 800), 1.0).await;
+        page.click("tab-lesson").await;
+        page.until("the lesson", async || {
+            page.count("#lesson-check").await == 1
+        })
+        .await;
+        check(&page, &format!("{lang} lesson")).await;
+        page.click("tab-settings").await;
         page.click("menu").await;
         check(&page, &format!("{lang} menu")).await;
         page.click("help-open").await;

@@ -369,12 +369,6 @@ impl Page {
         answer.convert().unwrap()
     }
 
-    /// Tells the browser itself something, past the page.
-    #[allow(dead_code, reason = "asked for by page_speed only")]
-    pub(crate) async fn command(&self, name: &str, parameters: serde_json::Value) {
-        self.driver.cdp().send_raw(name, parameters).await.unwrap();
-    }
-
     /// A figure of the browser's own bookkeeping, by its name.
     #[allow(dead_code, reason = "asked for by page_speed only")]
     pub(crate) async fn metric(&self, name: &str) -> f64 {

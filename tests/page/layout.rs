@@ -18,6 +18,7 @@ const SIZES: [(u32, u32); 7] = [
 /// Defects of the layout, in words; `least` is the side that every target must have.
 const DEFECTS: &str = r#"
     const found = [];
+    scrollTo(0, 0);
     const root = document.scrollingElement;
     if (root.scrollWidth > root.clientWidth) found.push(`scrolls sideways by ${root.scrollWidth - root.clientWidth}`);
     const name = (element) => element.id || element.textContent.trim() || element.className;
@@ -99,6 +100,13 @@ async fn layout_is_right_on_every_screen() {
                 defects(&page, 0).await,
             ));
             page.click("projector").await;
+            page.click("tab-lesson").await;
+            page.until("the lesson", async || {
+                page.count("#lesson-check").await == 1
+            })
+            .await;
+            found.push((format!("{lang} {size:?} lesson"), defects(&page, 0).await));
+            page.click("tab-settings").await;
         }
     }
     found.retain(|(_, defects)| *defects != json!([]));
