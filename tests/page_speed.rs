@@ -97,7 +97,9 @@ async fn page_speed() {
     }
 
     page.click("play").await;
+    let before = page.metric("TaskDuration").await;
     let mut steps = page.numbers(DRAG).await;
+    let spent = page.metric("TaskDuration").await - before;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     print(
@@ -105,6 +107,10 @@ async fn page_speed() {
         steps[steps.len() / 2],
     );
     print("step of a dragged slider, mean, ms", mean);
+    print(
+        "step of a dragged slider, mean, ms of processor",
+        spent / steps.len() as f64 * 1e3,
+    );
     page.click("play").await;
 
     memory(&page).await;

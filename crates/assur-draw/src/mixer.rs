@@ -134,9 +134,9 @@ impl Scene {
         parts::support(&mut list, a, 1.5 * u);
         parts::support(&mut list, d, 1.5 * u);
         // A ring lies behind what turns inside it.
-        let mut order: Vec<usize> = (0..self.wheels.len()).collect();
-        order.sort_by_key(|index| !self.wheels[*index].wheel.ring);
-        for index in order {
+        let (rings, discs): (Vec<usize>, Vec<usize>) =
+            (0..self.wheels.len()).partition(|index| self.wheels[*index].wheel.ring);
+        for index in rings.into_iter().chain(discs) {
             list.body(ROCKER + index);
             self.wheels[index].draw(&mut list, self.mixer.gears.module(), u);
         }

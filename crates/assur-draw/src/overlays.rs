@@ -57,7 +57,7 @@ impl Scales {
         let scales = Self([1, 2].map(|order| {
             let of_c = joints.iter().map(|[_, c]| c.derivative(order).norm());
             let mut lengths: Vec<f64> = of_c.collect();
-            lengths.sort_by(f64::total_cmp);
+            lengths.sort_unstable_by(f64::total_cmp);
             let usual = lengths.get(lengths.len() * 9 / 10).copied();
             Self::LONGEST * size / usual.unwrap_or(l1).max(l1)
         }));

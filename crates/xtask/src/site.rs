@@ -58,13 +58,13 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
     fs::write(&flags, format!("[target.{WASM}]\nrustflags = {list}\n"))
         .with_context(|| format!("{} cannot be written", flags.display()))?;
 
-    let mut cargo = workspace.cargo(["build", "--release", "--package", "assur-web"]);
+    let mut cargo = workspace.cargo(["build", "--profile", "page", "--package", "assur-web"]);
     cargo.args(["--target", WASM, "--config"]).arg(flags);
     run(&mut cargo, "building the wasm side")?;
     Ok(workspace
         .target()
         .join(WASM)
-        .join("release")
+        .join("page")
         .join("assur_web.wasm"))
 }
 

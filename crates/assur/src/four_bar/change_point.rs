@@ -24,7 +24,7 @@ impl FourBar {
         let at_zero = self.changes_at_zero().then_some([0.0, TAU]);
         let mut cranks: Vec<f64> = at_pi.into_iter().chain(at_zero).flatten().collect();
         cranks.retain(|crank| (start..end).contains(crank));
-        cranks.sort_by(f64::total_cmp);
+        cranks.sort_unstable_by(f64::total_cmp);
         cranks
             .into_iter()
             .filter_map(|crank| {

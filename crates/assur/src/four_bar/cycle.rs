@@ -76,7 +76,7 @@ impl Cycle {
         let width = to - from;
         // Unfold the to and fro into a straight line of period 2 width: there on
         // its first half, back on its second.
-        let travelled = (crank.clamp(from, to) - from + step).rem_euclid(2.0 * width);
+        let travelled = (crank.max(from).min(to) - from + step).rem_euclid(2.0 * width);
         if travelled <= width {
             ((from + travelled).min(to), 1.0)
         } else {

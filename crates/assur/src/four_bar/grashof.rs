@@ -1,6 +1,6 @@
 //! Grashof's classes.
 
-use super::{FourBar, Link, tolerance};
+use super::{FourBar, tolerance};
 
 /// The kind of a four-bar by Grashof: which link can turn fully against which
 /// (s shortest, l longest, p and q the others).
@@ -25,10 +25,9 @@ impl FourBar {
     /// Grashof's class; a change point is told apart within
     /// |s + l − p − q| ≤ 8 ε (s + l).
     pub fn grashof(&self) -> Grashof {
-        let order = [Link::Crank, Link::Coupler, Link::Rocker, Link::Frame];
-        let mut sorted = order.map(|link| (self.length(link), link));
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let [(s, shortest), (p, _), (q, _), (l, _)] = sorted;
+        let mut sorted = self.lengths;
+        sorted.sort_unstable_by(f64::total_cmp);
+        let [s, p, q, l] = sorted;
         let excess = (s - p) + (l - q);
         if excess.abs() <= tolerance(&self.lengths) {
             return Grashof::ChangePoint;
@@ -36,11 +35,15 @@ impl FourBar {
         if excess > 0.0 {
             return Grashof::TripleRocker;
         }
-        match shortest {
-            Link::Crank => Grashof::CrankRocker,
-            Link::Coupler => Grashof::DoubleRocker,
-            Link::Rocker => Grashof::RockerCrank,
-            Link::Frame => Grashof::DoubleCrank,
+        let [crank, coupler, rocker, _] = self.lengths.map(|length| length == s);
+        if crank {
+            Grashof::CrankRocker
+        } else if coupler {
+            Grashof::DoubleRocker
+        } else if rocker {
+            Grashof::RockerCrank
+        } else {
+            Grashof::DoubleCrank
         }
     }
 }

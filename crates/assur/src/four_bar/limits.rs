@@ -67,7 +67,7 @@ impl FourBar {
                 turned += TAU;
             }
         }
-        cranks.sort_by(f64::total_cmp);
+        cranks.sort_unstable_by(f64::total_cmp);
         let limit = |crank| {
             let rocker = self.pose::<1>(assembly, crank).ok()?.rocker.value();
             Some(Limit { crank, rocker })

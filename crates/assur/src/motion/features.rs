@@ -103,12 +103,13 @@ fn features_of(
     };
     let seam = 0.5 * (most - least);
     let [zeros, turns] = [0, 1].map(|order| {
-        let mut found = all_roots(cycle, sweeps, sample, order, seam);
-        for sample in &mut found {
-            sample.crank = in_cycle(sample.crank);
+        let mut ordered: Vec<Sample> = Vec::new();
+        for mut found in all_roots(cycle, sweeps, sample, order, seam) {
+            found.crank = in_cycle(found.crank);
+            let at = ordered.partition_point(|other| other.crank < found.crank);
+            ordered.insert(at, found);
         }
-        found.sort_by(|a, b| a.crank.total_cmp(&b.crank));
-        found
+        ordered
     });
     let extremum = |sample: &Sample| {
         let bend = sample.f[2];
@@ -197,7 +198,7 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
             }
         }
         cranks.retain(|crank| (from..=to).contains(&crank));
-        cranks.sort_by(f64::total_cmp);
+        cranks.sort_unstable_by(f64::total_cmp);
         cranks
     };
     if cycle.is_full() {
