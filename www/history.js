@@ -7,8 +7,11 @@ import { OVERLAYS, withDocument, withView } from "assur/state.js";
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
-/** Each of these ends a step; what changes between two of them (a drag, a typed number) is one. */
-const ENDS = Object.freeze(["change", "focusout", "click", "pointerup", "pointercancel"]);
+/**
+ * Each of these ends a step; what changes between two of them (a drag, a typed number) is one. A drag ends with the next
+ * press: the last movement of a slider may be told after the finger is lifted.
+ */
+const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 
 export class History {
   /** @type {Moment[]} */
@@ -18,6 +21,8 @@ export class History {
   /** Whether what changes now belongs to the step before. */
   #open = false;
   #walking = false;
+  /** Whether a pointer has changed, or changes, something. */
+  #pointed = false;
   #store;
   #drafts;
 
@@ -39,8 +44,14 @@ export class History {
         // A slider moved by keys changes at every press: they are one step until the focus leaves it.
         const pressed = end === "change" && target instanceof HTMLInputElement && target.type === "range";
         if (!pressed) this.close();
-      });
+        if (end === "pointerdown") this.#pointed = true;
+      }, true);
     }
+    // Keys after a drag are another step.
+    addEventListener("keydown", () => {
+      if (this.#pointed) this.close();
+      this.#pointed = false;
+    }, true);
   }
 
   get canUndo() {
