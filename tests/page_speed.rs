@@ -146,6 +146,7 @@ async fn memory(page: &Page) {
             .fold(0.0, |most: f64, held| most.max(held[index]));
         for (when, bytes) in [
             ("at first", held[0][index]),
+            ("half way", held[held.len() / 2][index]),
             ("most", most),
             ("at last", held[held.len() - 1][index]),
         ] {
