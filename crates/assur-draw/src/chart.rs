@@ -7,7 +7,6 @@
 //! sign is the reader's).
 
 mod curves;
-mod thin;
 mod ticks;
 
 use plotters::coord::Shift;
@@ -247,12 +246,10 @@ impl Chart {
         if y0 < 0.0 && y1 > 0.0 {
             lines.push((vec![(x0, 0.0), (x1, 0.0)], Role::Secondary, FINE));
         }
-        let pixels = [panel.width / (x1 - x0), panel.height / (y1 - y0)];
         // Extrema are full dots, zeros open ones, differences small ones.
         let mut dots: Vec<Dot> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
             let runs = curve.within(y0, y1).into_iter();
-            let runs = runs.map(|run| thin::thinned(&run, pixels));
             lines.extend(runs.map(|run| (run, series.role, 2 * FINE)));
             for mark in curve.marks(y0, y1) {
                 let at = (mark.crank, mark.value);
