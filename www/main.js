@@ -31,7 +31,7 @@ import { Transport } from "assur/transport.js";
 import { LANGUAGES, Words, preferredLanguage } from "assur/words.js";
 
 /** Numbers that change faster than this cannot be read; in seconds. */
-const WRITING_PERIOD = 0.1;
+const WRITING_PERIOD = 0.2;
 
 /**
  * Puts the page together and draws it for the first time.
@@ -84,7 +84,7 @@ function run(engine, habits, opening, startWords) {
     hands,
     chart,
     cursor,
-    new Transport(store, model, drafts),
+    new Transport(store, model, drafts, theme),
     new Rail(store, engine, drafts),
     new PlotBar(store, engine, drafts),
     new StatusLine(),

@@ -1,6 +1,7 @@
 // The bottom bar: play and pause, direction, steps, scrubber, exact angle, speed.
 import { degrees } from "assur/angles.js";
 import { byId, make } from "assur/dom.js";
+import { Lane } from "assur/lane.js";
 import { NumberBox } from "assur/number-box.js";
 import { placed, turned } from "assur/player.js";
 import { withView } from "assur/state.js";
@@ -23,21 +24,25 @@ export class Transport {
   #play = byId("play", HTMLButtonElement);
   #reverse = byId("reverse", HTMLButtonElement);
   #scrubber = byId("scrubber", HTMLInputElement);
-  #runner = byId("scrubber-runner", HTMLElement);
+  #lane;
   #speed = byId("speed", HTMLSelectElement);
   #angle;
   /** @type {View | null} the view the controls show */
   #view = null;
   /** @type {Cycle | null} the cycle the scrubber was made for */
   #cycle = null;
+  /** @type {[number, number][] | null} the parts of the scrubber where it can be assembled, if not all of them */
+  #arcs = null;
   #lang = "";
 
   /**
    * @param {import("assur/store.js").Store<State>} store
    * @param {Model} model
    * @param {import("assur/drafts.js").Drafts} drafts
+   * @param {import("assur/theme.js").Theme} theme
    */
-  constructor(store, model, drafts) {
+  constructor(store, model, drafts, theme) {
+    this.#lane = new Lane(byId("lane", HTMLCanvasElement), theme);
     const put = (/** @type {number} */ phiDeg) => store.update((state) => placed(state, phiDeg, model));
     const step = (/** @type {number} */ by) => {
       drafts.drop("phi_deg");
@@ -75,8 +80,7 @@ export class Transport {
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
     if (this.#cycle !== summary.cycle) this.#fit(summary.cycle);
     const [start, end] = [degrees(summary.cycle.start), degrees(summary.cycle.end)];
-    const part = (phiDeg - start) / (end - start);
-    this.#runner.style.transform = `translateX(${(100 * part).toFixed(3)}%)`;
+    this.#lane.show((phiDeg - start) / (end - start), this.#arcs);
     if (legible) this.#write(snapshot);
   }
 
@@ -150,10 +154,7 @@ export class Transport {
     const { start, end, full, arcs } = cycle;
     this.#scrubber.min = String(degrees(start));
     this.#scrubber.max = String(degrees(end));
-    const track = byId("scrubber", HTMLInputElement).parentElement;
-    const part = (/** @type {number} */ phi) => `${((100 * (phi - start)) / (end - start)).toFixed(3)}%`;
-    const stops = arcs.map(([from, to]) => `transparent ${part(from)}, var(--open) ${part(from)} ${part(to)}, transparent ${part(to)}`);
-    track?.style.setProperty("--arcs", full ? "none" : `linear-gradient(to right, ${stops.join(", ")})`);
-    track?.toggleAttribute("data-partial", !full);
+    const part = (/** @type {number} */ phi) => (phi - start) / (end - start);
+    this.#arcs = full ? null : arcs.map(([from, to]) => [part(from), part(to)]);
   }
 }
