@@ -6,6 +6,7 @@ import { across, down, shows, written } from "assur/panels.js";
 import { setData } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
 import { Surface } from "assur/surface.js";
+import { textWidth } from "assur/text-width.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -64,7 +65,6 @@ export class ChartCursor {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     this.#surface.clear();
-    const { context } = this.#surface;
     const hovered = this.#hovered;
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
     const { panels } = this.#chart;
@@ -92,8 +92,8 @@ export class ChartCursor {
   #angle(panel, phi, { words }) {
     const { context } = this.#surface;
     const text = `${words.numbers.fixed(degrees(phi), 1)}°`;
-    setChartFont(context, this.#theme);
-    const width = context.measureText(text).width + 10;
+    const font = setChartFont(context, this.#theme);
+    const width = textWidth(context, font, text) + 10;
     const middle = across(panel, phi);
     const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
     this.#tag(left, panel.top - this.#tall - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
@@ -160,8 +160,8 @@ export class ChartCursor {
    */
   #tags(panel, x, dots) {
     const { context } = this.#surface;
-    setChartFont(context, this.#theme);
-    const widths = dots.map(({ text }) => context.measureText(text).width + 10);
+    const font = setChartFont(context, this.#theme);
+    const widths = dots.map(({ text }) => textWidth(context, font, text) + 10);
     const widest = Math.max(...widths);
     const [dot, tall] = [this.#dot, this.#tall];
     const toTheLeft = x + dot + 6 + widest > panel.left + panel.width + 8;

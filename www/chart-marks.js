@@ -2,6 +2,7 @@
 import { degrees } from "assur/angles.js";
 import { setChartFont } from "assur/chart-text.js";
 import { across, down, written } from "assur/panels.js";
+import { textWidth } from "assur/text-width.js";
 
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
@@ -33,7 +34,7 @@ const MOST_COVERED = 4;
  * @param {Theme} theme
  */
 export function drawMarks(context, panel, title, words, theme) {
-  setChartFont(context, theme);
+  const font = setChartFont(context, theme);
   context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
@@ -43,7 +44,7 @@ export function drawMarks(context, panel, title, words, theme) {
   const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, words);
-    const box = freePlace(panel, mark, context.measureText(text).width, taken, points, theme.scale);
+    const box = freePlace(panel, mark, textWidth(context, font, text), taken, points, theme.scale);
     if (!box) continue;
     taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
     const middle = (box.top + box.bottom) / 2;

@@ -1,6 +1,7 @@
 // The text of the chart: titles with units and the numbers along the axes.
 import { radians } from "assur/angles.js";
 import { across, down, inDegrees, power, subscript, symbol } from "assur/panels.js";
+import { textWidth } from "assur/text-width.js";
 
 /**
  * @typedef {import("assur/chart-marks.js").Box} Box
@@ -33,9 +34,12 @@ export function drawChartText(context, panels, words, theme) {
  * @param {import("assur/painter.js").Context} context
  * @param {Theme} theme
  * @param {number} [size]
+ * @returns {string} the font
  */
 export function setChartFont(context, theme, size = SIZE) {
-  context.font = `${size * theme.scale}px ${theme.font}`;
+  const font = `${size * theme.scale}px ${theme.font}`;
+  context.font = font;
+  return font;
 }
 
 /**
@@ -53,15 +57,16 @@ function drawTitle(context, panel, words, theme) {
   const write = (/** @type {string} */ text, /** @type {string} */ colour) => {
     context.fillStyle = colour;
     context.fillText(text, right, top - 9 * theme.scale);
-    right += context.measureText(text).width;
+    right += textWidth(context, font, text);
   };
-  context.font = `600 ${14 * theme.scale}px ${theme.font}`;
+  let font = `600 ${14 * theme.scale}px ${theme.font}`;
+  context.font = font;
   for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
-  setChartFont(context, theme, 12);
+  font = setChartFont(context, theme, 12);
   const unit = words.text(unitOf(panel), { power: powerOf(panel) });
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel) })}` : "";
   // Where all of it has no room, the unit goes without its name.
-  const fits = right + context.measureText(`  ${unit}${proof}`).width <= left + panel.width;
+  const fits = right + textWidth(context, font, `  ${unit}${proof}`) <= left + panel.width;
   write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
@@ -135,7 +140,7 @@ function drawValues(context, panel, words, theme) {
  * @param {Theme} theme
  */
 function drawAngles(context, panel, words, theme) {
-  setChartFont(context, theme);
+  const font = setChartFont(context, theme);
   context.textBaseline = "top";
   context.fillStyle = theme.colours.secondary;
   const right = panel.left + panel.width;
@@ -143,7 +148,7 @@ function drawAngles(context, panel, words, theme) {
   let free = -Infinity;
   for (const { value } of panel.xticks) {
     const text = `${words.numbers.upTo(value, 2)}°`;
-    const half = context.measureText(text).width / 2;
+    const half = textWidth(context, font, text) / 2;
     // Numbers at the very ends stay on the canvas; numbers without room are left out.
     const middle = Math.min(across(panel, radians(value)), right + 8 - half);
     if (middle - half < free) continue;

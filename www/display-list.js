@@ -2,7 +2,8 @@
 
 /**
  * @typedef {Path2D | import("assur/export/svg.js").SvgPath} Path
- * @typedef {{ role: string, look: number, path: Path, loops?: Float32Array[] }} Shape of polygons also the corners of each
+ * @typedef {{ record: Float32Array, role: string, look: number, path: Path, loops?: Float32Array[] }} Shape
+ * Where it stands in the list; of polygons also the corners of each.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -19,9 +20,13 @@ const TEXT = 4;
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
  * @param {() => Path} newPath an empty path
+ * @param {readonly Layer[]} [before] read earlier with the same roles and kind of path; shapes that are as they were are
+ * taken over, with all that was made for painting them
  * @returns {Layer[]} in the order of painting
  */
-export function readDisplayList(list, start, roles, labels, newPath) {
+export function readDisplayList(list, start, roles, labels, newPath, before = []) {
+  const known = before.flatMap(({ shapes }) => shapes);
+  let count = 0;
   /** @type {Layer} */
   let layer = { body: 0, shapes: [], labels: [] };
   const layers = [layer];
@@ -37,22 +42,48 @@ export function readDisplayList(list, start, roles, labels, newPath) {
       layer.labels.push({ role: roles[role], label: labels[label], x, y, dx, dy });
       at += 7;
     } else if (kind === POLYGONS || kind === POLYLINE || kind === CIRCLE) {
-      const path = newPath();
-      /** @type {Shape} */
-      const shape = { role: roles[list[at + 1]], look: list[at + 2], path };
+      const old = known[count];
+      const shape = old && stands(old.record, list, at) ? old : readShape(list, at, roles, newPath);
       layer.shapes.push(shape);
-      if (kind === POLYGONS) at = addPolygons(shape, list, at + 3);
-      else if (kind === POLYLINE) at = addPoints(path, list, at + 3);
-      else {
-        path.arc(list[at + 3], list[at + 4], list[at + 5], 0, 2 * Math.PI);
-        path.closePath();
-        at += 6;
-      }
+      at += shape.record.length;
+      count += 1;
     } else {
       throw new Error(`display list: no record ${kind}`);
     }
   }
   return layers;
+}
+
+/**
+ * @param {Float32Array} record records tell their own length: one that begins alike is the same
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {boolean} whether the record stands there, too
+ */
+function stands(record, list, at) {
+  return record.every((value, i) => value === list[at + i]);
+}
+
+/**
+ * @param {Float32Array} list
+ * @param {number} at
+ * @param {readonly string[]} roles
+ * @param {() => Path} newPath
+ * @returns {Shape}
+ */
+function readShape(list, at, roles, newPath) {
+  const path = newPath();
+  /** @type {Shape} */
+  const shape = { record: list, role: roles[list[at + 1]], look: list[at + 2], path };
+  let end = at + 6;
+  if (list[at] === POLYGONS) end = addPolygons(shape, list, at + 3);
+  else if (list[at] === POLYLINE) end = addPoints(path, list, at + 3);
+  else {
+    path.arc(list[at + 3], list[at + 4], list[at + 5], 0, 2 * Math.PI);
+    path.closePath();
+  }
+  shape.record = list.subarray(at, end);
+  return shape;
 }
 
 /**

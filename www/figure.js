@@ -16,6 +16,9 @@ import { paintSquares } from "assur/sheet.js";
  * @typedef {{ readonly width: number, readonly height: number }} Size in CSS pixels
  */
 
+/** Labels that hold a number: in motion they change in every frame. */
+const NUMBERS = Object.freeze(["phi1", "mu"]);
+
 export class Figure {
   #engine;
   #theme;
@@ -51,7 +54,7 @@ export class Figure {
     const { scene, frame, revision } = snapshot;
     if (this.#revision !== revision) {
       this.#revision = revision;
-      const layers = this.#read(scene, 0);
+      const layers = this.#read(scene, 0, [...this.#still, ...this.#rigid]);
       const moving = layers.findIndex(({ body }) => body !== 0);
       this.#still = layers.slice(0, moving);
       this.#rigid = layers.slice(moving);
@@ -91,7 +94,7 @@ export class Figure {
   paintLabels(sheet, view, small) {
     const snapshot = this.#snapshot;
     if (!snapshot) return;
-    const write = (/** @type {string} */ label) => labelText(label, snapshot);
+    const write = (/** @type {string} */ label) => ({ text: labelText(label, snapshot), lasting: !NUMBERS.includes(label) });
     const taken = small ? [] : null;
     for (const layers of [this.#still, this.#rigid, this.#changing]) {
       this.#painter.labels(sheet, layers, view, this.#poses, write, taken);
@@ -101,9 +104,10 @@ export class Figure {
   /**
    * @param {Float32Array} list
    * @param {number} start
+   * @param {readonly Layer[]} [before]
    */
-  #read(list, start) {
-    return readDisplayList(list, start, this.#engine.roles, this.#engine.labels, this.#newPath);
+  #read(list, start, before) {
+    return readDisplayList(list, start, this.#engine.roles, this.#engine.labels, this.#newPath, before);
   }
 }
 

@@ -1,5 +1,7 @@
 // Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
 import { outlined } from "assur/outline.js";
+import { Stamps } from "assur/stamps.js";
+import { textWidth } from "assur/text-width.js";
 
 /**
  * @typedef {import("assur/display-list.js").Layer} Layer
@@ -32,6 +34,8 @@ const LOOKS = [
 const TEXT_SIZE = 15;
 /** How much smaller text is on a small sheet. */
 const SMALL = 0.85;
+/** Width of the halo around it. */
+const HALO = 4;
 /** @type {number[]} */
 const NO_DASH = [];
 
@@ -39,6 +43,7 @@ export class Painter {
   #theme;
   /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
   #bands = new WeakMap();
+  #stamps = new Stamps();
 
   /** @param {Theme} theme */
   constructor(theme) {
@@ -69,32 +74,69 @@ export class Painter {
    * @param {readonly Layer[]} layers
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
-   * @param {(label: string) => string} write what stands for a label
+   * @param {(label: string) => { text: string, lasting: boolean }} write what stands for a label; whether it stays so in motion
    * @param {Box[] | null} taken where labels are on a small sheet; another in their place is left out
    */
   labels({ context, ratio }, layers, view, poses, write, taken) {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const size = TEXT_SIZE * this.#theme.scale * (taken ? SMALL : 1);
-    context.font = `600 ${size}px ${this.#theme.font}`;
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.lineJoin = "round";
-    context.lineWidth = 4;
-    context.strokeStyle = this.#theme.sheet;
+    const font = `600 ${size}px ${this.#theme.font}`;
+    context.font = font;
     for (const layer of layers) {
       if (layer.labels.length === 0) continue;
       const [x, y, angle] = poses[layer.body];
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
       for (const label of layer.labels) {
-        const text = write(label.label);
+        const { text, lasting } = write(label.label);
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
         const [at, down] = [left + label.dx * size, top - label.dy * size];
-        if (taken && !claim(taken, at, down, context.measureText(text).width, size)) continue;
-        context.strokeText(text, at, down);
-        context.fillStyle = this.#theme.colours[label.role];
-        context.fillText(text, at, down);
+        const width = textWidth(context, font, text);
+        if (taken && !claim(taken, at, down, width, size)) continue;
+        const colour = this.#theme.colours[label.role];
+        if (lasting && context instanceof CanvasRenderingContext2D) this.#stamp({ context, ratio }, font, text, colour, at, down, width + 2 * HALO, 2 * size);
+        else this.#write(context, text, colour, at, down);
       }
     }
+  }
+
+  /**
+   * @param {Readonly<{ context: CanvasRenderingContext2D, ratio: number }>} sheet
+   * @param {string} font
+   * @param {string} text
+   * @param {string} colour
+   * @param {number} x its middle
+   * @param {number} y
+   * @param {number} width room for it
+   * @param {number} height
+   */
+  #stamp({ context, ratio }, font, text, colour, x, y, width, height) {
+    const [wide, tall] = [Math.ceil(width * ratio), Math.ceil(height * ratio)];
+    const picture = this.#stamps.get(`${text} ${colour} ${font} ${this.#theme.sheet} ${ratio}`, wide, tall, (sheet) => {
+      sheet.scale(ratio, ratio);
+      sheet.font = font;
+      this.#write(sheet, text, colour, width / 2, height / 2);
+    });
+    // On whole pixels of the screen, where it stays as sharp as it was made.
+    const [left, top] = [Math.round((x - width / 2) * ratio), Math.round((y - height / 2) * ratio)];
+    context.drawImage(picture, left / ratio, top / ratio, wide / ratio, tall / ratio);
+  }
+
+  /**
+   * @param {Context} context with the font
+   * @param {string} text
+   * @param {string} colour
+   * @param {number} x its middle
+   * @param {number} y
+   */
+  #write(context, text, colour, x, y) {
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = HALO;
+    context.strokeStyle = this.#theme.sheet;
+    context.strokeText(text, x, y);
+    context.fillStyle = colour;
+    context.fillText(text, x, y);
   }
 
   /**

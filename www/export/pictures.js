@@ -2,6 +2,7 @@
 import { setChartFont } from "assur/chart-text.js";
 import { make } from "assur/dom.js";
 import { symbol } from "assur/panels.js";
+import { textWidth } from "assur/text-width.js";
 import { Theme } from "assur/theme.js";
 import { Svg, SvgPath } from "assur/export/svg.js";
 
@@ -105,13 +106,13 @@ export function withLegend(chart, theme) {
 function legend({ panels, size }, theme) {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   if (!context) throw new Error("no 2d context");
-  setChartFont(context, theme, 12);
+  const font = setChartFont(context, theme, 12);
   let left = LEFT;
   let row = 0;
   const series = panels[0]?.series ?? [];
   const entries = series.map(({ name, role }) => {
     const text = symbol(name, 0, false);
-    const width = SAMPLE + ROOM + context.measureText(text).width;
+    const width = SAMPLE + ROOM + textWidth(context, font, text);
     if (left > LEFT && left + width > size.width) {
       left = LEFT;
       row += 1;
