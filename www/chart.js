@@ -9,7 +9,6 @@ import { Surface } from "assur/surface.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/model.js").Snapshot} Snapshot
- * @typedef {import("assur/painter.js").Context} Context
  * @typedef {import("assur/theme.js").Theme} Theme
  */
 
@@ -52,7 +51,7 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.visible) return;
     this.#surface.clear();
-    this.panels = this.#paint(this.#surface.context, this.#surface.ratio, snapshot, this.#theme);
+    this.panels = this.#paint(this.#surface, snapshot, this.#theme, false);
     this.#redrawn();
   }
 
@@ -66,21 +65,23 @@ export class ChartView {
    * @param {import("assur/painter.js").Sheet} sheet
    * @param {Theme} theme
    */
-  paint({ context, ratio }, theme) {
-    if (this.#snapshot) this.#paint(context, ratio, this.#snapshot, theme);
+  paint(sheet, theme) {
+    if (this.#snapshot) this.#paint(sheet, this.#snapshot, theme, true);
   }
 
   /**
-   * @param {Context} context one unit of which is one CSS pixel
-   * @param {number} ratio of whose device pixels there are to it
+   * @param {import("assur/painter.js").Sheet} sheet one unit of which is one CSS pixel
    * @param {Snapshot} snapshot
    * @param {Theme} theme
+   * @param {boolean} whole whether the curves go through all their points
    * @returns {readonly Panel[]} where the plots are
    */
-  #paint(context, ratio, { words }, theme) {
+  #paint({ context, ratio }, { words }, theme, whole) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio }));
+    // Not as the text that was written last left it.
+    context.lineJoin = "round";
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole }));
     const panels = drawn.value?.panels ?? [];
     const titles = drawChartText(context, panels, words, theme);
     panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));

@@ -32,7 +32,7 @@ import init, { Simulator, labelNames, presets, readState, roleNames } from "assu
  *   xticks: { value: number }[], yticks: { value: number }[],
  *   series: { name: string, role: string }[], marks: Mark[], points: number[],
  * }} Panel
- * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number }} ChartRequest
+ * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number, whole: boolean }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
  * @typedef {{ columns: string[], rows: { phi_deg: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
  */

@@ -12,6 +12,11 @@ use plotters_backend::{
 };
 use web_sys::CanvasRenderingContext2d;
 
+use crate::thin::thinned;
+
+/// How far a line on a screen may be from a point that is left out, pixels.
+const UNSEEN: f64 = 1.0 / 32.0;
+
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
 /// A canvas of a width and height in pixels of the reader.
@@ -19,16 +24,24 @@ pub(crate) struct Canvas<'a> {
     context: &'a CanvasRenderingContext2d,
     size: (u32, u32),
     ratio: f64,
+    whole: bool,
 }
 
 impl<'a> Canvas<'a> {
     /// Draws on `context`, whose transform maps pixels of the reader to the
-    /// backing store, `ratio` times as many.
-    pub(crate) fn new(context: &'a CanvasRenderingContext2d, size: (u32, u32), ratio: f64) -> Self {
+    /// backing store, `ratio` times as many; through all points of a curve where
+    /// it is to be `whole`, else through as many as can be told apart.
+    pub(crate) fn new(
+        context: &'a CanvasRenderingContext2d,
+        size: (u32, u32),
+        ratio: f64,
+        whole: bool,
+    ) -> Self {
         Self {
             context,
             size,
             ratio,
+            whole,
         }
     }
 
@@ -86,6 +99,9 @@ impl DrawingBackend for Canvas<'_> {
     ) -> Drawn {
         let mut path: Vec<_> = path.into_iter().map(place).collect();
         let width = sharpened(&mut path, width(style), self.ratio);
+        if !self.whole {
+            path = thinned(&path, UNSEEN / self.ratio);
+        }
         self.trace(path);
         self.stroke(style, width);
         Ok(())

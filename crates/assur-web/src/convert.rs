@@ -84,6 +84,9 @@ pub(crate) struct ChartRequest {
     /// Pixels of the screen to one of the reader.
     #[serde(default = "usual")]
     pub(crate) ratio: f64,
+    /// Whether curves go through all their points: for a picture that may be enlarged.
+    #[serde(default)]
+    pub(crate) whole: bool,
 }
 
 fn usual() -> f64 {

@@ -6,5 +6,6 @@ mod convert;
 mod simulator;
 mod summary;
 mod table;
+mod thin;
 
 pub use simulator::{Simulator, label_names, presets, read_state, role_names, version};

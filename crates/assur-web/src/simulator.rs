@@ -213,7 +213,8 @@ impl Simulator {
     ) -> Result<JsValue, JsValue> {
         let loaded = self.loaded()?;
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
-        let canvas = Canvas::new(context, (request.width, request.height), request.ratio);
+        let size = (request.width, request.height);
+        let canvas = Canvas::new(context, size, request.ratio, request.whole);
         let drawn = loaded.chart.draw(
             &canvas.into_drawing_area(),
             &request.palette(),
