@@ -64,6 +64,39 @@ impl<const N: usize> Jet<N> {
         Self(root)
     }
 
+    /// The reciprocal; the value must not vanish for finite derivatives.
+    pub fn recip(self) -> Self {
+        let c = self.0;
+        let mut inverse = [0.0; N];
+        for k in 0..N {
+            let inner: f64 = (1..=k).map(|i| c[i] * inverse[k - i]).sum();
+            inverse[k] = if k == 0 { 1.0 } else { -inner } / c[0];
+        }
+        Self(inverse)
+    }
+
+    /// The first `M` of the coefficients carried; what is not carried is zero.
+    pub fn truncated<const M: usize>(self) -> Jet<M> {
+        Jet(std::array::from_fn(|k| {
+            self.0.get(k).copied().unwrap_or(0.0)
+        }))
+    }
+
+    /// The angle of the unit vector (`x`, `self`), its value in [−π, π]: as
+    /// [`Self::atan2`] does, where x² + y² is known to be 1 at any input.
+    pub fn unit_atan2(self, x: Self) -> Self {
+        let (y, x) = (self.0, x.0);
+        Self(std::array::from_fn(|k| {
+            if k == 0 {
+                return y[0].atan2(x[0]);
+            }
+            let rate: f64 = (1..=k)
+                .map(|i| i as f64 * (x[k - i] * y[i] - y[k - i] * x[i]))
+                .sum();
+            rate / k as f64
+        }))
+    }
+
     /// Sine and cosine.
     pub fn sin_cos(self) -> (Self, Self) {
         let a = self.0;

@@ -26,7 +26,9 @@ pub mod gears;
 mod geometry;
 mod invalid;
 mod jet;
+pub mod mechanism;
 pub mod motion;
+mod position;
 pub mod structure;
 
 pub use four_bar::{

@@ -8,17 +8,44 @@ use super::FourBar;
 /// else the arcs on which the loop can be closed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// Whole turns after which the motion repeats: 1, or 2 at a change point
-    /// that carries one assembly over into the other; none where the crank
-    /// cannot turn fully.
-    turns: Option<u8>,
+    /// What the input grows by until the motion repeats, or looks the same:
+    /// turns of a crank (two, say, at a change point that carries one assembly
+    /// over into the other); none for a driven slide.
+    period: Option<f64>,
+    full: bool,
     arcs: Vec<[f64; 2]>,
 }
 
 impl Cycle {
+    /// A crank that turns fully; the motion repeats after so many turns.
+    pub(crate) fn turning(turns: usize) -> Self {
+        let period = TAU * turns as f64;
+        Self {
+            period: Some(period),
+            full: true,
+            arcs: vec![[0.0, period]],
+        }
+    }
+
+    /// A driver that goes to and fro between two inputs; `period`: a turn, if it
+    /// is a crank.
+    pub(crate) fn swinging(arc: [f64; 2], period: Option<f64>) -> Self {
+        Self {
+            period,
+            full: false,
+            arcs: vec![arc],
+        }
+    }
+
     /// True where the crank turns fully.
     pub fn is_full(&self) -> bool {
-        self.turns.is_some()
+        self.full
+    }
+
+    /// What the input grows by until the motion repeats: whole turns of a crank
+    /// that turns fully, one turn of another, none for a driven slide.
+    pub fn period(&self) -> Option<f64> {
+        self.period
     }
 
     /// The arcs of crank angle, ascending, ends included.
@@ -26,13 +53,19 @@ impl Cycle {
         &self.arcs
     }
 
-    /// The stretch of crank angle to show: the period, or the turn that holds
-    /// every arc in one piece, from 0 or from −π.
+    /// The stretch of the input to show: the period, or the turn that holds every
+    /// arc in one piece, from 0 or from −π if it can; a slide's range.
     pub fn axis(&self) -> [f64; 2] {
-        match self.turns {
-            Some(turns) => [0.0, TAU * f64::from(turns)],
-            None if self.arcs[0][0] < 0.0 => [-PI, PI],
-            None => [0.0, TAU],
+        let [from, to] = [self.arcs[0][0], self.arcs[self.arcs.len() - 1][1]];
+        match self.period {
+            Some(period) if self.full => [0.0, period],
+            Some(_) if from >= 0.0 && to <= TAU => [0.0, TAU],
+            Some(_) if from >= -PI && to <= PI => [-PI, PI],
+            Some(turn) if to - from <= turn => {
+                let start = 0.5 * (from + to - turn);
+                [start, start + turn]
+            }
+            _ => [from, to],
         }
     }
 
@@ -44,10 +77,11 @@ impl Cycle {
     /// `crank` brought into the axis by whole periods.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
-        if (start..=end).contains(&crank) {
-            crank
-        } else {
-            start + (crank - start).rem_euclid(end - start)
+        match self.period {
+            Some(_) if !(start..=end).contains(&crank) => {
+                start + (crank - start).rem_euclid(end - start)
+            }
+            _ => crank,
         }
     }
 
@@ -119,7 +153,11 @@ impl FourBar {
             (true, false) => (None, vec![[low, TAU - low]]),
             (true, true) => (None, vec![[low, high], [TAU - high, TAU - low]]),
         };
-        Cycle { turns, arcs }
+        Cycle {
+            period: Some(TAU * f64::from(turns.unwrap_or(1))),
+            full: turns.is_some(),
+            arcs,
+        }
     }
 
     /// The dead points: crank angles at the ends of the arcs, where coupler and

@@ -4,8 +4,10 @@ mod extrema;
 mod features;
 mod input;
 mod sweep;
+mod trace;
 
 pub use extrema::{Extremum, Kind, extrema};
 pub use features::{Features, features};
 pub use input::Input;
-pub use sweep::{Column, Motion, Row, sweep};
+pub use sweep::{Column, Row, Swept, sweep};
+pub use trace::{DeadPoint, DeadPointKind, Motion};

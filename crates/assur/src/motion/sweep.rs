@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::{Cycle, Jet, Unsolved};
 
 /// What has quantities that change with the crank angle.
-pub trait Motion {
+pub trait Swept {
     /// One of the quantities.
     type Quantity: Copy;
 
@@ -48,7 +48,7 @@ pub struct Row {
 /// The rows of a table: from crank angle 0 over the period of the motion, its end
 /// included, `steps` to a whole turn (at least one). Also where there is no pose;
 /// at a dead point there are values but no derivatives.
-pub fn sweep<M: Motion>(motion: &M, columns: &[Column<M::Quantity>], steps: u32) -> Vec<Row> {
+pub fn sweep<M: Swept>(motion: &M, columns: &[Column<M::Quantity>], steps: u32) -> Vec<Row> {
     let steps = steps.max(1);
     let [start, end] = motion.cycle().axis();
     let turns = ((end - start) / TAU).round() as u32;

@@ -2,13 +2,13 @@
 
 use super::quantity::coordinates;
 use super::{Mixer, Quantity, Tracked, Turning};
-use crate::motion::{Column, Motion};
+use crate::motion::{Column, Swept};
 use crate::{Cycle, Jet, Unsolved};
 
 /// Value, first and second derivative.
 const ORDERS: [usize; 3] = [0, 1, 2];
 
-impl Motion for Mixer {
+impl Swept for Mixer {
     type Quantity = Quantity;
 
     fn cycle(&self) -> Cycle {

@@ -1,0 +1,238 @@
+//! Whether what a draft names exists and makes sense: everything that can be said
+//! without geometry of the whole.
+
+use std::collections::BTreeSet;
+
+use super::body::driven;
+use super::draft::{Defect, Draft, DraftDriver, FRAME};
+use crate::gears::{Mesh, TEETH};
+
+/// Coordinates and lengths beyond this are no drawing.
+const FARTHEST: f64 = 1e9;
+/// Two points of a link closer than this beside the size of the drawing coincide.
+const CLOSEST: f64 = 1e-9;
+
+/// Every reason, none where the references of the draft are sound.
+pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
+    let mut found = Vec::new();
+    names(draft, &mut found);
+    numbers(draft, &mut found);
+    for link in &draft.links {
+        points_of(draft, &link.name, &link.points, &mut found);
+        shape(draft, link, &mut found);
+    }
+    points_of(draft, FRAME, &draft.frame, &mut found);
+    pairs(draft, &mut found);
+    found
+}
+
+fn names(draft: &Draft, found: &mut Vec<Defect>) {
+    let mut points = BTreeSet::new();
+    for point in &draft.points {
+        if !points.insert(&point.name) {
+            found.push(Defect::Twice(point.name.clone()));
+        }
+    }
+    let frame = FRAME.to_owned();
+    let mut links = BTreeSet::from([&frame]);
+    for link in &draft.links {
+        if !links.insert(&link.name) {
+            found.push(Defect::Twice(link.name.clone()));
+        }
+        if link.points.is_empty() {
+            found.push(Defect::Bare(link.name.clone()));
+        }
+    }
+    let named_points = draft
+        .links
+        .iter()
+        .flat_map(|link| link.points.iter().chain(&link.centre_of_mass));
+    let named_points = named_points.chain(&draft.frame);
+    let named_points = named_points.chain(
+        draft
+            .slides
+            .iter()
+            .flat_map(|s| s.line.iter().chain([&s.point])),
+    );
+    let named_links = draft.links.iter().filter_map(|link| link.fixed_to.as_ref());
+    let named_links = named_links.chain(draft.slides.iter().flat_map(|s| [&s.link, &s.on]));
+    let named_links = named_links.chain(
+        draft
+            .gears
+            .iter()
+            .flat_map(|g| g.links.iter().chain([&g.carrier])),
+    );
+    let named_links = named_links.chain(draft.drivers.iter().flat_map(|driver| match driver {
+        DraftDriver::Crank { link, base } => vec![link, base],
+        DraftDriver::Slide { .. } => Vec::new(),
+    }));
+    let unknown: BTreeSet<&String> = named_points
+        .filter(|name| !points.contains(name))
+        .chain(named_links.filter(|name| !links.contains(name)))
+        .collect();
+    found.extend(
+        unknown
+            .into_iter()
+            .map(|name| Defect::Unknown(name.clone())),
+    );
+}
+
+fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
+    let sound = |value: f64| value.is_finite() && value.abs() <= FARTHEST;
+    for point in &draft.points {
+        if !sound(point.at.x) || !sound(point.at.y) {
+            found.push(Defect::NotFinite(point.name.clone()));
+        }
+    }
+    for link in &draft.links {
+        let places = link.shape.iter().flatten();
+        let mass = link.mass.is_none_or(|mass| sound(mass) && mass >= 0.0);
+        if !mass || !places.clone().all(|at| sound(at.x) && sound(at.y)) {
+            found.push(Defect::NotFinite(link.name.clone()));
+        }
+    }
+    for driver in &draft.drivers {
+        if let DraftDriver::Slide {
+            range: [from, to], ..
+        } = driver
+            && !(sound(*from) && sound(*to) && from < to)
+        {
+            let name = driven(draft, driver).unwrap_or_default();
+            found.push(Defect::NotFinite(name.to_owned()));
+        }
+    }
+}
+
+/// The points of a link, or of the frame: none twice, no two at one place.
+fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defect>) {
+    let own = draft.link(link).and_then(|link| link.shape.as_ref());
+    let place = |k: usize| match own {
+        Some(shape) => shape.get(k).copied(),
+        None => draft.place(&points[k]),
+    };
+    for (k, point) in points.iter().enumerate() {
+        for (earlier, other) in points[..k].iter().enumerate() {
+            if point == other {
+                let (link, point) = (link.to_owned(), point.clone());
+                found.push(Defect::Repeated { link, point });
+            } else if link != FRAME
+                && k < 2
+                && let (Some(a), Some(b)) = (place(earlier), place(k))
+                && (a - b).norm() <= CLOSEST * draft.size()
+            {
+                let (link, points) = (link.to_owned(), [other.clone(), point.clone()]);
+                found.push(Defect::Coincident { link, points });
+            }
+        }
+    }
+}
+
+fn shape(_: &Draft, link: &super::DraftLink, found: &mut Vec<Defect>) {
+    let places = link.shape.as_ref().map(Vec::len);
+    if places.is_some_and(|places| places != link.points.len()) {
+        found.push(Defect::Shape(link.name.clone()));
+    }
+    if let Some(centre) = &link.centre_of_mass
+        && !link.points.contains(centre)
+    {
+        let (link, point) = (link.name.clone(), centre.clone());
+        found.push(Defect::NotOnLink { link, point });
+    }
+}
+
+/// Slides, gears, drivers and links fixed to others.
+fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
+    let has = |link: &str, point: &String| {
+        // A link has the points of those fixed to it and of what it is fixed to.
+        let root = root_of(draft, link);
+        let mut links = draft
+            .links
+            .iter()
+            .filter(|other| root_of(draft, &other.name) == root);
+        root == FRAME && draft.frame.contains(point)
+            || links.any(|other| other.points.contains(point))
+    };
+    for link in &draft.links {
+        if root_of(draft, &link.name).is_empty() {
+            found.push(Defect::WithItself(link.name.clone()));
+        }
+    }
+    for slide in &draft.slides {
+        let on_line = slide.line.iter().map(|point| (&slide.on, point));
+        for (link, point) in on_line.chain([(&slide.link, &slide.point)]) {
+            if !has(link, point) {
+                let (link, point) = (link.clone(), point.clone());
+                found.push(Defect::NotOnLink { link, point });
+            }
+        }
+        if slide.link == slide.on {
+            found.push(Defect::WithItself(slide.link.clone()));
+        }
+        if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| draft.place(name))
+            && (a - b).norm() <= CLOSEST * draft.size()
+        {
+            let (link, points) = (slide.on.clone(), slide.line.clone());
+            found.push(Defect::Coincident { link, points });
+        }
+    }
+    let hinged = |first: &str, second: &str| {
+        draft
+            .points
+            .iter()
+            .any(|p| has(first, &p.name) && has(second, &p.name))
+    };
+    for gear in &draft.gears {
+        let counts = gear
+            .teeth
+            .map(|z| z.is_finite() && z.fract() == 0.0 && (TEETH.0..=TEETH.1).contains(&z));
+        for (k, link) in gear.links.iter().enumerate() {
+            if !counts[k] {
+                let (link, value) = (link.clone(), gear.teeth[k]);
+                found.push(Defect::Teeth { link, value });
+            }
+            if *link == gear.carrier {
+                found.push(Defect::WithItself(link.clone()));
+            } else if !hinged(link, &gear.carrier) {
+                let links = [link.clone(), gear.carrier.clone()];
+                found.push(Defect::NotHinged { links });
+            }
+        }
+        if gear.links[0] == gear.links[1] {
+            found.push(Defect::WithItself(gear.links[0].clone()));
+        }
+        if gear.mesh == Mesh::Internal && gear.teeth[0] == gear.teeth[1] {
+            found.push(Defect::Concentric(gear.links.clone()));
+        }
+    }
+    if draft.drivers.is_empty() {
+        found.push(Defect::NoDriver);
+    }
+    for driver in &draft.drivers {
+        match driver {
+            DraftDriver::Crank { link, base } if link == base => {
+                found.push(Defect::WithItself(link.clone()));
+            }
+            DraftDriver::Crank { link, base } if !hinged(link, base) => {
+                let links = [link.clone(), base.clone()];
+                found.push(Defect::NotHinged { links });
+            }
+            DraftDriver::Slide { slide, .. } if *slide >= draft.slides.len() => {
+                found.push(Defect::NoDriver);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The link that a link is fixed to in the end: itself, another, or the frame;
+/// empty where it is fixed to itself over others.
+fn root_of<'a>(draft: &'a Draft, link: &'a str) -> &'a str {
+    let mut root = link;
+    for _ in 0..=draft.links.len() {
+        match draft.link(root).and_then(|link| link.fixed_to.as_deref()) {
+            Some(base) => root = base,
+            None => return root,
+        }
+    }
+    ""
+}

@@ -1,0 +1,270 @@
+//! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
+//! lists every reason why it is none.
+
+use crate::gears::Mesh;
+use crate::{Point, Vector};
+
+/// The name of the frame, a link that every draft has.
+pub const FRAME: &str = "frame";
+
+/// A linkage, sound or not. Things name each other; lengths in any one unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Draft {
+    /// Every point, with its place in the drawing.
+    pub points: Vec<DraftPoint>,
+    /// The points of the frame, by name; they stay where they are drawn.
+    pub frame: Vec<String>,
+    /// The moving links. Links that list the same point are hinged there.
+    pub links: Vec<DraftLink>,
+    /// Prismatic pairs.
+    pub slides: Vec<DraftSlide>,
+    /// Gear couplings.
+    pub gears: Vec<DraftGear>,
+    /// What is driven. The input is the first one's coordinate.
+    pub drivers: Vec<DraftDriver>,
+}
+
+/// A point. The drawing shows one pose: it says which of the assemblies is meant
+/// and, for a link without dimensions of its own, the dimensions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftPoint {
+    /// Its name, unlike every other point's.
+    pub name: String,
+    /// Where it is drawn.
+    pub at: Point,
+}
+
+/// A moving link: a rigid body that holds points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DraftLink {
+    /// Its name, unlike every other link's.
+    pub name: String,
+    /// Its points, by name: joints with other links that list them too, and
+    /// points of its own (tracer points, centres of mass). The link's angle runs
+    /// from its first to its second point.
+    pub points: Vec<String>,
+    /// The places of the points on the link, in the same order; none: as drawn.
+    pub shape: Option<Vec<Point>>,
+    /// The link this one is fixed to, as a wheel to its shaft: both turn as one.
+    pub fixed_to: Option<String>,
+    /// Its centre of mass, by name, one of its points.
+    pub centre_of_mass: Option<String>,
+    /// Its mass, kilograms.
+    pub mass: Option<f64>,
+}
+
+/// A prismatic pair: `link` slides along a straight line of the link `on`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftSlide {
+    /// The link that slides.
+    pub link: String,
+    /// Its point that stays at its drawn distance from the line.
+    pub point: String,
+    /// The link that has the line, or the frame.
+    pub on: String,
+    /// Two points of `on` that give the line.
+    pub line: [String; 2],
+}
+
+/// A gear coupling of two links that are hinged on the same carrier: seen from
+/// it, the second turns with the first, in the ratio of the teeth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftGear {
+    /// The two links.
+    pub links: [String; 2],
+    /// The link both are hinged on, or the frame.
+    pub carrier: String,
+    /// Numbers of teeth.
+    pub teeth: [f64; 2],
+    /// How they engage.
+    pub mesh: Mesh,
+}
+
+/// A driven pair.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DraftDriver {
+    /// A link turned about a point that it shares with `base`; the coordinate is
+    /// its angle against the base's.
+    Crank {
+        /// The link that is turned.
+        link: String,
+        /// The link, or the frame, against which it is turned.
+        base: String,
+    },
+    /// A slide moved along its line; the coordinate is the way of its point from
+    /// the first point of the line towards the second.
+    Slide {
+        /// Which of the slides.
+        slide: usize,
+        /// Least and greatest coordinate.
+        range: [f64; 2],
+    },
+}
+
+/// What makes a draft no mechanism, with the names of what is at fault.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Defect {
+    /// Two points, or two links, of one name; or a link named as the frame.
+    Twice(String),
+    /// A point, or a link, that is named somewhere and does not exist.
+    Unknown(String),
+    /// A coordinate, a mass or a range that is not finite, or out of any range.
+    NotFinite(String),
+    /// A link without points.
+    Bare(String),
+    /// Two points of a link at one place.
+    Coincident {
+        /// The link.
+        link: String,
+        /// Its points.
+        points: [String; 2],
+    },
+    /// A link that lists a point twice.
+    Repeated {
+        /// The link.
+        link: String,
+        /// The point.
+        point: String,
+    },
+    /// A link whose shape has not one place for each point.
+    Shape(String),
+    /// A point that a link should have, and has not.
+    NotOnLink {
+        /// The link.
+        link: String,
+        /// The point.
+        point: String,
+    },
+    /// A link fixed to, sliding on or geared with itself, or a ring of links
+    /// fixed to each other.
+    WithItself(String),
+    /// Two links that are to be hinged on each other and share no point.
+    NotHinged {
+        /// The links.
+        links: [String; 2],
+    },
+    /// A number of teeth that is not whole, positive and in range.
+    Teeth {
+        /// The wheel.
+        link: String,
+        /// As given.
+        value: f64,
+    },
+    /// Equal wheels in internal mesh: one would lie on the other.
+    Concentric([String; 2]),
+    /// No driver, or a driven slide that does not exist.
+    NoDriver,
+    /// Links that nothing joins to the frame.
+    Loose(Vec<String>),
+    /// Fewer drivers than freedoms: these links stay free.
+    Underdriven {
+        /// The mobility W by the count.
+        mobility: isize,
+        /// What is left free.
+        links: Vec<String>,
+    },
+    /// Links locked by too many pairs, or driven twice.
+    Locked {
+        /// The mobility W by the count.
+        mobility: isize,
+        /// What is locked.
+        links: Vec<String>,
+    },
+    /// Guides that are parallel where they must cross.
+    ParallelGuides {
+        /// The links that slide on them.
+        links: Vec<String>,
+    },
+    /// A group for which no way of solving it is known yet.
+    Unsupported {
+        /// Its links.
+        links: Vec<String>,
+    },
+    /// Links that cannot be joined in the drawn position.
+    Open {
+        /// The links of the group.
+        links: Vec<String>,
+        /// By how much they miss each other; zero where they are joined only in
+        /// line, at a dead point.
+        by: f64,
+    },
+    /// A point that its links put elsewhere than it is drawn, too far for the
+    /// drawing to tell the assembly.
+    Misdrawn {
+        /// The point.
+        point: String,
+        /// By this length.
+        by: f64,
+    },
+}
+
+/// Writing a draft line by line; nothing is checked yet.
+impl Draft {
+    /// With a point drawn at (x, y).
+    #[must_use]
+    pub fn point(mut self, name: &str, x: f64, y: f64) -> Self {
+        let (name, at) = (name.to_owned(), Point::new(x, y));
+        self.points.push(DraftPoint { name, at });
+        self
+    }
+
+    /// With points of the frame.
+    #[must_use]
+    pub fn fixed(mut self, points: &[&str]) -> Self {
+        self.frame
+            .extend(points.iter().map(|point| (*point).to_owned()));
+        self
+    }
+
+    /// With a moving link of these points, as drawn.
+    #[must_use]
+    pub fn bar(mut self, name: &str, points: &[&str]) -> Self {
+        self.links.push(DraftLink {
+            name: name.to_owned(),
+            points: points.iter().map(|point| (*point).to_owned()).collect(),
+            ..DraftLink::default()
+        });
+        self
+    }
+
+    /// With a link that slides, by a point of it, along the line of two points.
+    #[must_use]
+    pub fn slide(mut self, link: &str, point: &str, on: &str, line: [&str; 2]) -> Self {
+        self.slides.push(DraftSlide {
+            link: link.to_owned(),
+            point: point.to_owned(),
+            on: on.to_owned(),
+            line: line.map(str::to_owned),
+        });
+        self
+    }
+
+    /// Driven by turning a link on the frame.
+    #[must_use]
+    pub fn crank(mut self, link: &str) -> Self {
+        let (link, base) = (link.to_owned(), FRAME.to_owned());
+        self.drivers.push(DraftDriver::Crank { link, base });
+        self
+    }
+
+    /// Where a point is drawn.
+    pub(super) fn place(&self, name: &str) -> Option<Point> {
+        let point = self.points.iter().find(|point| point.name == name);
+        point.map(|point| point.at)
+    }
+
+    /// The link of this name.
+    pub(super) fn link(&self, name: &str) -> Option<&DraftLink> {
+        self.links.iter().find(|link| link.name == name)
+    }
+
+    /// The diagonal of the drawing: the size of the mechanism.
+    pub(super) fn size(&self) -> f64 {
+        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
+        for point in &self.points {
+            low = low.inf(&point.at.coords);
+            high = high.sup(&point.at.coords);
+        }
+        (high - low).norm()
+    }
+}

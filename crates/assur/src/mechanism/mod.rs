@@ -1,0 +1,503 @@
+//! Any planar linkage: links with points, hinges, slides, gears, a driver.
+//!
+//! A [`Draft`] may be anything; a [`Mechanism`] is always one that can be
+//! assembled, because only [`Mechanism::new`] makes it. It is solved Assur group
+//! by Assur group in the order that [`crate::structure`] finds.
+
+mod body;
+mod check;
+mod draft;
+mod plan;
+
+use std::f64::consts::TAU;
+use std::fmt;
+
+pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
+
+pub use crate::position::Obstacle;
+use crate::position::{Anchor, State};
+use crate::structure::{self, Driver, Fault, Structure, decompose};
+use crate::{Jet, JetPoint, Vector};
+use body::{Bodies, Seat};
+use plan::Step;
+
+/// A linkage that can be assembled as it is drawn.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    points: Vec<(String, Anchor)>,
+    links: Vec<Part>,
+    steps: Vec<Step>,
+    structure: Structure,
+    /// Of each link of the structure the bodies' names.
+    body_names: Vec<String>,
+    /// Of each body its points, with their places on it.
+    bodies: Vec<Vec<(usize, Vector)>>,
+    size: f64,
+    /// The drawn pose: input, signs of the steps, angles of the bodies.
+    home: f64,
+    signs: Vec<f64>,
+    angles: Vec<f64>,
+    assemblies: Vec<Vec<f64>>,
+    range: Option<[f64; 2]>,
+}
+
+/// A moving link, or a part fixed to one.
+#[derive(Clone, Debug)]
+struct Part {
+    name: String,
+    body: usize,
+    lead: f64,
+    points: Vec<usize>,
+    centre_of_mass: Option<usize>,
+    mass: Option<f64>,
+}
+
+/// Why a mechanism has no pose at an input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unsolved {
+    /// The input.
+    pub input: f64,
+    /// The step of the plan that fails; [`Mechanism::links_of`] names its links.
+    pub step: usize,
+    /// What is in its way.
+    pub obstacle: Obstacle,
+}
+
+impl fmt::Display for Unsolved {
+    /// For the programmer's log; the words for people live in string tables.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self:?}")
+    }
+}
+
+impl std::error::Error for Unsolved {}
+
+/// Where all links are, with `N − 1` derivatives by the input. Only
+/// [`crate::motion::Motion`] fills one.
+#[derive(Clone, Debug)]
+pub struct Pose<const N: usize>(State<N>);
+
+/// A point may be drawn this far, beside the size, from where the links put it.
+const MISDRAWN: f64 = 0.3;
+/// How far beside a singular drawn pose a motion is taken up, radians or lengths
+/// beside the range.
+const ASIDE: f64 = 1e-3;
+
+impl Mechanism {
+    /// The mechanism that a draft describes, in the drawn position.
+    ///
+    /// # Errors
+    /// Every reason why it is none, with the names of what is at fault.
+    pub fn new(draft: &Draft) -> Result<Self, Vec<Defect>> {
+        let defects = check::defects(draft);
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let (bodies, seats) = Bodies::new(draft);
+        let body_names = names_of_bodies(draft, &seats, bodies.count());
+        let structure = structured(draft, &bodies, &seats, &body_names)?;
+        let plan = plan::plan(draft, &bodies, &seats, &structure);
+        let (steps, home) = plan.map_err(|group| {
+            let links = group.iter().map(|body| body_names[*body].clone()).collect();
+            vec![Defect::Unsupported { links }]
+        })?;
+        let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
+        let nowhere = Anchor {
+            body: 0,
+            local: Vector::zeros(),
+        };
+        let mut points: Vec<(String, Anchor)> = Vec::new();
+        for (k, point) in draft.points.iter().enumerate() {
+            let anchor = bodies.anchor_of(k, |_| true);
+            // A point that no link has stays where it is drawn.
+            let anchor = anchor.unwrap_or(Anchor {
+                local: point.at.coords,
+                ..nowhere
+            });
+            points.push((point.name.clone(), anchor));
+        }
+        let links = draft.links.iter().zip(&seats).map(|(link, seat)| Part {
+            name: link.name.clone(),
+            body: seat.body,
+            lead: seat.lead,
+            points: link.points.iter().filter_map(index).collect(),
+            centre_of_mass: link.centre_of_mass.as_ref().and_then(index),
+            mass: link.mass,
+        });
+        let mut mechanism = Self {
+            points,
+            links: links.collect(),
+            signs: vec![1.0; steps.len()],
+            steps,
+            structure,
+            angles: (0..bodies.count())
+                .map(|body| bodies.drawn_angle(body))
+                .collect(),
+            size: draft.size(),
+            home,
+            assemblies: Vec::new(),
+            range: range_of(draft),
+            body_names,
+            bodies: (0..bodies.count())
+                .map(|body| bodies.of(body).to_vec())
+                .collect(),
+        };
+        mechanism.settle(draft)?;
+        Ok(mechanism)
+    }
+
+    /// Finds the assembly that is drawn, and all others at the drawn input.
+    fn settle(&mut self, draft: &Draft) -> Result<(), Vec<Defect>> {
+        let mut state: State<1> = self.blank_state();
+        let input = Jet::constant(self.home);
+        for step in 0..self.steps.len() {
+            let mut best: Option<(f64, f64)> = None;
+            let mut met = None;
+            for sign in [1.0, -1.0] {
+                match self.steps[step].solve(&mut state, input, sign, &self.angles, step) {
+                    Ok(()) => {
+                        let off = self.misdrawn(draft, &state, step).map_or(0.0, |(_, by)| by);
+                        if best.is_none_or(|(least, _)| off < least) {
+                            best = Some((off, sign));
+                        }
+                    }
+                    Err(obstacle) => met = Some(obstacle),
+                }
+                if !self.steps[step].has_sign() {
+                    break;
+                }
+            }
+            let Some((off, sign)) = best else {
+                return Err(vec![self.open(step, met)]);
+            };
+            self.signs[step] = sign;
+            // The try that counts, last: the state is that of the drawn pose.
+            let _ = self.steps[step].solve(&mut state, input, sign, &self.angles, step);
+            if off > MISDRAWN * self.size
+                && let Some((point, by)) = self.misdrawn(draft, &state, step)
+            {
+                return Err(vec![Defect::Misdrawn { point, by }]);
+            }
+        }
+        for (body, angle) in state.angle.iter().enumerate() {
+            self.angles[body] = angle.value();
+        }
+        let mut found = Vec::new();
+        self.assemble(0, &mut vec![1.0; self.steps.len()], &mut state, &mut found);
+        let mut state = self.blank_state();
+        found.retain(|signs| self.entry(signs, &mut state).is_some());
+        if !found.contains(&self.signs) {
+            let last = self.steps.len() - 1;
+            return Err(vec![self.open(last, None)]);
+        }
+        self.assemblies = found;
+        Ok(())
+    }
+
+    /// The point of a step's links that is farthest from where it is drawn.
+    fn misdrawn(&self, draft: &Draft, state: &State<1>, step: usize) -> Option<(String, f64)> {
+        let mut farthest: Option<(String, f64)> = None;
+        for body in self.steps[step].bodies() {
+            for (point, local) in &self.bodies[body] {
+                let at: JetPoint<1> = state
+                    .place(Anchor {
+                        body,
+                        local: *local,
+                    })
+                    .into();
+                let by = (at.place() - draft.points[*point].at).norm();
+                if farthest.as_ref().is_none_or(|(_, most)| by > *most) {
+                    farthest = Some((self.points[*point].0.clone(), by));
+                }
+            }
+        }
+        farthest
+    }
+
+    /// All ways to join the groups from `step` on.
+    fn assemble(
+        &self,
+        step: usize,
+        signs: &mut Vec<f64>,
+        state: &mut State<1>,
+        found: &mut Vec<Vec<f64>>,
+    ) {
+        if step == self.steps.len() {
+            found.push(signs.clone());
+            return;
+        }
+        for sign in [1.0, -1.0] {
+            signs[step] = sign;
+            let input = Jet::constant(self.home);
+            let solved = self.steps[step].solve(state, input, sign, &self.angles, step);
+            if solved.is_ok() && found.len() < MOST_ASSEMBLIES {
+                self.assemble(step + 1, signs, state, found);
+            }
+            if !self.steps[step].has_sign() {
+                break;
+            }
+        }
+        signs[step] = 1.0;
+    }
+
+    fn open(&self, step: usize, met: Option<Obstacle>) -> Defect {
+        let links: Vec<String> = self.links_of(step).map(str::to_owned).collect();
+        match met {
+            Some(Obstacle::Parallel) => Defect::ParallelGuides { links },
+            Some(Obstacle::Apart { by } | Obstacle::OutOfReach { by }) => {
+                Defect::Open { links, by }
+            }
+            _ => Defect::Open { links, by: 0.0 },
+        }
+    }
+
+    /// The moving links in the order of the draft, by name.
+    pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.links.iter().map(|link| link.name.as_str())
+    }
+
+    /// The points in the order of the draft, by name.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.points.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// The points of a link, by index.
+    pub fn points_of(&self, link: usize) -> &[usize] {
+        &self.links[link].points
+    }
+
+    /// The centre of mass of a link, by index of its point, and the mass.
+    pub fn mass_of(&self, link: usize) -> (Option<usize>, Option<f64>) {
+        (self.links[link].centre_of_mass, self.links[link].mass)
+    }
+
+    /// Driver and Assur groups; its links are bodies, which
+    /// [`Mechanism::body_name`] names: 0 the frame, fixed links one with theirs.
+    pub fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
+    /// The name of a link of the structure.
+    pub fn body_name(&self, body: usize) -> &str {
+        self.body_names.get(body).map_or(FRAME, String::as_str)
+    }
+
+    /// The links that a step of the plan places, by name.
+    pub fn links_of(&self, step: usize) -> impl Iterator<Item = &str> {
+        let bodies = self.steps.get(step).map(|step| step.bodies());
+        bodies
+            .into_iter()
+            .flatten()
+            .map(|body| self.body_name(body))
+    }
+
+    /// The diagonal of the drawing.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// The drawn input.
+    pub fn home(&self) -> f64 {
+        self.home
+    }
+
+    /// True where the driver is a crank; else it is a slide.
+    pub fn turns(&self) -> bool {
+        self.range.is_none()
+    }
+
+    /// How many assemblies there are at the drawn input.
+    pub fn assemblies(&self) -> usize {
+        self.assemblies.len()
+    }
+
+    /// Which of them is drawn, from 0.
+    pub fn drawn_assembly(&self) -> usize {
+        let drawn = self
+            .assemblies
+            .iter()
+            .position(|signs| *signs == self.signs);
+        drawn.unwrap_or(0)
+    }
+
+    /// A pose to be filled again and again.
+    pub fn blank<const N: usize>(&self) -> Pose<N> {
+        Pose(self.blank_state())
+    }
+
+    /// The angle of a link, from its first to its second point, in a pose.
+    pub fn angle<const N: usize>(&self, pose: &Pose<N>, link: usize) -> Jet<N> {
+        let part = &self.links[link];
+        pose.0.angle[part.body] + part.lead
+    }
+
+    /// Where a point is in a pose.
+    pub fn place<const N: usize>(&self, pose: &Pose<N>, point: usize) -> JetPoint<N> {
+        pose.0.place(self.points[point].1).into()
+    }
+
+    /// Where a link carries one of its points in a pose: the same as
+    /// [`Self::place`], whichever of the links that are hinged there is asked. None
+    /// where the point is not the link's.
+    pub fn carried<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        link: usize,
+        point: usize,
+    ) -> Option<JetPoint<N>> {
+        let body = self.links[link].body;
+        let (_, local) = self.bodies[body]
+            .iter()
+            .find(|(index, _)| *index == point)?;
+        let anchor = Anchor {
+            body,
+            local: *local,
+        };
+        Some(pose.0.place(anchor).into())
+    }
+
+    pub(crate) fn blank_state<const N: usize>(&self) -> State<N> {
+        let steps = self.steps.len();
+        State::new(self.angles.len(), steps, self.size)
+    }
+
+    /// Solves every step for an input; the numbers of the step that fails.
+    pub(crate) fn solve<const N: usize>(
+        &self,
+        input: f64,
+        signs: &[f64],
+        near: &[f64],
+        state: &mut State<N>,
+    ) -> Result<(), (usize, Obstacle)> {
+        if !input.is_finite() {
+            return Err((0, Obstacle::Input));
+        }
+        let input = Jet::linear(input, 1.0);
+        for (k, step) in self.steps.iter().enumerate() {
+            let solved = step.solve(state, input, signs[k], near, k);
+            solved.map_err(|obstacle| (k, obstacle))?;
+        }
+        Ok(())
+    }
+
+    /// Input, signs and pose from which an assembly is followed: the drawn one, or
+    /// just beside it where that is singular.
+    pub(crate) fn start(&self, assembly: usize) -> (f64, &[f64], State<3>) {
+        let signs = self.assemblies.get(assembly).unwrap_or(&self.signs);
+        let mut state = self.blank_state();
+        let input = self.entry(signs, &mut state).unwrap_or(self.home);
+        (input, signs, state)
+    }
+
+    /// The input at, or beside, the drawn one where the pose has derivatives.
+    fn entry(&self, signs: &[f64], state: &mut State<3>) -> Option<f64> {
+        let aside = [0.0, ASIDE, -ASIDE].map(|aside| aside * self.span() / TAU);
+        let mut inputs = aside.into_iter().map(|aside| self.home + aside);
+        inputs.find(|input| self.solve(*input, signs, &self.angles, state).is_ok())
+    }
+
+    /// One turn, or the range of the driven slide.
+    pub(crate) fn span(&self) -> f64 {
+        self.range.map_or(TAU, |[from, to]| to - from)
+    }
+
+    /// Whether every link that matters stands in two poses alike. A wheel that
+    /// moves nothing else may stand anywhere.
+    pub(crate) fn stands_alike(&self, a: &State<3>, b: &State<3>, within: f64) -> bool {
+        let driving = |body: usize| self.steps.iter().any(|step| step.leans_on(body));
+        (0..self.angles.len()).all(|body| {
+            let idle = self.steps.iter().any(|step| step.is_wheel(body)) && !driving(body);
+            let turned = [a, b].map(|state| JetPoint::from(state.turn[body]).place());
+            let moved = [a, b].map(|state| JetPoint::from(state.origin[body]).place());
+            idle || (turned[0] - turned[1]).norm() <= within
+                && (moved[0] - moved[1]).norm() <= within * self.size
+        })
+    }
+
+    /// Whether a body's angle was found by its turn, to a whole turn.
+    pub(crate) fn is_wound(&self, body: usize) -> bool {
+        self.steps
+            .iter()
+            .any(|step| step.winds() && step.bodies().any(|b| b == body))
+    }
+
+    pub(crate) fn margin_scale(&self, step: usize) -> f64 {
+        self.steps[step].scale()
+    }
+
+    pub(crate) fn passes(&self, step: usize) -> bool {
+        self.steps[step].passes()
+    }
+
+    pub(crate) fn has_two_margins(&self, step: usize) -> bool {
+        matches!(self.steps[step], Step::Rrr(_) | Step::Closed(_))
+    }
+}
+
+impl<const N: usize> Pose<N> {
+    pub(crate) fn state_mut(&mut self) -> &mut State<N> {
+        &mut self.0
+    }
+}
+
+/// No more assemblies are counted.
+const MOST_ASSEMBLIES: usize = 256;
+
+/// Of every body the link that it was made for; the frame first.
+fn names_of_bodies(draft: &Draft, seats: &[Seat], count: usize) -> Vec<String> {
+    let mut names = vec![FRAME.to_owned(); count];
+    for (link, seat) in draft.links.iter().zip(seats) {
+        if link.fixed_to.is_none() {
+            names[seat.body].clone_from(&link.name);
+        }
+    }
+    names
+}
+
+/// The range of the driver, if it is a slide.
+fn range_of(draft: &Draft) -> Option<[f64; 2]> {
+    draft.drivers.iter().find_map(|driver| match driver {
+        DraftDriver::Slide { range, .. } => Some(*range),
+        DraftDriver::Crank { .. } => None,
+    })
+}
+
+/// The structure of the bodies.
+fn structured(
+    draft: &Draft,
+    bodies: &Bodies,
+    seats: &[Seat],
+    names: &[String],
+) -> Result<Structure, Vec<Defect>> {
+    let graph = bodies.graph(draft.points.len());
+    let drivers: Vec<Driver> = draft
+        .drivers
+        .iter()
+        .filter_map(|driver| bodies.driver(draft, seats, driver, &graph))
+        .collect();
+    if drivers.len() < draft.drivers.len() {
+        return Err(vec![Defect::NoDriver]);
+    }
+    let mobility = graph.mobility();
+    let named = |links: &[usize]| links.iter().map(|link| names[*link].clone()).collect();
+    decompose(&graph, &drivers).map_err(|faults| {
+        let defect = |fault: structure::Fault| match fault {
+            Fault::Apart { links } => Defect::Loose(named(&links)),
+            Fault::Undriven { links, .. } => Defect::Underdriven {
+                mobility,
+                links: named(&links),
+            },
+            Fault::Overconstrained { links, .. } => Defect::Locked {
+                mobility,
+                links: named(&links),
+            },
+            Fault::Sliding { links } => Defect::Locked {
+                mobility,
+                links: named(&links),
+            },
+            Fault::SelfJoined { link, .. } => Defect::WithItself(names[link].clone()),
+            _ => Defect::NoDriver,
+        };
+        faults.into_iter().map(defect).collect()
+    })
+}

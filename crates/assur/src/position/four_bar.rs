@@ -1,0 +1,52 @@
+//! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
+//! closed form passes change points smoothly and needs no history.
+
+use super::{Arm, Complex, Obstacle, State};
+use crate::{Assembly, FourBar, Unsolved};
+
+/// A four-bar within a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Closed {
+    pub(crate) linkage: FourBar,
+    /// The body of the crank, and what its angle lacks to φ₁ from the line AD.
+    pub(crate) crank: usize,
+    pub(crate) lead: f64,
+    /// Coupler and rocker, and what the angles of their bodies lack to φ₂ and φ₃.
+    pub(crate) arms: [Arm; 2],
+    pub(crate) leads: [f64; 2],
+}
+
+impl Closed {
+    pub(crate) fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        sign: f64,
+    ) -> Result<(), Obstacle> {
+        let crank = state.angle[self.crank];
+        let assembly = if sign > 0.0 {
+            Assembly::First
+        } else {
+            Assembly::Second
+        };
+        let pose = self
+            .linkage
+            .pose::<N>(assembly, crank.value() + self.lead)
+            .map_err(|unsolved| match unsolved {
+                Unsolved::NotAnAngle => Obstacle::Input,
+                Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Obstacle::Apart { by },
+                Unsolved::Undetermined { .. } => Obstacle::Undetermined,
+                Unsolved::DeadPoint { .. } => Obstacle::DeadPoint,
+            })?;
+        let [coupler, rocker] = &self.arms;
+        let [b, d] = [coupler, rocker].map(|arm| state.place(arm.outer));
+        let angle = pose.coupler + self.leads[0];
+        let turn = Complex::turn(angle);
+        state.turn[coupler.body] = turn;
+        state.origin[coupler.body] = b - turn.by(coupler.from);
+        state.angle[coupler.body] = angle;
+        // The rocker ends where the coupler does: no second sine and cosine.
+        state.lay(rocker, d, b + turn.by(coupler.to - coupler.from) - d);
+        state.angle[rocker.body] = pose.rocker + self.leads[1];
+        Ok(())
+    }
+}

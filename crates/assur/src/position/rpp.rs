@@ -1,0 +1,49 @@
+//! The dyad RPP: a link hinged on a solved point and sliding on a link that
+//! slides along a solved line.
+
+use super::complex::{Complex, conjugate};
+use super::rpr::Side;
+use super::{Obstacle, State, Track, crossing};
+use crate::Vector;
+
+/// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Rpp {
+    pub(crate) side: Side,
+    pub(crate) track: Track,
+    /// The direction of the inner sliding seen from j, of length 1, and a point
+    /// of its line there.
+    pub(crate) direction: Vector,
+    pub(crate) through: Vector,
+}
+
+impl Rpp {
+    /// Both angles follow from the solved line's; the point of j on its track is
+    /// where that track crosses the line of the inner sliding, drawn through it.
+    pub(crate) fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        step: usize,
+    ) -> Result<(), Obstacle> {
+        let Self { side, track, .. } = self;
+        let (start, direction) = state.line(track);
+        let turn_j = direction.by(conjugate(track.direction));
+        let inner = turn_j.by(self.direction);
+        let turn_i = inner.by(conjugate(side.direction));
+        let b = state.place(side.outer);
+        state.turn[side.body] = turn_i;
+        state.origin[side.body] = b - turn_i.by(side.hinge);
+
+        let shift = |of: Complex<N>, by: f64| {
+            let left = of.left();
+            Complex::new(left.x * by, left.y * by)
+        };
+        let guide = (start + shift(direction, track.off), direction);
+        // The line of i, moved by what lies between it and the track's point on j.
+        let across = turn_j.by(track.point - self.through);
+        let sliding = (b + shift(inner, side.off) + across, inner);
+        let at = crossing([guide, sliding], &mut state.margins[step])?;
+        state.slid(track, direction, at);
+        Ok(())
+    }
+}

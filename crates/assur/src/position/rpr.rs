@@ -1,0 +1,82 @@
+//! The dyad RPR: two links hinged on solved points and sliding on each other.
+
+use super::complex::{Complex, conjugate, product};
+use super::{Anchor, Dead, Obstacle, State, root};
+use crate::Vector;
+
+/// Links i and j hinged at B and D (the slotted lever and the block of an
+/// inverted slider-crank).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Rpr {
+    pub(crate) sides: [Side; 2],
+}
+
+/// A link of the dyad: its hinge, and the line of sliding seen from it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Side {
+    pub(crate) body: usize,
+    pub(crate) outer: Anchor,
+    /// The hinge on the link.
+    pub(crate) hinge: Vector,
+    /// The direction of sliding on the link, of length 1.
+    pub(crate) direction: Vector,
+    /// How far the line lies to the left of the hinge.
+    pub(crate) off: f64,
+}
+
+impl Rpr {
+    /// With u the direction of sliding, d = D − B and h the constant distance of
+    /// the two parallels through B and D: d = u (w + ih), so w = σ √(d² − h²) and
+    /// u = d (w − ih) / d².
+    pub(crate) fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        sign: f64,
+        step: usize,
+    ) -> Result<(), Obstacle> {
+        let [i, j] = &self.sides;
+        let [b, d] = [state.place(i.outer), state.place(j.outer)];
+        let between = d - b;
+        let square = between.norm_squared();
+        let apart = i.off - j.off;
+        let margin = square + -(apart * apart);
+        state.margins[step] = [margin, margin];
+        let scale = (apart * apart).max(square.value());
+        let by = apart.abs() - square.value().sqrt();
+        if square.value() <= f64::EPSILON * f64::EPSILON * state.scale {
+            return Err(Obstacle::Undetermined);
+        }
+        let run = root(margin, scale).map_err(|dead| match dead {
+            Dead::At => Obstacle::DeadPoint,
+            Dead::Beyond => Obstacle::OutOfReach { by },
+        })? * sign;
+        let off = Complex::constant(Vector::new(0.0, -apart));
+        let along = Complex::new(run, off.y);
+        let direction = (between * along).scaled(square.recip());
+        for (side, at) in [(i, b), (j, d)] {
+            let turn = direction.by(conjugate(side.direction));
+            state.turn[side.body] = turn;
+            state.origin[side.body] = at - turn.by(side.hinge);
+        }
+        Ok(())
+    }
+}
+
+impl Side {
+    /// The side with a line through `through` on the link.
+    pub(crate) fn new(
+        body: usize,
+        outer: Anchor,
+        hinge: Vector,
+        through: Vector,
+        direction: Vector,
+    ) -> Self {
+        Self {
+            body,
+            outer,
+            hinge,
+            direction,
+            off: product(through - hinge, conjugate(direction)).y,
+        }
+    }
+}

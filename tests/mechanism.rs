@@ -1,0 +1,104 @@
+//! The general engine on known mechanisms.
+
+use std::f64::consts::{PI, TAU};
+
+use assur::mechanism::{Draft, Mechanism};
+use assur::motion::{DeadPointKind, Motion};
+use assur::{Assembly, FourBar};
+
+fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
+    let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
+    let pose = linkage.pose::<1>(assembly, at).unwrap();
+    let [a, b, c, d] = linkage.joints(&pose).map(|joint| joint.place());
+    let mut draft = Draft::default();
+    for (name, p) in [("A", a), ("B", b), ("C", c), ("D", d)] {
+        draft = draft.point(name, p.x, p.y);
+    }
+    draft
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank")
+}
+
+#[test]
+fn four_bar_is_the_closed_form() {
+    for assembly in Assembly::ALL {
+        let lengths = [0.37, 0.85, 0.55, 0.85];
+        let mechanism = Mechanism::new(&four_bar(lengths, 1.0, assembly)).unwrap();
+        assert_eq!(mechanism.assemblies(), 2);
+        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        assert!(motion.cycle().is_full());
+        let linkage = FourBar::new(lengths).unwrap();
+        for k in 0..=360 {
+            let phi = TAU * f64::from(k) / 360.0;
+            let pose = motion.pose::<4>(phi).unwrap();
+            let exact = linkage.pose::<4>(assembly, phi).unwrap();
+            for (link, angle) in [(0, exact.crank), (1, exact.coupler), (2, exact.rocker)] {
+                for order in 0..4 {
+                    let found = mechanism.angle(&pose, link).derivative(order);
+                    assert!(
+                        (found - angle.derivative(order)).abs() < 1e-10,
+                        "{k} {link} {order}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Central slider-crank: x = r cos φ + √(l² − r² sin² φ).
+#[test]
+fn slider_crank() {
+    let (r, l) = (1.0, 3.0);
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("G", 1.0, 0.0)
+        .point("B", r, 0.0)
+        .point("C", r + l, 0.0)
+        .fixed(&["A", "G"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("slider", &["C"])
+        .slide("slider", "C", "frame", ["A", "G"])
+        .crank("crank");
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    assert!(motion.cycle().is_full());
+    for k in 0..=360 {
+        let phi = TAU * f64::from(k) / 360.0;
+        let pose = motion.pose::<3>(phi).unwrap();
+        let c = mechanism.place(&pose, 3);
+        let root = (l * l - (r * phi.sin()).powi(2)).sqrt();
+        assert!((c.x.value() - (r * phi.cos() + root)).abs() < 1e-14);
+        assert!((c.x.derivative(1) + r * phi.sin() * (1.0 + r * phi.cos() / root)).abs() < 1e-13);
+        assert!(c.y.value().abs() < 1e-14);
+    }
+}
+
+/// A triple rocker swings between its dead points.
+#[test]
+fn swings_between_dead_points() {
+    let lengths = [0.6, 0.85, 0.3, 0.85];
+    let linkage = FourBar::new(lengths).unwrap();
+    let home = linkage.cycle().home();
+    let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
+    let motion = Motion::new(&mechanism, 0);
+    assert!(!motion.cycle().is_full());
+    let [from, to] = linkage.cycle().arcs()[0];
+    let ends: Vec<f64> = motion.dead_points().iter().map(|end| end.input).collect();
+    assert!(
+        (ends[0] - from).abs() < 1e-10 && (ends[1] - to).abs() < 1e-10,
+        "{ends:?} {from} {to}"
+    );
+    assert!(
+        motion
+            .dead_points()
+            .iter()
+            .all(|end| end.kind != DeadPointKind::Range)
+    );
+    assert!(motion.pose::<1>(0.5 * (from + to)).is_ok());
+    assert!(motion.pose::<1>(to + 0.1).is_err());
+    assert!(motion.pose::<1>(PI + to).is_err() || linkage.cycle().contains(PI + to));
+}
