@@ -39,6 +39,7 @@ export function sentence(problem, words) {
     if (name === "field") places.field = fieldName(String(value), words);
     else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
+    else if (Array.isArray(value)) places[name] = value.join(", ");
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }
   return words.text(key, places);

@@ -6,6 +6,8 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
+use crate::LinkageProblem;
+
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
 
@@ -50,6 +52,15 @@ pub enum Problem {
     DeadPoint { phi: f64 },
     /// The text or object has not the form of a state.
     BadState { path: String, detail: String },
+    /// What is wrong with a linkage.
+    #[serde(untagged)]
+    Linkage(LinkageProblem),
+}
+
+impl From<LinkageProblem> for Problem {
+    fn from(problem: LinkageProblem) -> Self {
+        Self::Linkage(problem)
+    }
 }
 
 impl From<Invalid> for Problem {

@@ -1,0 +1,136 @@
+//! Everything that can be wrong with a linkage, as a code with parameters: paths of
+//! fields, names of links and points. The words are in `lang/`.
+
+use assur::mechanism::{Defect, Mechanism, Obstacle, Unsolved};
+use serde::Serialize;
+
+/// A problem of a linkage; serialised as `{"code": "…", parameters}`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum LinkageProblem {
+    /// A list holds more than is taken.
+    TooMany { path: String, max: usize },
+    /// A name that is empty, too long or holds control characters.
+    BadName { path: String, max: usize },
+    /// A title or source that is too long or holds control characters.
+    BadText { path: String, max: usize },
+    /// A length beside a shape, or of a link that has not two points.
+    LengthOfTwo { path: String },
+    /// A length that is not greater than zero.
+    BadLength { path: String, value: f64 },
+    /// A link that is fixed to another lies on it as drawn.
+    FixedAsDrawn { path: String },
+    /// Neither a crank nor a slide with its range, or both.
+    BadDriver { path: String },
+    /// A plot of what is not there.
+    NothingToPlot { path: String },
+    /// A trace of a point that is not there.
+    NothingToTrace { path: String },
+    /// Two points or links of one name.
+    Twice { name: String },
+    /// Nothing has this name.
+    UnknownName { name: String },
+    /// A number of this point or link is not finite or out of any range.
+    NotFinite { name: String },
+    /// A link without points.
+    Bare { link: String },
+    /// Two points of a link at one place.
+    Coincident { link: String, points: [String; 2] },
+    /// A link lists a point twice.
+    Repeated { link: String, point: String },
+    /// Not one place for each point.
+    Shape { link: String },
+    /// A point that a link should have.
+    NotOnLink { link: String, point: String },
+    /// A link joined to itself.
+    WithItself { link: String },
+    /// Two links that share no point.
+    NotHinged { links: [String; 2] },
+    /// A number of teeth that will not do.
+    Teeth { link: String, value: f64 },
+    /// Equal wheels in internal mesh.
+    Concentric { links: [String; 2] },
+    /// No driver, or one of a pair that is not there.
+    NoDriver,
+    /// Nothing joins these links to the frame.
+    Loose { links: Vec<String> },
+    /// Fewer drivers than freedoms.
+    Underdriven { mobility: isize, links: Vec<String> },
+    /// Too many pairs or drivers.
+    Locked { mobility: isize, links: Vec<String> },
+    /// Guides that are parallel where they must cross.
+    ParallelGuides { links: Vec<String> },
+    /// A group that cannot be solved yet.
+    Unsupported { links: Vec<String> },
+    /// A drawing that does not close.
+    Open { links: Vec<String>, by: f64 },
+    /// A drawing in which links are in line.
+    OpenInLine { links: Vec<String> },
+    /// A point drawn elsewhere than its links put it.
+    Misdrawn { point: String, by: f64 },
+    /// The input is not a number, or outside the range of the driven slide.
+    BeyondRange,
+    /// The motion does not come here, though there is a pose.
+    Unreached,
+    /// Links are too short, or too long, to meet.
+    LinksApart { links: Vec<String>, by: f64 },
+    /// A link does not reach its guide.
+    OutOfReach { links: Vec<String>, by: f64 },
+    /// Guides have become parallel.
+    GuidesParallel { links: Vec<String> },
+    /// Links may stand at any angle.
+    LinksUndetermined { links: Vec<String> },
+    /// Derivatives are unbounded.
+    LinksDeadPoint { links: Vec<String> },
+}
+
+impl LinkageProblem {
+    /// Why a mechanism has no pose, with the names of its links.
+    pub fn unsolved(unsolved: &Unsolved, mechanism: &Mechanism) -> Self {
+        let links: Vec<String> = mechanism
+            .links_of(unsolved.step)
+            .map(str::to_owned)
+            .collect();
+        match unsolved.obstacle {
+            Obstacle::Input => Self::BeyondRange,
+            Obstacle::Unreached => Self::Unreached,
+            Obstacle::Apart { by } => Self::LinksApart { links, by },
+            Obstacle::OutOfReach { by } => Self::OutOfReach { links, by },
+            Obstacle::Parallel => Self::GuidesParallel { links },
+            Obstacle::Undetermined => Self::LinksUndetermined { links },
+            Obstacle::DeadPoint => Self::LinksDeadPoint { links },
+        }
+    }
+}
+
+impl From<Defect> for LinkageProblem {
+    fn from(defect: Defect) -> Self {
+        match defect {
+            Defect::Twice(name) => Self::Twice { name },
+            Defect::Unknown(name) => Self::UnknownName { name },
+            Defect::NotFinite(name) => Self::NotFinite { name },
+            Defect::Bare(link) => Self::Bare { link },
+            Defect::Coincident { link, points } => Self::Coincident { link, points },
+            Defect::Repeated { link, point } => Self::Repeated { link, point },
+            Defect::Shape(link) => Self::Shape { link },
+            Defect::NotOnLink { link, point } => Self::NotOnLink { link, point },
+            Defect::WithItself(link) => Self::WithItself { link },
+            Defect::NotHinged { links } => Self::NotHinged { links },
+            Defect::Teeth { link, value } => Self::Teeth { link, value },
+            Defect::Concentric(links) => Self::Concentric { links },
+            Defect::NoDriver => Self::NoDriver,
+            Defect::Loose(links) => Self::Loose { links },
+            Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
+            Defect::Locked { mobility, links } => Self::Locked { mobility, links },
+            Defect::ParallelGuides { links } => Self::ParallelGuides { links },
+            Defect::Unsupported { links } => Self::Unsupported { links },
+            Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },
+            Defect::Open { links, by } => Self::Open { links, by },
+            Defect::Misdrawn { point, by } => Self::Misdrawn { point, by },
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! The saved form of a linkage: what is read is what was meant, and what is broken
+//! says where.
+
+use assur::mechanism::Draft;
+use assur_file::{LinkageDocument, Problem};
+use serde_json::{Value, json};
+
+fn read(value: &Value) -> Result<LinkageDocument, (String, String)> {
+    let text = value.to_string();
+    let mut source = serde_json::Deserializer::from_str(&text);
+    serde_path_to_error::deserialize(&mut source)
+        .map_err(|error| (error.path().to_string(), error.inner().to_string()))
+}
+
+/// A slider-crank on a moving carriage: every kind of part.
+fn everything() -> Value {
+    json!({
+        "title": "Slider-crank with a wheel",
+        "points": [
+            {"name": "A", "at": [0, 0]},
+            {"name": "B", "at": [1, 0]},
+            {"name": "C", "at": [4, 0]},
+            {"name": "M", "at": [2.5, 0]},
+            {"name": "W", "at": [4.5, 0]},
+            {"name": "G", "at": [6, 0]},
+        ],
+        "frame": ["A", "G"],
+        "links": [
+            {"name": "crank", "points": ["A", "B"], "length": 1},
+            {"name": "rod", "points": ["B", "C", "M"], "shape": [[0, 0], [3, 0], [1.5, 0]],
+             "centre_of_mass": "M", "mass_kg": 2},
+            {"name": "slider", "points": ["C"]},
+            {"name": "wheel", "points": ["A", "B"], "fixed_to": "crank"},
+            {"name": "pinion", "points": ["B", "W"]},
+        ],
+        "slides": [{"link": "slider", "point": "C", "on": "frame", "line": ["A", "G"]}],
+        "gears": [{"links": ["rod", "pinion"], "carrier": "crank", "teeth": [20, 10], "mesh": "external"}],
+        "drivers": [{"crank": "crank"}],
+        "plots": ["rod.angle", "M.x"],
+        "traces": ["M"],
+    })
+}
+
+fn said(problems: &[Problem]) -> Vec<Value> {
+    problems
+        .iter()
+        .map(|problem| serde_json::to_value(problem).unwrap())
+        .collect()
+}
+
+#[test]
+fn round_trip() {
+    let document = read(&everything()).unwrap();
+    assert_eq!(document.mechanism().map(|_| ()), Ok(()));
+    let again = read(&serde_json::to_value(&document).unwrap()).unwrap();
+    assert_eq!(again, document);
+    // By the draft all but what is only shown.
+    let mut bare = document.clone();
+    (bare.title, bare.plots, bare.traces) = (None, Vec::new(), Vec::new());
+    assert_eq!(LinkageDocument::new(&document.draft()), bare);
+}
+
+#[test]
+fn broken_form_names_its_path() {
+    for (pointer, value, path) in [
+        ("/points/1/at", json!([1]), "points[1].at"),
+        ("/points/1/at/0", json!("x"), "points[1].at[0]"),
+        ("/links/2/points/0", json!(7), "links[2].points[0]"),
+        ("/links/0/length", json!("long"), "links[0].length"),
+        ("/links/1/shape/2", json!(0), "links[1].shape[2]"),
+        ("/slides/0/line", json!(["A"]), "slides[0].line"),
+        ("/gears/0/mesh", json!("worm"), "gears[0].mesh"),
+        ("/gears/0/teeth/1", json!(null), "gears[0].teeth[1]"),
+        ("/drivers/0", json!({"slide": -1}), "drivers[0].slide"),
+        ("/drivers/0", json!({"slide": 0.5}), "drivers[0].slide"),
+        ("/plots", json!("rod.angle"), "plots"),
+    ] {
+        let mut broken = everything();
+        *broken.pointer_mut(pointer).unwrap() = value;
+        assert_eq!(read(&broken).unwrap_err().0, path);
+    }
+    // A key that is not known could be a part left out.
+    let mut misspelt = everything();
+    misspelt["links"][0]["lenght"] = json!(2);
+    let (path, detail) = read(&misspelt).unwrap_err();
+    assert!(
+        path.starts_with("links[0]") && detail.contains("lenght"),
+        "{path}: {detail}"
+    );
+}
+
+#[test]
+fn bad_fields_are_named() {
+    for (pointer, value, expected) in [
+        (
+            "/points/0/name",
+            json!(""),
+            json!({"code": "bad_name", "path": "points[0].name", "max": 40}),
+        ),
+        (
+            "/links/1/name",
+            json!("r\u{7}d"),
+            json!({"code": "bad_name", "path": "links[1].name", "max": 40}),
+        ),
+        (
+            "/title",
+            json!("t".repeat(401)),
+            json!({"code": "bad_text", "path": "title", "max": 400}),
+        ),
+        (
+            "/links/0/length",
+            json!(0),
+            json!({"code": "bad_length", "path": "links[0].length", "value": 0.0}),
+        ),
+        (
+            "/links/2",
+            json!({"name": "slider", "points": ["C"], "length": 1}),
+            json!({"code": "length_of_two", "path": "links[2].length"}),
+        ),
+        (
+            "/links/3/length",
+            json!(1),
+            json!({"code": "fixed_as_drawn", "path": "links[3].fixed_to"}),
+        ),
+        (
+            "/drivers/0",
+            json!({"crank": "crank", "slide": 0}),
+            json!({"code": "bad_driver", "path": "drivers[0]"}),
+        ),
+        (
+            "/drivers/0",
+            json!({"slide": 0}),
+            json!({"code": "bad_driver", "path": "drivers[0]"}),
+        ),
+        (
+            "/plots/0",
+            json!("rod.x"),
+            json!({"code": "nothing_to_plot", "path": "plots[0]"}),
+        ),
+        (
+            "/traces/0",
+            json!("rod"),
+            json!({"code": "nothing_to_trace", "path": "traces[0]"}),
+        ),
+        (
+            "/traces",
+            json!(vec!["M"; 33]),
+            json!({"code": "too_many", "path": "traces", "max": 32}),
+        ),
+    ] {
+        let mut broken = everything();
+        if broken.pointer(pointer).is_none() {
+            broken["links"][3]["length"] = json!(null);
+        }
+        *broken.pointer_mut(pointer).unwrap() = value;
+        let problems = read(&broken).unwrap().mechanism().unwrap_err();
+        assert!(
+            said(&problems).contains(&expected),
+            "{pointer}: {:?}",
+            said(&problems)
+        );
+    }
+}
+
+/// Reasons why a draft is no mechanism name links and points.
+#[test]
+fn defects_name_their_parts() {
+    for (pointer, value, expected) in [
+        (
+            "/points/1/name",
+            json!("A"),
+            json!({"code": "twice", "name": "A"}),
+        ),
+        (
+            "/frame/1",
+            json!("H"),
+            json!({"code": "unknown_name", "name": "H"}),
+        ),
+        (
+            "/points/2/at",
+            json!([1e300, 0]),
+            json!({"code": "not_finite", "name": "C"}),
+        ),
+        (
+            "/links/2/points",
+            json!([]),
+            json!({"code": "bare", "link": "slider"}),
+        ),
+        (
+            "/points/4/at",
+            json!([1, 0]),
+            json!({"code": "coincident", "link": "pinion", "points": ["B", "W"]}),
+        ),
+        (
+            "/links/4/points",
+            json!(["B", "W", "W"]),
+            json!({"code": "repeated", "link": "pinion", "point": "W"}),
+        ),
+        (
+            "/links/1/shape",
+            json!([[0, 0], [3, 0]]),
+            json!({"code": "shape", "link": "rod"}),
+        ),
+        (
+            "/slides/0/line/1",
+            json!("B"),
+            json!({"code": "not_on_link", "link": "frame", "point": "B"}),
+        ),
+        (
+            "/slides/0/on",
+            json!("slider"),
+            json!({"code": "with_itself", "link": "slider"}),
+        ),
+        (
+            "/drivers/0/crank",
+            json!("rod"),
+            json!({"code": "not_hinged", "links": ["rod", "frame"]}),
+        ),
+        (
+            "/gears/0/teeth/0",
+            json!(2.5),
+            json!({"code": "teeth", "link": "rod", "value": 2.5}),
+        ),
+        ("/drivers", json!([]), json!({"code": "no_driver"})),
+        (
+            "/gears",
+            json!([]),
+            json!({"code": "underdriven", "mobility": 2, "links": ["pinion"]}),
+        ),
+        (
+            "/links/0/length",
+            json!(9),
+            json!({"code": "misdrawn", "point": "B", "by": 0.0}),
+        ),
+    ] {
+        let mut broken = everything();
+        *broken.pointer_mut(pointer).unwrap() = value;
+        let problems = read(&broken).unwrap().mechanism();
+        let mut problems = said(&problems.err().unwrap_or_default());
+        for problem in &mut problems {
+            if let Some(by) = problem.get_mut("by") {
+                *by = json!(0.0);
+            }
+        }
+        assert!(problems.contains(&expected), "{pointer}: {problems:?}");
+    }
+}
+
+#[test]
+fn a_draft_is_written_as_it_is() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 1.0, 0.0)
+        .fixed(&["A"])
+        .bar("crank", &["A", "B"])
+        .crank("crank");
+    let document = LinkageDocument::new(&draft);
+    assert_eq!(document.draft(), draft);
+    let text = serde_json::to_value(&document).unwrap();
+    assert_eq!(text["drivers"], json!([{"crank": "crank"}]));
+    assert_eq!(
+        text["links"],
+        json!([{"name": "crank", "points": ["A", "B"]}])
+    );
+}
