@@ -1,7 +1,7 @@
 //! The table of a motion, under names of the page.
 
 use assur::catalog::mixer::Mixer;
-use assur::motion::{Row, sweep};
+use assur::motion::sweep::{Row, sweep};
 use assur_file::Problem;
 use serde::Serialize;
 

@@ -8,6 +8,7 @@ mod body;
 mod check;
 mod draft;
 mod plan;
+mod quantity;
 
 use std::f64::consts::TAU;
 use std::fmt;
@@ -20,6 +21,7 @@ use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
 use plan::Step;
+pub use quantity::Quantity;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]

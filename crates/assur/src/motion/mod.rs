@@ -3,11 +3,12 @@
 mod extrema;
 mod features;
 mod input;
-mod sweep;
+pub mod sweep;
+mod table;
 mod trace;
 
 pub use extrema::{Extremum, Kind, extrema};
 pub use features::{Features, features};
 pub use input::Input;
-pub use sweep::{Column, Row, Swept, sweep};
+pub use table::{Column, Row};
 pub use trace::{DeadPoint, DeadPointKind, Motion};

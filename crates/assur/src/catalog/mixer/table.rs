@@ -2,7 +2,7 @@
 
 use super::quantity::coordinates;
 use super::{Mixer, Quantity, Tracked, Turning};
-use crate::motion::{Column, Swept};
+use crate::motion::sweep::{Column, Swept};
 use crate::{Cycle, Jet, Unsolved};
 
 /// Value, first and second derivative.
@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::catalog::mixer::{Carrier, Case, Tracer};
     use crate::gears::Mate;
-    use crate::motion::{Row, sweep};
+    use crate::motion::sweep::{Row, sweep};
 
     fn rows(lengths: [f64; 4], steps: u32) -> (Vec<String>, Vec<Row>) {
         let mut dimensions = Case::A.dimensions();

@@ -1,0 +1,108 @@
+//! The mixer as a linkage like any other.
+
+use super::{Carrier, Mixer};
+use crate::mechanism::{Draft, DraftGear, DraftLink, DraftPoint, FRAME};
+use crate::{Link, Point, Unsolved};
+
+/// The crank angle at which a mixer is drawn whose crank turns fully.
+const DRAWN: f64 = 1.0;
+
+/// The links with two joints, and the names of their joints and centres of mass.
+const BARS: [(Link, Carrier, [&str; 4]); 3] = [
+    (Link::Crank, Carrier::Crank, ["crank", "A", "B", "C1"]),
+    (Link::Coupler, Carrier::Coupler, ["coupler", "B", "C", "C2"]),
+    (Link::Rocker, Carrier::Rocker, ["rocker", "D", "C", "C3"]),
+];
+
+impl Mixer {
+    /// The mixer as a draft. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to
+    /// the rocker, `wheel5`, … on the frame; joints A, B, C, D, centres of mass
+    /// C1, C2, C3 in the middle of their links, the wheels' centres E5, …, and the
+    /// points traced, P1, …
+    ///
+    /// # Errors
+    /// Why there is no pose to draw.
+    pub fn draft(&self) -> Result<Draft, Unsolved> {
+        let cycle = self.linkage.cycle();
+        let crank = if cycle.is_full() { DRAWN } else { cycle.home() };
+        let pose = self.linkage.pose::<1>(self.assembly, crank)?;
+        let joints = self.linkage.joints(&pose).map(|joint| joint.place());
+        let mut draft = Draft::default().fixed(&["A", "D"]);
+        let mut point = |name: &str, at: Point| {
+            let name = name.to_owned();
+            draft.points.push(DraftPoint { name, at });
+        };
+        for (name, at) in ["A", "B", "C", "D"].into_iter().zip(joints) {
+            point(name, at);
+        }
+        let place = |carrier: Carrier, x: f64, y: f64| {
+            let (origin, angle) = self.body(&pose, carrier);
+            origin.offset(angle, x, y).place()
+        };
+        for (link, carrier, [.., centre]) in BARS {
+            point(centre, place(carrier, 0.5 * self.linkage.length(link), 0.0));
+        }
+        let wheels = self.gears.pairs().len();
+        for wheel in 0..wheels {
+            point(
+                &format!("E{}", wheel + 5),
+                place(Carrier::Wheel(wheel), 0.0, 0.0),
+            );
+        }
+        for (k, tracer) in self.tracers().iter().enumerate() {
+            let at = self.traced(&pose, tracer).place();
+            point(&format!("P{}", k + 1), at);
+        }
+        for (link, carrier, [name, from, to, centre]) in BARS {
+            let length = self.linkage.length(link);
+            let mut bar = DraftLink {
+                name: name.to_owned(),
+                points: [from, to, centre].map(str::to_owned).to_vec(),
+                centre_of_mass: Some(centre.to_owned()),
+                ..DraftLink::default()
+            };
+            let mut shape = [0.0, length, 0.5 * length]
+                .map(|x| Point::new(x, 0.0))
+                .to_vec();
+            for (traced, tracer) in self.tracers_of(carrier) {
+                bar.points.push(traced);
+                shape.push(tracer);
+            }
+            bar.shape = Some(shape);
+            draft.links.push(bar);
+        }
+        draft.links.push(DraftLink {
+            name: "wheel4".to_owned(),
+            points: vec!["D".to_owned(), "C".to_owned()],
+            fixed_to: Some("rocker".to_owned()),
+            ..DraftLink::default()
+        });
+        for (wheel, pair) in self.gears.pairs().iter().enumerate() {
+            let centre = format!("E{}", wheel + 5);
+            let name = format!("wheel{}", wheel + 5);
+            let traced = self.tracers_of(Carrier::Wheel(wheel)).map(|(name, _)| name);
+            draft.links.push(DraftLink {
+                name: name.clone(),
+                points: [centre.clone()].into_iter().chain(traced).collect(),
+                ..DraftLink::default()
+            });
+            draft.frame.push(centre);
+            draft.gears.push(DraftGear {
+                links: ["wheel4".to_owned(), name],
+                carrier: FRAME.to_owned(),
+                teeth: [pair.driver_wheel(), pair.driven_wheel()]
+                    .map(|wheel| f64::from(wheel.teeth)),
+                mesh: pair.mesh(),
+            });
+        }
+        Ok(draft.crank("crank"))
+    }
+
+    /// The points traced on a body: names and places on it.
+    fn tracers_of(&self, carrier: Carrier) -> impl Iterator<Item = (String, Point)> {
+        let tracers = self.tracers().iter().enumerate();
+        tracers
+            .filter(move |(_, tracer)| tracer.carrier == carrier)
+            .map(|(k, tracer)| (format!("P{}", k + 1), Point::new(tracer.x, tracer.y)))
+    }
+}
