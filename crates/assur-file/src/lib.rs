@@ -2,15 +2,17 @@
 //! addresses never freeze the engine. All checking of input from outside
 //! happens here and in the constructors of `assur`, once.
 
+mod catalogue;
 mod linkage;
 mod mixer;
 mod problem;
 mod state;
 
+pub use catalogue::{catalogue, from_catalogue, from_text};
 pub use linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     PointDocument, SlideDocument,
 };
 pub use mixer::{MixerDocument, TracerDocument, WheelDocument};
 pub use problem::{Field, Problem};
-pub use state::{Axes, Lesson, SpeedUnit, State, View};
+pub use state::{Axes, Document, SpeedUnit, State, View};

@@ -5,6 +5,7 @@ mod check;
 mod problem;
 
 use assur::Point;
+use assur::catalog::mixer::Mixer;
 use assur::gears::Mesh;
 use assur::mechanism::{
     Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism,
@@ -199,6 +200,27 @@ impl LinkageDocument {
             drivers: drivers.collect(),
             ..Self::default()
         }
+    }
+
+    /// A mixer, with the angles of what its rocker drives plotted.
+    ///
+    /// # Errors
+    /// Why it cannot be drawn.
+    pub fn of_mixer(mixer: &Mixer) -> Result<Self, Problem> {
+        let mut document = Self::new(&mixer.draft()?);
+        let driven = document.links.iter().map(|link| &link.name);
+        let driven = driven.filter(|name| *name == "rocker" || name.starts_with("wheel"));
+        document.plots = driven
+            .filter(|name| *name != "wheel4")
+            .map(|name| format!("{name}.angle"))
+            .collect();
+        let traced = document.points.iter().map(|point| &point.name);
+        document.traces = traced
+            .filter(|name| name.starts_with('P'))
+            .cloned()
+            .collect();
+        document.traces.extend(["B", "C"].map(str::to_owned));
+        Ok(document)
     }
 
     /// The draft that is described. Drivers that are neither a crank nor a slide

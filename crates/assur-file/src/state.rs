@@ -2,9 +2,10 @@
 
 use assur::catalog::mixer::{Mixer, Quantity};
 use assur::motion::Input;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{MixerDocument, Problem};
+use crate::{LinkageDocument, MixerDocument, Problem};
 
 /// The version of the saved form that is written; others are refused.
 const FORMAT: f64 = 1.0;
@@ -21,24 +22,47 @@ const EPSILON_LIMIT: f64 = 1e6;
 
 /// A state of the page that has the right form; keys it does not know are passed
 /// over. What its numbers mean is checked by [`State::check`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
     /// Version of the saved form, 1.
     pub format: f64,
-    /// Which lesson is open.
-    pub lesson: Lesson,
-    /// Its mechanism.
-    pub document: MixerDocument,
+    /// Which lesson is open, with its mechanism.
+    #[serde(flatten)]
+    pub document: Document,
     /// How it is looked at.
     pub view: View,
 }
 
-/// The lessons there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Lesson {
+/// The mechanism of each lesson; serialised as `lesson` and `document`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "lesson", content = "document", rename_all = "snake_case")]
+pub enum Document {
     /// Crank-rocker and gears.
+    Mixer(MixerDocument),
+    /// Any linkage.
+    Linkage(LinkageDocument),
+}
+
+/// What says how the rest of a state is to be read.
+#[derive(Deserialize)]
+struct Head {
+    format: f64,
+    lesson: Lesson,
+}
+
+/// The rest of a state.
+#[derive(Deserialize)]
+struct Body<D> {
+    document: D,
+    #[serde(default)]
+    view: View,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Lesson {
     Mixer,
+    Linkage,
 }
 
 /// How the mechanism is looked at; nothing here changes the mechanism.
@@ -127,6 +151,31 @@ fn one() -> f64 {
     1.0
 }
 
+impl Default for View {
+    /// How a file is looked at that does not say. (No language: the reader's.)
+    fn default() -> Self {
+        Self {
+            phi_deg: 0.0,
+            playing: false,
+            direction: 1.0,
+            speed: 1.0,
+            traces: true,
+            centres: false,
+            vectors: false,
+            loop_vectors: false,
+            transmission: false,
+            plot: angles(),
+            axes: Axes::default(),
+            omega: one(),
+            omega_unit: SpeedUnit::default(),
+            epsilon: 0.0,
+            true_time: false,
+            differenced: false,
+            lang: String::new(),
+        }
+    }
+}
+
 impl View {
     /// How the crank turns for the plots and read-outs.
     pub fn input(&self) -> Input {
@@ -141,23 +190,57 @@ impl View {
 }
 
 impl State {
-    /// Reads a state from any self-describing format.
+    /// Reads a state from any self-describing format; `source` gives the whole of
+    /// it whenever it is asked.
     ///
     /// # Errors
-    /// [`Problem::BadState`] with the path of the part that has not the form.
-    pub fn read<'de>(source: impl Deserializer<'de>) -> Result<Self, Problem> {
-        serde_path_to_error::deserialize(source).map_err(|error| Problem::BadState {
-            path: error.path().to_string(),
-            detail: error.inner().to_string(),
+    /// [`Problem::BadState`] with the path of the part that has not the form;
+    /// another version.
+    pub fn read<'de, D: Deserializer<'de>>(source: impl Fn() -> D) -> Result<Self, Problem> {
+        let head: Head = part(source())?;
+        if head.format != FORMAT {
+            return Err(Problem::UnknownChoice {
+                field: "format".into(),
+            });
+        }
+        let (document, view) = match head.lesson {
+            Lesson::Mixer => {
+                let Body { document, view } = part(source())?;
+                (Document::Mixer(document), view)
+            }
+            Lesson::Linkage => {
+                let Body { document, view } = part(source())?;
+                (Document::Linkage(document), view)
+            }
+        };
+        Ok(Self {
+            format: head.format,
+            document,
+            view,
         })
+    }
+
+    /// Reads a state from JSON.
+    ///
+    /// # Errors
+    /// As [`State::read`].
+    pub fn parse(text: &str) -> Result<Self, Problem> {
+        let value = json(text)?;
+        Self::read(|| &value)
     }
 
     /// The mixer that is described, and the quantities of it that are plotted.
     ///
     /// # Errors
-    /// Every problem of the whole state at once, each naming its field.
+    /// Every problem of the whole state at once, each naming its field; another
+    /// lesson.
     pub fn mixer(&self) -> Result<(Mixer, Vec<Quantity>), Vec<Problem>> {
-        match (self.check(), self.document.mixer()) {
+        let Document::Mixer(document) = &self.document else {
+            return Err(vec![Problem::UnknownChoice {
+                field: "lesson".into(),
+            }]);
+        };
+        match (self.check(), document.mixer()) {
             (Ok(()), Ok(mixer)) => match mixer.plot(&self.view.plot) {
                 Some(plotted) => Ok((mixer, plotted)),
                 None => Err(vec![Problem::UnknownChoice {
@@ -167,6 +250,22 @@ impl State {
             (checked, mixer) => {
                 let problems = [checked.err(), mixer.err()];
                 Err(problems.into_iter().flatten().flatten().collect())
+            }
+        }
+    }
+
+    /// The linkage that is described; a mixer as one like any other.
+    ///
+    /// # Errors
+    /// Every problem of the view, and of a mixer. What is wrong with the linkage
+    /// is told by [`LinkageDocument::mechanism`].
+    pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        self.check()?;
+        match &self.document {
+            Document::Linkage(document) => Ok(document.clone()),
+            Document::Mixer(document) => {
+                let mixer = document.mixer()?;
+                LinkageDocument::of_mixer(&mixer).map_err(|problem| vec![problem])
             }
         }
     }
@@ -237,6 +336,19 @@ impl State {
     }
 }
 
+/// Reads what a type takes of a source, or says where it has not the form.
+pub(crate) fn part<'de, T: DeserializeOwned>(source: impl Deserializer<'de>) -> Result<T, Problem> {
+    serde_path_to_error::deserialize(source).map_err(|error| Problem::BadState {
+        path: error.path().to_string(),
+        detail: error.inner().to_string(),
+    })
+}
+
+/// Any JSON.
+pub(crate) fn json(text: &str) -> Result<serde_json::Value, Problem> {
+    part(&mut serde_json::Deserializer::from_str(text))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -247,8 +359,7 @@ mod tests {
     fn state() -> State {
         State {
             format: FORMAT,
-            lesson: Lesson::Mixer,
-            document: MixerDocument::new(&Case::A.dimensions()),
+            document: Document::Mixer(MixerDocument::new(&Case::A.dimensions())),
             view: View {
                 phi_deg: 62.0,
                 playing: true,
@@ -273,16 +384,11 @@ mod tests {
         }
     }
 
-    fn read(text: &str) -> Result<State, Problem> {
-        State::read(&mut serde_json::Deserializer::from_str(text))
-    }
-
     #[test]
     fn round_trip() {
         let text = serde_json::to_string(&state()).unwrap();
-        assert_eq!(read(&text).unwrap(), state());
+        assert_eq!(State::parse(&text).unwrap(), state());
         assert_eq!(state().check(), Ok(()));
-        assert!(state().document.mixer().is_ok());
         let (mixer, plotted) = state().mixer().unwrap();
         assert_eq!(Some(plotted), mixer.plot("C2"));
     }
@@ -299,7 +405,7 @@ mod tests {
         ] {
             let mut bad = serde_json::to_value(state()).unwrap();
             bad["view"][key] = value;
-            let problems = read(&bad.to_string()).unwrap().mixer().unwrap_err();
+            let problems = State::parse(&bad.to_string()).unwrap().mixer().unwrap_err();
             let problems = serde_json::to_value(problems).unwrap();
             let found = [&problems[0]["code"], &problems[0]["field"]];
             let found = found.map(|text| text.as_str().unwrap()).join(" ");
@@ -312,7 +418,7 @@ mod tests {
         ] {
             let mut bad = serde_json::to_value(state()).unwrap();
             bad["view"][key] = value;
-            assert!(read(&bad.to_string()).is_err(), "{key}");
+            assert!(State::parse(&bad.to_string()).is_err(), "{key}");
         }
     }
 
@@ -326,6 +432,48 @@ mod tests {
         assert_eq!(view.input(), input);
         view.axes = Axes::Analogues;
         assert_eq!(view.input(), Input::ANALOGUES);
+    }
+
+    #[test]
+    fn another_lesson_has_another_document() {
+        let mut value = serde_json::to_value(state()).unwrap();
+        value["lesson"] = json!("linkage");
+        let path = |value: &serde_json::Value| match State::parse(&value.to_string()) {
+            Err(Problem::BadState { path, .. }) => path,
+            other => panic!("{other:?}"),
+        };
+        assert!(path(&value).starts_with("document"));
+        value["document"] = json!({
+            "points": [{"name": "A", "at": [0, 0]}, {"name": "B", "at": [1, 0]}],
+            "frame": ["A"],
+            "links": [{"name": "crank", "points": ["A", "B"]}],
+            "drivers": [{"crank": "crank"}],
+        });
+        let state = State::parse(&value.to_string()).unwrap();
+        assert!(state.linkage().unwrap().mechanism().is_ok());
+        let lesson = Problem::UnknownChoice {
+            field: "lesson".into(),
+        };
+        assert_eq!(state.mixer(), Err(vec![lesson]));
+        assert_eq!(serde_json::to_value(&state).unwrap()["lesson"], "linkage");
+        // A file may say nothing of the view.
+        value.as_object_mut().unwrap().remove("view");
+        let state = State::parse(&value.to_string()).unwrap();
+        assert_eq!(
+            (state.view.clone(), state.check()),
+            (View::default(), Ok(()))
+        );
+        value["document"]["links"][0]["points"][1] = json!(2);
+        assert_eq!(path(&value), "document.links[0].points[1]");
+    }
+
+    #[test]
+    fn an_unknown_version_is_said_first() {
+        let format = Problem::UnknownChoice {
+            field: "format".into(),
+        };
+        let text = r#"{"format": 2, "lesson": "mixer", "document": 7}"#;
+        assert_eq!(State::parse(text), Err(format));
     }
 
     #[test]
@@ -364,7 +512,7 @@ mod tests {
             projector: false,
             ..expected.view
         };
-        assert_eq!(read(&older.to_string()).unwrap(), expected);
+        assert_eq!(State::parse(&older.to_string()).unwrap(), expected);
     }
 
     /// The form of one wheel, before there were several, is read and written anew.
@@ -377,13 +525,13 @@ mod tests {
         document.insert("z5".to_owned(), wheels[0]["z"].clone());
         let line = wheels[0]["centre_line_deg"].clone();
         document.insert("centre_line_deg".to_owned(), line);
-        assert_eq!(read(&older.to_string()).unwrap(), state());
-        let text = serde_json::to_string(&read(&older.to_string()).unwrap()).unwrap();
+        assert_eq!(State::parse(&older.to_string()).unwrap(), state());
+        let text = serde_json::to_string(&State::parse(&older.to_string()).unwrap()).unwrap();
         assert!(!text.contains("z5") && text.contains("\"wheels\":[{\"z\":18.0,"));
         // Half of it is none.
         older["document"].as_object_mut().unwrap().remove("z5");
         assert!(
-            matches!(read(&older.to_string()), Err(Problem::BadState { path, .. }) if path == "document")
+            matches!(State::parse(&older.to_string()), Err(Problem::BadState { path, .. }) if path == "document")
         );
     }
 
@@ -402,7 +550,7 @@ mod tests {
             ("\"step\":3", "\"step\":1.5", "view.step"),
         ] {
             assert!(text.contains(from), "{from}");
-            match read(&text.replace(from, to)) {
+            match State::parse(&text.replace(from, to)) {
                 Err(Problem::BadState { path: found, .. }) => assert_eq!(found, path),
                 other => panic!("{to}: {other:?}"),
             }
@@ -430,7 +578,7 @@ mod tests {
         ];
         assert_eq!(bad.check(), Err(fields.to_vec()));
 
-        let mut document = state().document;
+        let mut document = MixerDocument::new(&Case::A.dimensions());
         (document.l1, document.l2, document.l3) = (f64::NAN, -0.85, 0.0);
         (document.l4, document.z4, document.module) = (1e300, 0.0, 0.0);
         (document.mesh, document.assembly) = ("worm".to_owned(), 3.0);

@@ -2,7 +2,8 @@
 //! says where.
 
 use assur::mechanism::Draft;
-use assur_file::{LinkageDocument, Problem};
+use assur::motion::Motion;
+use assur_file::{LinkageDocument, Problem, catalogue, from_catalogue, from_text};
 use serde_json::{Value, json};
 
 fn read(value: &Value) -> Result<LinkageDocument, (String, String)> {
@@ -261,5 +262,118 @@ fn a_draft_is_written_as_it_is() {
     assert_eq!(
         text["links"],
         json!([{"name": "crank", "points": ["A", "B"]}])
+    );
+}
+
+/// The examples of the document read, move, and are of every kind of pair.
+#[test]
+fn the_examples_of_the_document_move() {
+    let text = include_str!("../../../docs/file-format.md");
+    let blocks = text
+        .split("```json\n")
+        .skip(1)
+        .map(|rest| rest.split("```").next().unwrap());
+    // The first one is the outline.
+    let examples: Vec<&str> = blocks.skip(1).collect();
+    assert_eq!(examples.len(), 5);
+    for example in examples {
+        let document = from_text(example).unwrap();
+        let mechanism = document
+            .mechanism()
+            .unwrap_or_else(|problems| panic!("{problems:?}\n{example}"));
+        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let [from, to] = motion.cycle().arcs()[0];
+        for k in 0..=12 {
+            let input = from + (to - from) * (0.01 + 0.98 * f64::from(k) / 12.0);
+            assert!(motion.pose::<3>(input).is_ok(), "{input}\n{example}");
+        }
+    }
+}
+
+/// Every name of the catalogue is a mechanism that can be moved.
+#[test]
+fn the_catalogue_moves() {
+    let mut names = Vec::new();
+    for name in catalogue() {
+        let document = from_catalogue(name).unwrap().unwrap();
+        let mechanism = document
+            .mechanism()
+            .unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
+        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        assert!(motion.pose::<3>(mechanism.home()).is_ok(), "{name}");
+        assert!(!names.contains(&name), "{name}");
+        names.push(name);
+    }
+    assert!(from_catalogue("perpetuum-mobile").is_none());
+    let mixer = from_catalogue("mixer-a").unwrap().unwrap();
+    let links: Vec<&str> = mixer.links.iter().map(|link| link.name.as_str()).collect();
+    assert_eq!(links, ["crank", "coupler", "rocker", "wheel4", "wheel5"]);
+    let points: Vec<&str> = mixer
+        .points
+        .iter()
+        .map(|point| point.name.as_str())
+        .collect();
+    assert_eq!(points, ["A", "B", "C", "D", "C1", "C2", "C3", "E5"]);
+}
+
+/// Everything in a document, the whole first.
+fn places(value: &Value, at: &str, all: &mut Vec<String>) {
+    all.push(at.to_owned());
+    for (key, inner) in value.as_object().into_iter().flatten() {
+        places(inner, &format!("{at}/{key}"), all);
+    }
+    for (key, inner) in value.as_array().into_iter().flatten().enumerate() {
+        places(inner, &format!("{at}/{key}"), all);
+    }
+}
+
+/// Damaged files: each is refused by a problem that says where, or moves.
+#[test]
+fn damaged_linkages_are_refused_or_move() {
+    let whole = json!({"format": 1, "lesson": "linkage", "document": everything()});
+    let mut all = Vec::new();
+    places(&whole, "", &mut all);
+    let bad = [
+        json!(null),
+        json!([]),
+        json!({"crank": 1}),
+        json!("A"),
+        json!("<img src=x onerror=alert(1)>"),
+        json!("9".repeat(10_000)),
+        json!(-1),
+        json!(0.5),
+        json!(1e300),
+    ];
+    let (mut refused, mut tried) = (0, 0);
+    for place in &all {
+        for value in &bad {
+            let mut broken = whole.clone();
+            *broken.pointer_mut(place).unwrap() = value.clone();
+            tried += 1;
+            let read = from_text(&broken.to_string());
+            let Err(problems) = read.and_then(|document| document.mechanism().map(|_| ())) else {
+                continue;
+            };
+            refused += 1;
+            assert!(!problems.is_empty());
+            for problem in said(&problems) {
+                let named = ["path", "field", "name", "link", "links", "point"];
+                let named = named.iter().any(|key| problem.get(key).is_some());
+                assert!(
+                    named || problem["code"] == "no_driver",
+                    "{place}: {problem}"
+                );
+            }
+        }
+    }
+    // The text may end anywhere.
+    let text = whole.to_string();
+    for end in (0..text.len()).step_by(3) {
+        tried += 1;
+        refused += usize::from(from_text(&text[..end]).is_err());
+    }
+    assert!(
+        tried >= 1000 && refused * 10 >= tried * 8,
+        "{refused} of {tried}"
     );
 }

@@ -31,7 +31,7 @@ fn good() -> Value {
 }
 
 fn problems(text: &str) -> Vec<Problem> {
-    match State::read(&mut serde_json::Deserializer::from_str(text)) {
+    match State::parse(text) {
         Err(problem) => vec![problem],
         Ok(state) => state.mixer().err().unwrap_or_default(),
     }

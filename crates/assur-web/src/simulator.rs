@@ -45,7 +45,7 @@ impl Simulator {
     /// # Errors
     /// Every problem of the state; the mechanism set before stays.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
-        let source = serde_wasm_bindgen::Deserializer::from(state);
+        let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
         let state = State::read(source).map_err(|problem| thrown([problem]))?;
         let (mixer, plotted) = state.mixer().map_err(thrown)?;
         let overlays = Overlays {
@@ -302,7 +302,7 @@ pub fn presets() -> JsValue {
 /// Every problem of the state.
 #[wasm_bindgen(js_name = readState)]
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
-    let source = serde_wasm_bindgen::Deserializer::from(state);
+    let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
     let state = State::read(source).map_err(|problem| thrown([problem]))?;
     state.mixer().map_err(thrown)?;
     Ok(to_js(&state))

@@ -1,0 +1,65 @@
+//! Mechanisms that come with Assur, by name, and those of a reader's files.
+
+use assur::catalog::mixer::{Case, Mixer};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use crate::state::{json, part};
+use crate::{LinkageDocument, Problem, State};
+
+/// Names of the cases of the mixer's figure; what they are is made by the engine.
+const MIXERS: [(&str, Case); 3] = [
+    ("mixer-a", Case::A),
+    ("mixer-b", Case::B),
+    ("mixer-c", Case::C),
+];
+
+/// Names and texts of the files of the catalogue.
+const FILES: &[(&str, &str)] = &[];
+
+/// The names of the catalogue.
+pub fn catalogue() -> impl Iterator<Item = &'static str> {
+    let mixers = MIXERS.iter().map(|(name, _)| *name);
+    mixers.chain(FILES.iter().map(|(name, _)| *name))
+}
+
+/// The linkage of a name of the catalogue; none where there is no such name.
+///
+/// # Errors
+/// What is wrong with it; a test sees to it that nothing is.
+pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
+    if let Some((_, case)) = MIXERS.iter().find(|(one, _)| *one == name) {
+        return Some(match Mixer::new(&case.dimensions()) {
+            Ok(mixer) => LinkageDocument::of_mixer(&mixer).map_err(|problem| vec![problem]),
+            Err(reasons) => Err(reasons.into_iter().map(Problem::from).collect()),
+        });
+    }
+    let (_, text) = FILES.iter().find(|(one, _)| *one == name)?;
+    Some(from_text(text))
+}
+
+/// The linkage of a file: a state of the page, or the document of a linkage alone.
+///
+/// # Errors
+/// What has not the form, with its path; what is wrong with a view or a mixer.
+pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
+    /// A state has one of these.
+    #[derive(Deserialize)]
+    struct Keys {
+        format: Option<IgnoredAny>,
+        lesson: Option<IgnoredAny>,
+        document: Option<IgnoredAny>,
+    }
+    let read = || -> Result<_, Problem> {
+        let value = json(text)?;
+        let keys: Keys = part(&value)?;
+        if keys.format.is_none() && keys.lesson.is_none() && keys.document.is_none() {
+            return Ok(Err(part(&value)?));
+        }
+        State::read(|| &value).map(Ok)
+    };
+    match read().map_err(|problem| vec![problem])? {
+        Ok(state) => state.linkage(),
+        Err(bare) => Ok(bare),
+    }
+}
