@@ -4,6 +4,7 @@
 //! only said where it stands.
 
 pub mod chart;
+mod figure;
 mod gear;
 mod list;
 mod mixer;
@@ -13,6 +14,7 @@ mod plots;
 mod tracers;
 mod wheels;
 
+pub use figure::Figure;
 pub use list::{LABELS, List, ROLES, Role};
 pub use mixer::Scene;
 pub use overlays::Overlays;

@@ -8,7 +8,8 @@
 //! | `3, role, look, x, y, r` | a circle |
 //! | `4, role, label, x, y, dx, dy` | a label whose middle stands off the point by (dx, dy) text heights |
 //!
-//! Roles, looks and labels are numbers in the order of their enumerations.
+//! Roles, looks and labels are numbers in the order of their enumerations; the
+//! labels of a [`crate::Figure`] are numbers of its points.
 //! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
 
 use assur::Point;
@@ -166,7 +167,12 @@ impl List {
     }
 
     pub(crate) fn label(&mut self, role: Role, label: Label, at: Point, off: [f64; 2]) {
-        self.0.extend([4.0, role as u8 as f32, label as u8 as f32]);
+        self.name(role, usize::from(label as u8), at, off);
+    }
+
+    /// A label of a table of the drawing's own.
+    pub(crate) fn name(&mut self, role: Role, name: usize, at: Point, off: [f64; 2]) {
+        self.0.extend([4.0, role as u8 as f32, name as f32]);
         self.0
             .extend([at.x, at.y, off[0], off[1]].map(|x| x as f32));
     }

@@ -73,6 +73,12 @@ impl Scales {
 /// The symbol of a centre of mass on a link, in the link's own coordinates.
 pub(crate) fn centre_of_mass(list: &mut List, label: Label, length: f64, unit: f64) {
     let at = Point::origin() + Vector::x() * (Offset::MIDDLE.along * length);
+    mass(list, at, unit);
+    list.label(Role::Ink, label, at, [-1.0, 1.1]);
+}
+
+/// The symbol of a centre of mass.
+pub(crate) fn mass(list: &mut List, at: Point, unit: f64) {
     list.circle(Role::Ink, Look::Hollow, at, 1.3 * unit);
     let quarter = |from: f64| -> Vec<Point> {
         let rim = (0..=8).map(|i| {
@@ -82,7 +88,6 @@ pub(crate) fn centre_of_mass(list: &mut List, label: Label, length: f64, unit: f
         [at].into_iter().chain(rim).collect()
     };
     list.polygons(Role::Ink, Look::Solid, &[quarter(0.0), quarter(PI)]);
-    list.label(Role::Ink, label, at, [-1.0, 1.1]);
 }
 
 /// The derivatives of B and C as arrows from where they are; none next to a dead

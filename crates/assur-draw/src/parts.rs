@@ -17,6 +17,50 @@ pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_widt
     list.polygons(Role::Paper, Look::Soft, &[capsule(from, to, inset)]);
 }
 
+/// A link with three hinges or more: a plate with round corners, given
+/// counter-clockwise.
+pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: f64) {
+    let count = corners.len();
+    let mut outline = Vec::new();
+    for (i, corner) in corners.iter().enumerate() {
+        let outward = |from: Point, to: Point| (to - from).y.atan2((to - from).x) - PI / 2.0;
+        let start = outward(corners[(i + count - 1) % count], *corner);
+        let turn = (outward(*corner, corners[(i + 1) % count]) - start).rem_euclid(TAU);
+        outline.extend((0..=ARC).map(|k| {
+            let (sin, cos) = (start + turn * k as f64 / ARC as f64).sin_cos();
+            corner + assur::Vector::new(cos, sin) * half_width
+        }));
+    }
+    list.polygons(role, Look::Pale, &[outline]);
+}
+
+/// The corners of the convex hull, counter-clockwise; of places in line the two
+/// ends.
+pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
+    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    places.dedup_by(|a, b| (*a - *b).norm() == 0.0);
+    let [Some(first), Some(last)] = [places.first(), places.last()].map(|end| end.copied()) else {
+        return places;
+    };
+    let size = (last - first).norm();
+    let half = |places: &mut dyn Iterator<Item = Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for place in places {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp(&(place - b)) <= 1e-6 * size * (place - a).norm()
+            {
+                chain.pop();
+            }
+            chain.push(place);
+        }
+        chain.pop();
+        chain
+    };
+    let mut around = half(&mut places.iter().copied());
+    around.extend(half(&mut places.iter().rev().copied()));
+    if around.is_empty() { places } else { around }
+}
+
 /// A hinge: the small circle of the textbooks.
 pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);

@@ -1,0 +1,241 @@
+//! Which points are joints, which links are drawn how.
+
+use assur::mechanism::{Draft, FRAME, Mechanism, Pose};
+use assur::{Point, Vector};
+
+use crate::list::Role;
+use crate::parts;
+
+/// Colours of links that are not driven, in turn.
+const ROLES: [Role; 6] = [
+    Role::Coupler,
+    Role::Rocker,
+    Role::Wheel5,
+    Role::Wheel6,
+    Role::Wheel8,
+    Role::Wheel9,
+];
+
+/// A link, or the frame: none.
+pub(super) type LinkOrFrame = Option<usize>;
+
+/// What is known of a draft before it is drawn. Bodies are links that are fixed to
+/// no other, or the frame.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    roles: Vec<Role>,
+    outlines: Vec<Vec<Point>>,
+    bars: Vec<bool>,
+    points: Vec<Pinned>,
+}
+
+/// A point and what it is for.
+#[derive(Clone, Debug)]
+struct Pinned {
+    /// The bodies that have it.
+    bodies: Vec<LinkOrFrame>,
+    /// The first link that lists it.
+    link: LinkOrFrame,
+    centre: bool,
+    neighbours: Vec<usize>,
+}
+
+impl Layout {
+    pub(super) fn new(draft: &Draft, mechanism: &Mechanism, home: &Pose<1>) -> Self {
+        let points = (0..draft.points.len()).map(|point| pinned(draft, mechanism, point));
+        let mut layout = Self {
+            roles: roles(draft),
+            outlines: Vec::new(),
+            bars: Vec::new(),
+            points: points.collect(),
+        };
+        for link in 0..draft.links.len() {
+            let joints = mechanism.points_of(link).iter();
+            let joints = joints.filter(|point| layout.is_joint(**point)).count();
+            layout.bars.push(joints > 1);
+            layout
+                .outlines
+                .push(layout.outlined(draft, mechanism, home, link));
+        }
+        layout
+    }
+
+    /// The corners of a link: two of a bar, three and more of a plate; none of
+    /// one that lies on what it is fixed to.
+    fn outlined(
+        &self,
+        draft: &Draft,
+        mechanism: &Mechanism,
+        home: &Pose<1>,
+        link: usize,
+    ) -> Vec<Point> {
+        let own = mechanism.points_of(link).iter();
+        let own: Vec<usize> = own
+            .copied()
+            .filter(|point| self.is_joint(*point) || !self.is_centre(*point))
+            .collect();
+        let fixed = draft.links[link].fixed_to.is_some();
+        let listed = |point: &usize| self.link_of(*point) != Some(link);
+        if fixed && own.iter().all(listed) {
+            return Vec::new();
+        }
+        let places = own
+            .iter()
+            .map(|point| local(mechanism, home, Some(link), *point));
+        parts::hull(places.collect())
+    }
+
+    pub(super) fn role(&self, link: usize) -> Role {
+        self.roles.get(link).copied().unwrap_or(Role::Coupler)
+    }
+
+    pub(super) fn outline(&self, link: usize) -> &[Point] {
+        &self.outlines[link]
+    }
+
+    /// Whether a link joins two hinges or more.
+    pub(super) fn is_bar(&self, link: usize) -> bool {
+        self.bars[link]
+    }
+
+    /// The first link that lists a point.
+    pub(super) fn link_of(&self, point: usize) -> LinkOrFrame {
+        self.points[point].link
+    }
+
+    pub(super) fn neighbours(&self, point: usize) -> &[usize] {
+        &self.points[point].neighbours
+    }
+
+    /// Whether bodies are hinged there.
+    pub(super) fn is_joint(&self, point: usize) -> bool {
+        self.points[point].bodies.len() > 1
+    }
+
+    /// Whether something is hinged on the frame there.
+    pub(super) fn is_support(&self, point: usize) -> bool {
+        self.is_joint(point) && !self.moves(point)
+    }
+
+    /// Whether it is not a point of the frame.
+    pub(super) fn moves(&self, point: usize) -> bool {
+        !self.points[point].bodies.contains(&None)
+    }
+
+    pub(super) fn is_centre(&self, point: usize) -> bool {
+        self.points[point].centre
+    }
+
+    /// Whether anything is seen there: points that only give a line of the frame
+    /// are not.
+    pub(super) fn is_drawn(&self, point: usize) -> bool {
+        self.link_of(point).is_some()
+    }
+
+    /// A point at which two bodies are hinged.
+    pub(super) fn hinge(&self, a: LinkOrFrame, b: LinkOrFrame) -> Option<usize> {
+        let both = |pinned: &Pinned| pinned.bodies.contains(&a) && pinned.bodies.contains(&b);
+        self.points.iter().position(both)
+    }
+}
+
+fn pinned(draft: &Draft, mechanism: &Mechanism, point: usize) -> Pinned {
+    let name = &draft.points[point].name;
+    let mut bodies: Vec<LinkOrFrame> = Vec::new();
+    if draft.frame.contains(name) {
+        bodies.push(None);
+    }
+    let mut neighbours = Vec::new();
+    let mut first = None;
+    for link in 0..draft.links.len() {
+        let points = mechanism.points_of(link);
+        if points.contains(&point) {
+            let body = body_of(draft, Some(link));
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
+            first = first.or(Some(link));
+            neighbours.extend(points.iter().copied().filter(|other| *other != point));
+        }
+    }
+    let mut links = draft.links.iter();
+    Pinned {
+        centre: links.any(|link| link.centre_of_mass.as_ref() == Some(name)),
+        bodies,
+        link: first,
+        neighbours,
+    }
+}
+
+/// The link that a link is fixed to in the end.
+pub(super) fn body_of(draft: &Draft, link: LinkOrFrame) -> LinkOrFrame {
+    let mut body = link;
+    for _ in 0..draft.links.len() {
+        match body.and_then(|link| draft.links[link].fixed_to.as_ref()) {
+            Some(base) => body = index_of(draft, base),
+            None => break,
+        }
+    }
+    body
+}
+
+/// The index of a link; none for the frame.
+pub(super) fn index_of(draft: &Draft, name: &str) -> LinkOrFrame {
+    if name == FRAME {
+        return None;
+    }
+    draft.links.iter().position(|link| link.name == name)
+}
+
+/// The driven link is a crank by its colour, the others take theirs in turn; what
+/// is fixed to a link has its.
+fn roles(draft: &Draft) -> Vec<Role> {
+    let driven = |name: &String| {
+        draft.drivers.iter().any(|driver| match driver {
+            assur::mechanism::DraftDriver::Crank { link, .. } => link == name,
+            assur::mechanism::DraftDriver::Slide { slide, .. } => {
+                let slide = draft.slides.get(*slide);
+                slide.is_some_and(|slide| slide.link == *name)
+            }
+        })
+    };
+    let mut turn = ROLES.into_iter().cycle();
+    let mut own = |link: &assur::mechanism::DraftLink| {
+        if link.fixed_to.is_some() {
+            Role::Secondary
+        } else if driven(&link.name) {
+            Role::Crank
+        } else {
+            turn.next().unwrap_or(Role::Coupler)
+        }
+    };
+    let roles: Vec<Role> = draft.links.iter().map(&mut own).collect();
+    (0..roles.len())
+        .map(|link| body_of(draft, Some(link)).map_or(Role::Secondary, |body| roles[body]))
+        .collect()
+}
+
+/// Where a link's own coordinates are: its first point and its angle.
+pub(super) fn body(mechanism: &Mechanism, pose: &Pose<1>, link: LinkOrFrame) -> (Point, f64) {
+    let first = link.and_then(|link| Some((link, *mechanism.points_of(link).first()?)));
+    first.map_or((Point::origin(), 0.0), |(link, point)| {
+        let angle = mechanism.angle(pose, link).value();
+        (mechanism.place(pose, point).place(), angle)
+    })
+}
+
+/// Where a point is in the coordinates of a link.
+pub(super) fn local(
+    mechanism: &Mechanism,
+    pose: &Pose<1>,
+    link: LinkOrFrame,
+    point: usize,
+) -> Point {
+    let (origin, angle) = body(mechanism, pose, link);
+    Point::origin() + turned(mechanism.place(pose, point).place() - origin, -angle)
+}
+
+pub(super) fn turned(v: Vector, angle: f64) -> Vector {
+    let (sin, cos) = angle.sin_cos();
+    Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
+}
