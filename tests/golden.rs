@@ -1,7 +1,7 @@
 //! The engine against tables computed in 40-digit arithmetic, on both targets.
 
 use assur::catalog::mixer::{Case, Mixer};
-use assur::motion::sweep;
+use assur::motion::sweep::sweep;
 use assur::{Assembly, FourBar, JetPoint, Link, Offset};
 use assur_tests::{Row, Table, angle_between, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};

@@ -105,7 +105,7 @@ pub struct Panel {
     pub x: [f64; 2],
     /// Values at the lower and the upper edge.
     pub y: [f64; 2],
-    /// Places for labels along x, values in degrees.
+    /// Places for labels along x, values of angles in degrees.
     pub x_ticks: Vec<Tick>,
     /// Places for labels along y, values of angles in degrees.
     pub y_ticks: Vec<Tick>,
@@ -120,6 +120,8 @@ pub struct Panel {
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
+    /// Whether the input is an angle; else it is a length.
+    turns: bool,
     kind: Kind,
     settings: Settings,
     series: Vec<Series>,
@@ -139,11 +141,17 @@ impl Chart {
     ) -> Self {
         Self {
             axis: cycle.axis(),
+            turns: cycle.period().is_some(),
             kind,
             settings,
             plots: curves::plots(cycle, &series, sample, settings),
             series,
         }
+    }
+
+    /// Whether the input is an angle, labelled in degrees; else it is a length.
+    pub fn turns(&self) -> bool {
+        self.turns
     }
 
     /// What the quantities are.
@@ -200,7 +208,11 @@ impl Chart {
                 height: f64::from(each),
                 x: self.axis,
                 y: [min, max],
-                x_ticks: ticks::crank(self.axis, f64::from(inner), scale),
+                x_ticks: if self.turns {
+                    ticks::crank(self.axis, f64::from(inner), scale)
+                } else {
+                    ticks::way(self.axis, f64::from(inner), scale)
+                },
                 y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each), scale),
                 marks: plot.curves.iter().map(|c| c.marks(min, max)).collect(),
                 points: Vec::new(),
@@ -232,7 +244,11 @@ impl Chart {
         let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
         let mut lines: Vec<Line> = Vec::new();
         for tick in &panel.x_ticks {
-            let x = tick.value.to_radians();
+            let x = if self.turns {
+                tick.value.to_radians()
+            } else {
+                tick.value
+            };
             lines.push((vec![(x, y0), (x, y1)], Role::Line, FINE));
         }
         for tick in &panel.y_ticks {

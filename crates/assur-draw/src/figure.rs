@@ -1,6 +1,7 @@
 //! Any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths.
 
 mod layout;
+mod plots;
 mod slides;
 mod wheels;
 

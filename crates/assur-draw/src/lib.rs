@@ -11,6 +11,7 @@ mod mixer;
 mod overlays;
 mod parts;
 mod plots;
+pub mod svg;
 mod tracers;
 mod wheels;
 

@@ -29,6 +29,17 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick>
         .collect()
 }
 
+/// Labels of an input that is a length, about 50 pixels apart, or
+/// `scale` times as many.
+pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
+    multiples(round_step((to - from) * 50.0 * scale / width), from, to)
+        .map(|value| Tick {
+            value,
+            at: (value - from) / (to - from) * width,
+        })
+        .collect()
+}
+
 /// Labels of the values, about 28 pixels apart, more where text `scale` times as
 /// large would be crowded; of angles in degrees.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {

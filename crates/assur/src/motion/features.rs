@@ -185,8 +185,11 @@ struct Sample {
 /// The grid of each arc: even, and graded towards multiples of π. A full cycle is
 /// taken around φ₁ = 0, beside which numbers lie closest.
 fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
-    let cell = 2.0 * PI / GRID as f64;
+    let turn = 2.0 * PI;
     let graded = |[from, to]: &[f64; 2]| {
+        // A driven slide's way has no turns: it is one cell grid long.
+        let whole = cycle.period().map_or(to - from, |_| turn);
+        let cell = whole / GRID as f64;
         let count = ((to - from) / cell).ceil();
         let mut cranks: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))

@@ -206,6 +206,11 @@ impl Motion {
         &self.dead_points
     }
 
+    /// The links that are in line at a dead point, by name.
+    pub fn links_at(&self, dead: &DeadPoint) -> impl Iterator<Item = &str> {
+        self.mechanism.links_of(dead.step)
+    }
+
     /// The inputs at which links come into line and pass through: there another
     /// motion crosses this one.
     pub fn change_points(&self) -> &[f64] {

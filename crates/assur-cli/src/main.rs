@@ -1,0 +1,134 @@
+//! Assur in the terminal: the mechanisms of the catalogue and of files as tables,
+//! as Assur groups and as drawings.
+
+mod plot;
+mod source;
+mod structure;
+mod sweep;
+mod words;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Planar mechanisms: tables of their motion, their Assur groups, drawings.
+///
+/// NAME is a name of the catalogue (see `assur list`) or a file: a state saved by
+/// the page, or a linkage alone; docs/file-format.md describes both.
+///
+/// Exit status: 0 done, 1 a file could not be read or written, 2 bad input.
+#[derive(Parser)]
+#[command(name = "assur", version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Lists the names of the catalogue.
+    List,
+    /// Writes the motion as a table (CSV).
+    ///
+    /// One row for each input: a crank from 0° to 360° in steps, 360° included
+    /// where the grid meets it (first column `phi_deg`), a driven slide from the
+    /// least to the greatest of its range (first column `s`). Then for each link
+    /// LINK.angle, LINK.dangle, LINK.ddangle, radians, never folded; for each point
+    /// P.x, P.y, P.dx, P.dy, P.ddx, P.ddy; derivatives are by the input. The last
+    /// column is the reason where there is no pose, or none of its derivatives.
+    Sweep {
+        /// Catalogue name or file.
+        name: String,
+        /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of
+        /// the range]
+        #[arg(long, value_name = "DEG")]
+        step: Option<f64>,
+        /// Which assembly, from 1 [default: the one that is drawn]
+        #[arg(long, value_name = "N")]
+        assembly: Option<usize>,
+    },
+    /// Shows mobility, class, formula and the Assur groups in their order.
+    Structure {
+        /// Catalogue name or file.
+        name: String,
+        /// For programs.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Draws the mechanism where it is drawn in its file, with its traces, and its
+    /// plots below.
+    Plot {
+        /// Catalogue name or file.
+        name: String,
+        /// The file to write, `-` for standard output.
+        #[arg(long, value_name = "OUT")]
+        svg: PathBuf,
+        /// Which assembly, from 1 [default: the one that is drawn]
+        #[arg(long, value_name = "N")]
+        assembly: Option<usize>,
+    },
+}
+
+/// What went wrong, with what is said of it.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// Reading or writing: exit status 1.
+    Io(String),
+    /// The input is bad: exit status 2.
+    Input(String),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error.to_string())
+    }
+}
+
+fn main() -> ExitCode {
+    // clap answers --help with 0 and arguments it does not know with 2 by itself.
+    let arguments = Arguments::parse();
+    let (said, status) = match run(arguments.command) {
+        Ok(()) => return ExitCode::SUCCESS,
+        Err(Failure::Io(said)) => (said, 1),
+        Err(Failure::Input(said)) => (said, 2),
+    };
+    // With standard error gone there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "assur: {said}");
+    ExitCode::from(status)
+}
+
+fn run(command: Command) -> Result<(), Failure> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    match command {
+        Command::List => {
+            for name in assur_file::catalogue() {
+                writeln!(out, "{name}")?;
+            }
+        }
+        Command::Sweep {
+            name,
+            step,
+            assembly,
+        } => sweep::write(&mut out, &source::moved(&name, assembly)?.motion, step)?,
+        Command::Structure { name, json } => {
+            structure::write(&mut out, &source::moved(&name, None)?.motion, json)?;
+        }
+        Command::Plot {
+            name,
+            svg,
+            assembly,
+        } => {
+            let text = plot::svg(&source::moved(&name, assembly)?, &name)?;
+            if svg.as_os_str() == "-" {
+                out.write_all(text.as_bytes())?;
+            } else {
+                std::fs::write(&svg, text)
+                    .map_err(|error| Failure::Io(format!("{}: {error}", svg.display())))?;
+            }
+        }
+    }
+    out.flush()?;
+    Ok(())
+}

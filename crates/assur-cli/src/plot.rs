@@ -1,0 +1,65 @@
+//! A mechanism and its plots as SVG.
+
+use assur::mechanism::Quantity;
+use assur::motion::Input;
+use assur_draw::Figure;
+use assur_draw::chart::Settings;
+use assur_draw::svg::Svg;
+use assur_file::LinkageProblem;
+
+use crate::Failure;
+use crate::source::{Moved, refused};
+
+/// Width of the sheet, height of the drawing and of each chart, pixels.
+const WIDTH: f64 = 900.0;
+const DRAWING: f64 = 560.0;
+const CHART: f64 = 480.0;
+
+/// The drawing with the plots below it, angles before lengths.
+///
+/// # Errors
+/// A mechanism without a pose to draw.
+pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
+    let Moved { document, motion } = moved;
+    let mechanism = motion.mechanism();
+    let unsolved = |reason: assur::mechanism::Unsolved| {
+        refused(name, &[LinkageProblem::unsolved(&reason, mechanism).into()])
+    };
+    let point = |name: &String| mechanism.points().position(|point| point == name);
+    let traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
+    let figure = Figure::new(&document.draft(), motion, &traces).map_err(unsolved)?;
+    let home = figure.frame(mechanism.home());
+    let frame = home.or_else(|_| figure.frame(motion.cycle().home()));
+    let frame = frame.map_err(unsolved)?;
+
+    let mut sheet = Svg::new(WIDTH);
+    sheet.drawing(
+        DRAWING,
+        figure.bounds(),
+        figure.rigid(),
+        &frame,
+        figure.names(),
+    );
+    let named = document.plots.iter();
+    let mut plotted: Vec<Quantity> = named
+        .filter_map(|name| Quantity::named(mechanism, name))
+        .collect();
+    if plotted.is_empty() {
+        plotted.extend(mechanism.links().len().checked_sub(1).map(Quantity::Angle));
+    }
+    let (angles, lengths) = plotted
+        .into_iter()
+        .partition(|quantity: &Quantity| quantity.is_angle());
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let kinds: [Vec<Quantity>; 2] = [angles, lengths];
+    let input = if mechanism.turns() { "φ" } else { "s" };
+    for quantities in kinds.iter().filter(|kind| !kind.is_empty()) {
+        sheet.chart(CHART, &figure.chart(quantities, settings), input);
+    }
+    let title = document.title.as_deref().unwrap_or(name);
+    Ok(sheet.finish(title))
+}

@@ -1,0 +1,76 @@
+//! The mechanism that a name stands for.
+
+use std::io;
+
+use assur::motion::Motion;
+use assur_file::{LinkageDocument, Problem};
+
+use crate::{Failure, words};
+
+/// No larger file is read: the largest linkage that is taken is far smaller.
+const LARGEST: u64 = 4 << 20;
+
+/// A mechanism in motion, with the document it is from.
+pub(crate) struct Moved {
+    pub(crate) document: LinkageDocument,
+    pub(crate) motion: Motion,
+}
+
+/// The motion of a name in an assembly, counted from 1; none: the drawn one.
+///
+/// # Errors
+/// No such name or file; every reason why it is no mechanism; no such assembly.
+pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failure> {
+    let document = document(name)?;
+    let mechanism = document
+        .mechanism()
+        .map_err(|problems| refused(name, &problems))?;
+    let count = mechanism.assemblies();
+    let assembly = match assembly {
+        None => mechanism.drawn_assembly(),
+        Some(number) if (1..=count).contains(&number) => number - 1,
+        Some(number) => {
+            let said = format!("{name}: there is no assembly {number}, only 1 to {count}");
+            return Err(Failure::Input(said));
+        }
+    };
+    Ok(Moved {
+        motion: Motion::new(&mechanism, assembly),
+        document,
+    })
+}
+
+fn document(name: &str) -> Result<LinkageDocument, Failure> {
+    let found = match assur_file::from_catalogue(name) {
+        Some(found) => found,
+        None => assur_file::from_text(&text(name)?),
+    };
+    found.map_err(|problems| refused(name, &problems))
+}
+
+fn text(name: &str) -> Result<String, Failure> {
+    let unread = |error: io::Error| {
+        // A bare word was meant as a name of the catalogue.
+        if error.kind() == io::ErrorKind::NotFound && !name.contains(['/', '\\', '.']) {
+            let said = format!("{name}: no such name; `assur list` shows the names there are");
+            Failure::Input(said)
+        } else {
+            Failure::Io(format!("{name}: {error}"))
+        }
+    };
+    let size = std::fs::metadata(name).map_err(unread)?.len();
+    if size > LARGEST {
+        return Err(Failure::Input(format!("{name}: too large to be a linkage")));
+    }
+    let bytes = std::fs::read(name).map_err(unread)?;
+    String::from_utf8(bytes).map_err(|_| Failure::Input(format!("{name}: this is no text")))
+}
+
+/// One line for each problem.
+pub(crate) fn refused(name: &str, problems: &[Problem]) -> Failure {
+    let sentences: Vec<String> = problems.iter().map(words::sentence).collect();
+    Failure::Input(format!(
+        "{name}: {}",
+        sentences.join(&format!("\n{name}: "))
+    ))
+}
