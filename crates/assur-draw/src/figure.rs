@@ -137,7 +137,12 @@ impl Figure {
             let off = if self.layout.is_support(point) {
                 [-1.5, -0.2]
             } else if away.norm() > 1e-3 {
-                let off = away.normalize() * 1.5;
+                let far = if self.layout.is_on_block(point) {
+                    2.3
+                } else {
+                    1.5
+                };
+                let off = away.normalize() * far;
                 [off.x, off.y]
             } else {
                 [-1.0, 1.1]
@@ -173,6 +178,7 @@ impl Figure {
         for guide in guides {
             guide.draw_line(&mut list, u);
         }
+        list.body(0);
         let points = 0..self.names.len();
         for point in points
             .clone()

@@ -144,8 +144,14 @@ impl Svg {
             for tick in &panel.x_ticks {
                 let unit = if chart.turns() { "°" } else { "" };
                 let text = format!("{}{unit}", short(tick.value));
+                // The number at the very end stays on the sheet.
+                let anchor = if tick.at + 14.0 > panel.width {
+                    "end"
+                } else {
+                    "middle"
+                };
                 let at = [panel.left + tick.at, down];
-                self.text(&text, at, "middle", Role::Secondary, 11.0);
+                self.text(&text, at, anchor, Role::Secondary, 11.0);
             }
             let at = [panel.left + panel.width, panel.top - 9.0];
             self.text(input, at, "end", Role::Secondary, 11.0);

@@ -37,6 +37,7 @@ struct Pinned {
     /// The first link that lists it.
     link: LinkOrFrame,
     centre: bool,
+    block: bool,
     neighbours: Vec<usize>,
 }
 
@@ -126,6 +127,11 @@ impl Layout {
         self.points[point].centre
     }
 
+    /// Whether a block is drawn around it.
+    pub(super) fn is_on_block(&self, point: usize) -> bool {
+        self.points[point].block
+    }
+
     /// Whether anything is seen there: points that only give a line of the frame
     /// are not.
     pub(super) fn is_drawn(&self, point: usize) -> bool {
@@ -161,6 +167,7 @@ fn pinned(draft: &Draft, mechanism: &Mechanism, point: usize) -> Pinned {
     let mut links = draft.links.iter();
     Pinned {
         centre: links.any(|link| link.centre_of_mass.as_ref() == Some(name)),
+        block: draft.slides.iter().any(|slide| slide.point == *name),
         bodies,
         link: first,
         neighbours,
