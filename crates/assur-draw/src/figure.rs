@@ -249,7 +249,7 @@ fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
         low = low.inf(&place.coords);
         high = high.sup(&place.coords);
     }
-    if !(low.x <= high.x) {
+    if low.x > high.x {
         return [-1.0, -1.0, 1.0, 1.0];
     }
     let room = ROOM * (high - low).norm().max(f64::MIN_POSITIVE);

@@ -50,7 +50,7 @@ pub(super) fn guides(
         let [low, high] = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| {
             [low.min(way), high.max(way)]
         });
-        if !(low <= high) {
+        if low > high {
             return None;
         }
         let (_, on_angle) = layout::body(mechanism, home, on);

@@ -1,0 +1,121 @@
+//! Drawings of any linkage: whole lists, bodies where the engine has them.
+
+use assur::mechanism::{Draft, Mechanism};
+use assur::motion::Motion;
+use assur_draw::Figure;
+
+/// An offset slider-crank with a plate as rod, on whose point a block of a lever
+/// slides.
+fn draft() -> Draft {
+    Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.5, 0.8)
+        .point("C", 3.2, 0.3)
+        .point("G", 1.0, 0.3)
+        .point("H", 4.0, 0.3)
+        .point("M", 2.0, 1.6)
+        .point("D", 1.5, -2.0)
+        .point("E", 2.2, 2.5)
+        .fixed(&["A", "G", "H", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C", "M"])
+        .bar("slider", &["C"])
+        .bar("block", &["M"])
+        .bar("lever", &["D", "E"])
+        .slide("slider", "C", "frame", ["G", "H"])
+        .slide("block", "M", "lever", ["D", "E"])
+        .crank("crank")
+}
+
+/// Every record of the list, cut apart by its own counts.
+fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
+    let mut found = Vec::new();
+    while let Some(kind) = numbers.first() {
+        let length = match *kind as u8 {
+            0 => 2,
+            1 => {
+                let mut length = 4;
+                for _ in 0..numbers[3] as usize {
+                    length += 1 + 2 * numbers[length] as usize;
+                }
+                length
+            }
+            2 => 4 + 2 * numbers[3] as usize,
+            3 => 6,
+            4 => 7,
+            other => panic!("record {other}"),
+        };
+        found.push(numbers[..length].to_vec());
+        numbers = &numbers[length..];
+    }
+    found
+}
+
+#[test]
+fn lists_are_whole_and_bodies_stand_where_they_are() {
+    let draft = draft();
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let figure = Figure::new(&draft, &motion, &[5]).unwrap();
+    let rigid = records(figure.rigid().numbers());
+    assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
+    let bodies = 1 + draft.links.len();
+    for record in rigid.iter().filter(|record| record[0] == 0.0) {
+        assert!((record[1] as usize) < bodies);
+    }
+    // The path of M, dashed, is drawn first: all of a turn.
+    assert_eq!((rigid[0][0], rigid[0][2]), (2.0, 3.0));
+    assert!(rigid[0][3] > 300.0);
+    // Hinges: A, D, B, C, and M with the block.
+    let hollow = rigid
+        .iter()
+        .filter(|record| record[0] == 3.0 && record[2] == 5.0);
+    assert_eq!(hollow.count(), 5);
+    let [left, bottom, right, top] = figure.bounds();
+    for k in 0..36 {
+        let input = 0.1745 * f64::from(k);
+        let frame = figure.frame(input).unwrap();
+        assert_eq!(frame[0] as usize, bodies);
+        let pose = motion.pose::<1>(input).unwrap();
+        for link in 0..draft.links.len() {
+            let first = mechanism.points_of(link)[0];
+            let at = mechanism.place(&pose, first).place();
+            let [x, y, angle] = [1, 2, 3].map(|i| f64::from(frame[3 + 3 * link + i]));
+            assert!((x - at.x).abs() < 1e-6 && (y - at.y).abs() < 1e-6);
+            assert!((angle - mechanism.angle(&pose, link).value()).abs() < 1e-6);
+        }
+        for point in [0, 1, 2, 5, 6, 7] {
+            let at = mechanism.place(&pose, point).place();
+            assert!((left..=right).contains(&at.x) && (bottom..=top).contains(&at.y));
+        }
+        // Every point but those that only give the guide has its name.
+        let moving = records(&frame[1 + 3 * bodies..]);
+        let named: Vec<&str> = moving
+            .iter()
+            .filter(|record| record[0] == 4.0)
+            .map(|record| figure.names()[record[2] as usize].as_str())
+            .collect();
+        assert_eq!(named, ["A", "B", "C", "M", "D", "E"]);
+    }
+}
+
+/// Where there is no pose there is no frame.
+#[test]
+fn beyond_dead_points_nothing_is_drawn() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.3, 0.52)
+        .point("C", 1.05, 0.2)
+        .point("D", 0.85, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank");
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    assert!(!motion.cycle().is_full());
+    let figure = Figure::new(&draft, &motion, &[2]).unwrap();
+    assert!(figure.frame(mechanism.home()).is_ok());
+    assert!(figure.frame(3.0).is_err());
+}
