@@ -102,3 +102,41 @@ fn swings_between_dead_points() {
     assert!(motion.pose::<1>(to + 0.1).is_err());
     assert!(motion.pose::<1>(PI + to).is_err() || linkage.cycle().contains(PI + to));
 }
+
+/// Thirty groups stand in 2³⁰ ways, of which those that are tried first do not
+/// close: the drawn one is found without trying all.
+#[test]
+fn the_search_for_assemblies_is_bounded() {
+    let mut draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.3, 0.0)
+        .point("D", 2.0, 0.0)
+        .point("C", 1.2, -1.0)
+        .point("E", 1.8633, -2.0)
+        .point("F", 1.2, -3.0)
+        .fixed(&["A", "D", "F"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .bar("swing", &["C", "E"])
+        .bar("stay", &["F", "E"])
+        .crank("crank");
+    for k in 0..30 {
+        let [shaft, joint] = ["D", "C"].map(|name| format!("{name}{k}"));
+        let off = 0.01 * f64::from(k);
+        draft = draft
+            .point(&shaft, 2.0 + off, 0.0)
+            .point(&joint, 1.2, 1.0 + off)
+            .fixed(&[&shaft])
+            .bar(&format!("coupler{k}"), &["B", &joint])
+            .bar(&format!("rocker{k}"), &[&shaft, &joint]);
+    }
+    let mechanism = Mechanism::new(&draft).unwrap();
+    assert!((1..=256).contains(&mechanism.assemblies()));
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let pose = motion.pose::<1>(mechanism.home()).unwrap();
+    for (point, drawn) in draft.points.iter().enumerate() {
+        let at = mechanism.place(&pose, point).place();
+        assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
+    }
+}

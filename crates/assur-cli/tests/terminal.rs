@@ -1,4 +1,9 @@
 //! The terminal program as it is run: exit status, tables, structures, drawings.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

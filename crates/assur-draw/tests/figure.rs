@@ -1,4 +1,5 @@
 //! Drawings of any linkage: whole lists, bodies where the engine has them.
+#![allow(clippy::panic, reason = "that is how a test fails")]
 
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;

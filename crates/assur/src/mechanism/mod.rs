@@ -185,7 +185,13 @@ impl Mechanism {
             self.angles[body] = angle.value();
         }
         let mut found = Vec::new();
-        self.assemble(0, &mut vec![1.0; self.steps.len()], &mut state, &mut found);
+        let mut tries = MOST_TRIES;
+        let mut signs = vec![1.0; self.steps.len()];
+        self.assemble(0, &mut signs, &mut state, &mut found, &mut tries);
+        // The search may have ended before it came to the drawn one.
+        if !found.contains(&self.signs) {
+            found.push(self.signs.clone());
+        }
         let mut state = self.blank_state();
         found.retain(|signs| self.entry(signs, &mut state).is_some());
         if !found.contains(&self.signs) {
@@ -223,6 +229,7 @@ impl Mechanism {
         signs: &mut Vec<f64>,
         state: &mut State<1>,
         found: &mut Vec<Vec<f64>>,
+        tries: &mut usize,
     ) {
         if step == self.steps.len() {
             found.push(signs.clone());
@@ -232,8 +239,9 @@ impl Mechanism {
             signs[step] = sign;
             let input = Jet::constant(self.home);
             let solved = self.steps[step].solve(state, input, sign, &self.angles, step);
-            if solved.is_ok() && found.len() < MOST_ASSEMBLIES {
-                self.assemble(step + 1, signs, state, found);
+            *tries = tries.saturating_sub(1);
+            if solved.is_ok() && found.len() < MOST_ASSEMBLIES && *tries > 0 {
+                self.assemble(step + 1, signs, state, found, tries);
             }
             if !self.steps[step].has_sign() {
                 break;
@@ -442,8 +450,10 @@ impl<const N: usize> Pose<N> {
     }
 }
 
-/// No more assemblies are counted.
+/// No more assemblies are counted, and no more steps solved to find them: n groups
+/// can be put together in 2ⁿ ways, few of which may close.
 const MOST_ASSEMBLIES: usize = 256;
+const MOST_TRIES: usize = 1 << 14;
 
 /// Of every body the link that it was made for; the frame first.
 fn names_of_bodies(draft: &Draft, seats: &[Seat], count: usize) -> Vec<String> {
