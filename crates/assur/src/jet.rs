@@ -28,6 +28,16 @@ impl<const N: usize> Jet<N> {
         }))
     }
 
+    /// From Taylor coefficients, the value first.
+    pub(crate) fn from_coefficients(coefficients: [f64; N]) -> Self {
+        Self(coefficients)
+    }
+
+    /// The Taylor coefficient of an order; zero beyond those carried.
+    pub(crate) fn coefficient(&self, order: usize) -> f64 {
+        self.0.get(order).copied().unwrap_or(0.0)
+    }
+
     /// The value.
     pub fn value(&self) -> f64 {
         self.derivative(0)

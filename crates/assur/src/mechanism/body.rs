@@ -254,6 +254,11 @@ impl Bodies {
         Some(Driver { pair, links })
     }
 
+    /// The turn of a body in the drawing.
+    pub(super) fn drawn_turn(&self, body: usize) -> Vector {
+        self.drawn[body].1
+    }
+
     /// The angle of a body in the drawing.
     pub(super) fn drawn_angle(&self, body: usize) -> f64 {
         let turn = self.drawn[body].1;

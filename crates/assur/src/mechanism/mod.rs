@@ -7,6 +7,7 @@
 mod body;
 mod check;
 mod draft;
+mod natural;
 mod plan;
 mod quantity;
 
@@ -16,7 +17,7 @@ use std::fmt;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 
 pub use crate::position::Obstacle;
-use crate::position::{Anchor, State};
+use crate::position::{Anchor, Near, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
@@ -39,6 +40,7 @@ pub struct Mechanism {
     home: f64,
     signs: Vec<f64>,
     angles: Vec<f64>,
+    natural: Vec<f64>,
     assemblies: Vec<Vec<f64>>,
     range: Option<[f64; 2]>,
 }
@@ -77,7 +79,11 @@ impl std::error::Error for Unsolved {}
 /// Where all links are, with `N − 1` derivatives by the input. Only
 /// [`crate::motion::Motion`] fills one.
 #[derive(Clone, Debug)]
-pub struct Pose<const N: usize>(State<N>);
+pub struct Pose<const N: usize> {
+    state: State<N>,
+    /// Room for what is guessed of it before it is solved.
+    guess: Vec<f64>,
+}
 
 /// A point may be drawn this far, beside the size, from where the links put it.
 const MISDRAWN: f64 = 0.3;
@@ -99,7 +105,7 @@ impl Mechanism {
         let body_names = names_of_bodies(draft, &seats, bodies.count());
         let structure = structured(draft, &bodies, &seats, &body_names)?;
         let plan = plan::plan(draft, &bodies, &seats, &structure);
-        let (steps, home) = plan.map_err(|group| {
+        let plan = plan.map_err(|group| {
             let links = group.iter().map(|body| body_names[*body].clone()).collect();
             vec![Defect::Unsupported { links }]
         })?;
@@ -129,14 +135,15 @@ impl Mechanism {
         let mut mechanism = Self {
             points,
             links: links.collect(),
-            signs: vec![1.0; steps.len()],
-            steps,
+            signs: vec![1.0; plan.steps.len()],
+            steps: plan.steps,
+            natural: plan.natural,
             structure,
             angles: (0..bodies.count())
                 .map(|body| bodies.drawn_angle(body))
                 .collect(),
             size: draft.size(),
-            home,
+            home: plan.home,
             assemblies: Vec::new(),
             range: range_of(draft),
             body_names,
@@ -148,6 +155,14 @@ impl Mechanism {
         Ok(mechanism)
     }
 
+    /// The drawn pose as the one nearby.
+    fn drawn(&self) -> Near<'_> {
+        Near {
+            angles: &self.angles,
+            natural: &self.natural,
+        }
+    }
+
     /// Finds the assembly that is drawn, and all others at the drawn input.
     fn settle(&mut self, draft: &Draft) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
@@ -156,7 +171,7 @@ impl Mechanism {
             let mut best: Option<(f64, f64)> = None;
             let mut met = None;
             for sign in [1.0, -1.0] {
-                match self.steps[step].solve(&mut state, input, sign, &self.angles, step) {
+                match self.steps[step].solve(&mut state, input, sign, self.drawn(), step) {
                     Ok(()) => {
                         let off = self.misdrawn(draft, &state, step).map_or(0.0, |(_, by)| by);
                         if best.is_none_or(|(least, _)| off < least) {
@@ -174,7 +189,7 @@ impl Mechanism {
             };
             self.signs[step] = sign;
             // The try that counts, last: the state is that of the drawn pose.
-            let _ = self.steps[step].solve(&mut state, input, sign, &self.angles, step);
+            let _ = self.steps[step].solve(&mut state, input, sign, self.drawn(), step);
             if off > MISDRAWN * self.size
                 && let Some((point, by)) = self.misdrawn(draft, &state, step)
             {
@@ -183,6 +198,9 @@ impl Mechanism {
         }
         for (body, angle) in state.angle.iter().enumerate() {
             self.angles[body] = angle.value();
+        }
+        for (k, place) in state.natural.iter().enumerate() {
+            (self.natural[2 * k], self.natural[2 * k + 1]) = (place.x.value(), place.y.value());
         }
         let mut found = Vec::new();
         let mut tries = MOST_TRIES;
@@ -238,7 +256,7 @@ impl Mechanism {
         for sign in [1.0, -1.0] {
             signs[step] = sign;
             let input = Jet::constant(self.home);
-            let solved = self.steps[step].solve(state, input, sign, &self.angles, step);
+            let solved = self.steps[step].solve(state, input, sign, self.drawn(), step);
             *tries = tries.saturating_sub(1);
             if solved.is_ok() && found.len() < MOST_ASSEMBLIES && *tries > 0 {
                 self.assemble(step + 1, signs, state, found, tries);
@@ -332,18 +350,21 @@ impl Mechanism {
 
     /// A pose to be filled again and again.
     pub fn blank<const N: usize>(&self) -> Pose<N> {
-        Pose(self.blank_state())
+        Pose {
+            state: self.blank_state(),
+            guess: Vec::new(),
+        }
     }
 
     /// The angle of a link, from its first to its second point, in a pose.
     pub fn angle<const N: usize>(&self, pose: &Pose<N>, link: usize) -> Jet<N> {
         let part = &self.links[link];
-        pose.0.angle[part.body] + part.lead
+        pose.state.angle[part.body] + part.lead
     }
 
     /// Where a point is in a pose.
     pub fn place<const N: usize>(&self, pose: &Pose<N>, point: usize) -> JetPoint<N> {
-        pose.0.place(self.points[point].1).into()
+        pose.state.place(self.points[point].1).into()
     }
 
     /// Where a link carries one of its points in a pose: the same as
@@ -363,12 +384,12 @@ impl Mechanism {
             body,
             local: *local,
         };
-        Some(pose.0.place(anchor).into())
+        Some(pose.state.place(anchor).into())
     }
 
     pub(crate) fn blank_state<const N: usize>(&self) -> State<N> {
         let steps = self.steps.len();
-        State::new(self.angles.len(), steps, self.size)
+        State::new(self.angles.len(), steps, self.natural.len() / 2, self.size)
     }
 
     /// Solves every step for an input; the numbers of the step that fails.
@@ -376,13 +397,14 @@ impl Mechanism {
         &self,
         input: f64,
         signs: &[f64],
-        near: &[f64],
+        near: Near<'_>,
         state: &mut State<N>,
     ) -> Result<(), (usize, Obstacle)> {
         if !input.is_finite() {
             return Err((0, Obstacle::Input));
         }
         let input = Jet::linear(input, 1.0);
+        state.doubt = 0.0;
         for (k, step) in self.steps.iter().enumerate() {
             let solved = step.solve(state, input, signs[k], near, k);
             solved.map_err(|obstacle| (k, obstacle))?;
@@ -403,7 +425,7 @@ impl Mechanism {
     fn entry(&self, signs: &[f64], state: &mut State<3>) -> Option<f64> {
         let aside = [0.0, ASIDE, -ASIDE].map(|aside| aside * self.span() / TAU);
         let mut inputs = aside.into_iter().map(|aside| self.home + aside);
-        inputs.find(|input| self.solve(*input, signs, &self.angles, state).is_ok())
+        inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
     }
 
     /// One turn, or the range of the driven slide.
@@ -439,14 +461,18 @@ impl Mechanism {
         self.steps[step].passes()
     }
 
+    pub(crate) fn is_group(&self, step: usize) -> bool {
+        matches!(self.steps[step], Step::Group(_))
+    }
+
     pub(crate) fn has_two_margins(&self, step: usize) -> bool {
         matches!(self.steps[step], Step::Rrr(_) | Step::Closed(_))
     }
 }
 
 impl<const N: usize> Pose<N> {
-    pub(crate) fn state_mut(&mut self) -> &mut State<N> {
-        &mut self.0
+    pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {
+        (&mut self.state, &mut self.guess)
     }
 }
 

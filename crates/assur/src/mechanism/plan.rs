@@ -2,12 +2,14 @@
 
 use crate::gears::Mesh;
 use crate::position::{
-    Anchor, Arm, Closed, Complex, Obstacle, Prp, Rpp, Rpr, Rrp, Rrr, State, Track,
+    Anchor, Arm, Closed, Complex, Group, Input, Near, Obstacle, Prp, Rpp, Rpr, Rrp, Rrr, State,
+    Track,
 };
 use crate::structure::{self, Structure};
 use crate::{FourBar, Jet, Vector};
 
 use super::body::{Bodies, Seat, Slide};
+use super::natural;
 use super::{Draft, DraftDriver};
 
 /// One step: it places a body or two, from those placed before.
@@ -33,6 +35,8 @@ pub(crate) enum Step {
     Rpr(Rpr),
     Prp(Prp),
     Rpp(Rpp),
+    /// A group of any class.
+    Group(Group),
 }
 
 /// A wheel hinged on a solved carrier and in mesh with a solved wheel.
@@ -54,7 +58,7 @@ impl Step {
         state: &mut State<N>,
         input: Jet<N>,
         sign: f64,
-        near: &[f64],
+        near: Near<'_>,
         step: usize,
     ) -> Result<(), Obstacle> {
         match self {
@@ -74,7 +78,7 @@ impl Step {
                 let (start, direction) = state.line(track);
                 let at = direction * Complex::new(input, Jet::constant(track.off));
                 state.slid(track, direction, start + at);
-                state.wind(track.body, near[track.body]);
+                state.wind(track.body, near.angles[track.body]);
             }
             Self::Geared(wheel) => {
                 let carrier = state.angle[wheel.at.body];
@@ -88,10 +92,11 @@ impl Step {
             Self::Rpr(dyad) => dyad.solve(state, sign, step)?,
             Self::Prp(dyad) => dyad.solve(state, step)?,
             Self::Rpp(dyad) => dyad.solve(state, step)?,
+            Self::Group(group) => group.solve(state, near.natural, step)?,
         }
         if self.winds() {
             for body in self.bodies() {
-                state.wind(body, near[body]);
+                state.wind(body, near.angles[body]);
             }
         }
         let placed = self
@@ -105,8 +110,13 @@ impl Step {
     }
 
     /// The bodies that it places.
-    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
-        let [first, second] = match self {
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..).map_while(|k| self.body(k))
+    }
+
+    fn body(&self, k: usize) -> Option<usize> {
+        let pair = match self {
+            Self::Group(group) => return group.bodies.get(k).map(|(body, _)| *body),
             Self::Crank { body, .. } => [Some(*body), None],
             Self::Slider { track, .. } => [Some(track.body), None],
             Self::Geared(wheel) => [Some(wheel.body), None],
@@ -118,7 +128,7 @@ impl Step {
             Self::Prp(Prp { tracks: [i, j] }) => [Some(i.body), Some(j.body)],
             Self::Rpp(dyad) => [Some(dyad.side.body), Some(dyad.track.body)],
         };
-        first.into_iter().chain(second)
+        pair.get(k).copied().flatten()
     }
 
     /// Whether it needs the place of a body solved before.
@@ -135,6 +145,9 @@ impl Step {
             Self::Rpr(Rpr { sides: [i, j] }) => on(&i.outer) || on(&j.outer),
             Self::Prp(Prp { tracks: [i, j] }) => on(&i.line) || on(&j.line),
             Self::Rpp(dyad) => on(&dyad.side.outer) || on(&dyad.track.line),
+            Self::Group(group) => group.inputs.iter().any(|input| match input {
+                Input::Place(anchor) | Input::Direction(anchor) => on(anchor),
+            }),
         }
     }
 
@@ -180,6 +193,15 @@ fn pin<const N: usize>(state: &mut State<N>, body: usize, at: Anchor, hinge: Vec
     state.origin[body] = state.place(at) - turn.by(hinge);
 }
 
+/// The plan of a mechanism.
+pub(super) struct Planned {
+    pub(super) steps: Vec<Step>,
+    /// The drawn input.
+    pub(super) home: f64,
+    /// The drawn unknowns of groups that Newton's method solves.
+    pub(super) natural: Vec<f64>,
+}
+
 /// The steps in the order of the structure, and the drawn input.
 ///
 /// # Errors
@@ -189,10 +211,12 @@ pub(super) fn plan(
     bodies: &Bodies,
     seats: &[Seat],
     structure: &Structure,
-) -> Result<(Vec<Step>, f64), Vec<usize>> {
+) -> Result<Planned, Vec<usize>> {
     let mut solved = vec![false; bodies.count()];
     solved[0] = true;
     let (mut steps, mut home, mut crank) = (Vec::new(), 0.0, None);
+    let mut natural = Vec::new();
+    let drawn = |point: usize| draft.points[point].at.coords;
     for part in &structure.steps {
         let step = match part {
             structure::Step::Driver {
@@ -213,7 +237,16 @@ pub(super) fn plan(
             }
             structure::Step::Group(group) => {
                 let links = group.links();
-                step_for(bodies, &links, &solved, crank).ok_or(links)?
+                match step_for(bodies, &links, &solved, crank) {
+                    Some(step) => step,
+                    None => {
+                        let offset = natural.len() / 2;
+                        let planned = natural::group(bodies, &links, &solved, offset, drawn);
+                        let (group, places) = planned.ok_or(links)?;
+                        natural.extend(places.iter().flat_map(|place| [place.x, place.y]));
+                        Step::Group(group)
+                    }
+                }
             }
         };
         for body in step.bodies() {
@@ -221,7 +254,11 @@ pub(super) fn plan(
         }
         steps.push(step);
     }
-    Ok((steps, home))
+    Ok(Planned {
+        steps,
+        home,
+        natural,
+    })
 }
 
 /// A driver on the frame, and its drawn coordinate.

@@ -3,9 +3,11 @@
 mod extrema;
 mod features;
 mod input;
+mod knots;
 pub mod sweep;
 mod table;
 mod trace;
+mod walk;
 
 pub use extrema::{Extremum, Kind, extrema};
 pub use features::{Features, features};

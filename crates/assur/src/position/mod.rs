@@ -7,6 +7,7 @@
 
 mod complex;
 mod four_bar;
+mod group;
 mod prp;
 mod rpp;
 mod rpr;
@@ -18,6 +19,8 @@ use std::f64::consts::TAU;
 use crate::{Jet, Vector};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
 pub(crate) use four_bar::Closed;
+use group::Work;
+pub(crate) use group::{Equation, Form, Group, Input};
 pub(crate) use prp::Prp;
 pub(crate) use rpp::Rpp;
 pub(crate) use rpr::{Rpr, Side};
@@ -79,10 +82,25 @@ pub(crate) struct State<const N: usize> {
     pub(crate) margins: Vec<[Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,
+    /// The unknowns of all groups that Newton's method solves.
+    pub(crate) natural: Vec<Complex<N>>,
+    /// The largest first correction of a group, beside the size: how far the
+    /// guess was off.
+    pub(crate) doubt: f64,
+    work: Work,
+}
+
+/// What is known of a pose before it is solved: a pose nearby.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Near<'a> {
+    /// Angles of the bodies, to within half a turn.
+    pub(crate) angles: &'a [f64],
+    /// The unknowns of all groups, real and imaginary parts.
+    pub(crate) natural: &'a [f64],
 }
 
 impl<const N: usize> State<N> {
-    pub(crate) fn new(bodies: usize, steps: usize, size: f64) -> Self {
+    pub(crate) fn new(bodies: usize, steps: usize, unknowns: usize, size: f64) -> Self {
         let nowhere = Complex::constant(Vector::zeros());
         Self {
             origin: vec![nowhere; bodies],
@@ -90,7 +108,19 @@ impl<const N: usize> State<N> {
             angle: vec![Jet::constant(0.0); bodies],
             margins: vec![[Jet::constant(1.0); 2]; steps],
             scale: size * size,
+            natural: vec![nowhere; unknowns],
+            doubt: 0.0,
+            work: Work::default(),
         }
+    }
+
+    /// What a group takes from what is solved, the coefficient of an order.
+    pub(crate) fn taken(&self, input: Input, order: usize) -> Vector {
+        let value = match input {
+            Input::Place(anchor) => self.place(anchor),
+            Input::Direction(anchor) => self.turn[anchor.body].by(anchor.local),
+        };
+        Vector::new(value.x.coefficient(order), value.y.coefficient(order))
     }
 
     /// Where a place on a solved body is.

@@ -1,0 +1,362 @@
+//! Natural coordinates of an Assur group: which few places are unknowns, how all
+//! others follow from them, and which equations are left.
+
+use std::collections::BTreeMap;
+
+use crate::Vector;
+use crate::position::{Anchor, Equation, Form, Group, Input, conjugate, product, quotient};
+
+use super::body::{Bodies, Slide};
+
+/// The plan of a group and the drawn values of its unknowns; none where a gear
+/// coupling is inside the group, or the equations are not as many as the unknowns.
+pub(super) fn group(
+    bodies: &Bodies,
+    members: &[usize],
+    solved: &[bool],
+    offset: usize,
+    drawn: impl Fn(usize) -> Vector,
+) -> Option<(Group, Vec<Vector>)> {
+    let inside = |body: &usize| members.contains(body);
+    if bodies
+        .gears
+        .iter()
+        .any(|gear| gear.bodies.iter().any(inside))
+    {
+        return None;
+    }
+    let mut plan = Plan {
+        bodies,
+        solved,
+        inputs: Vec::new(),
+        points: BTreeMap::new(),
+        placed: BTreeMap::new(),
+        by_slide: Vec::new(),
+        equations: Vec::new(),
+        home: Vec::new(),
+    };
+    for body in members {
+        for (point, _) in bodies.of(*body) {
+            if let Some(anchor) = bodies.anchor_of(*point, |other| solved[other]) {
+                let form = plan.input(Input::Place(anchor));
+                plan.points.insert(*point, form);
+            }
+        }
+    }
+    while plan.placed.len() < members.len() {
+        let waiting = || {
+            members
+                .iter()
+                .filter(|body| !plan.placed.contains_key(body))
+        };
+        let ready = waiting().find_map(|body| Some((*body, plan.follows(*body)?)));
+        match ready {
+            Some((body, how)) => plan.place(body, how),
+            None => {
+                let next = waiting()
+                    .max_by_key(|body| plan.readiness(**body))
+                    .copied()?;
+                plan.assume(next, members, &drawn);
+            }
+        }
+    }
+    plan.slides();
+    let unknowns = plan.home.len();
+    let rows: usize = plan.equations.iter().map(|(_, rows)| rows).sum();
+    (rows == 2 * unknowns).then(|| plan.finished(offset))
+}
+
+/// How a body follows from what is known.
+enum Follows {
+    /// Two of its points are known.
+    Points([usize; 2]),
+    /// A point, and the direction by a slide.
+    Slide { point: usize, slide: usize },
+}
+
+/// An equation in forms of its own.
+enum Condition {
+    Unit(Form),
+    Zero(Form),
+    Line { direction: Form, way: Form },
+}
+
+struct Plan<'a> {
+    bodies: &'a Bodies,
+    solved: &'a [bool],
+    inputs: Vec<Input>,
+    /// Where points are.
+    points: BTreeMap<usize, Form>,
+    /// Origin and turn of the bodies placed so far.
+    placed: BTreeMap<usize, [Form; 2]>,
+    /// Slides that have given a direction.
+    by_slide: Vec<usize>,
+    /// Conditions, with how many real equations each is.
+    equations: Vec<(Condition, usize)>,
+    /// The drawn values of the unknowns.
+    home: Vec<Vector>,
+}
+
+impl Plan<'_> {
+    fn input(&mut self, input: Input) -> Form {
+        let known = self.inputs.iter().position(|other| *other == input);
+        let index = known.unwrap_or(self.inputs.len());
+        if known.is_none() {
+            self.inputs.push(input);
+        }
+        Form {
+            inputs: vec![(index, Vector::x())],
+            unknowns: Vec::new(),
+        }
+    }
+
+    fn unknown(&mut self, home: Vector) -> Form {
+        self.home.push(home);
+        Form {
+            inputs: Vec::new(),
+            unknowns: vec![(self.home.len() - 1, Vector::x())],
+        }
+    }
+
+    fn is_placed(&self, body: usize) -> bool {
+        self.solved[body] || self.placed.contains_key(&body)
+    }
+
+    /// A slide whose other body is placed.
+    fn guided(&self, body: usize) -> Option<usize> {
+        self.bodies
+            .slides
+            .iter()
+            .position(|slide| slide.joins(body).is_some_and(|other| self.is_placed(other)))
+    }
+
+    fn follows(&self, body: usize) -> Option<Follows> {
+        let known: Vec<usize> = self
+            .bodies
+            .of(body)
+            .iter()
+            .map(|(point, _)| *point)
+            .filter(|point| self.points.contains_key(point))
+            .collect();
+        match (known[..].first(), known.get(1), self.guided(body)) {
+            (Some(point), _, Some(slide)) => Some(Follows::Slide {
+                point: *point,
+                slide,
+            }),
+            (Some(first), Some(second), None) => Some(Follows::Points([*first, *second])),
+            _ => None,
+        }
+    }
+
+    /// How little is lacking to place a body: a guide or a point known, then the
+    /// more points it has, the more will follow from it.
+    fn readiness(&self, body: usize) -> (usize, usize) {
+        let known = self
+            .bodies
+            .of(body)
+            .iter()
+            .filter(|(point, _)| self.points.contains_key(point));
+        let guided = usize::from(self.guided(body).is_some());
+        (known.count() + guided, self.bodies.of(body).len())
+    }
+
+    /// Makes an unknown of what a body lacks next.
+    fn assume(&mut self, body: usize, members: &[usize], drawn: &impl Fn(usize) -> Vector) {
+        let joints = |point: usize| {
+            members
+                .iter()
+                .filter(|other| self.bodies.local(**other, point).is_some())
+                .count()
+        };
+        let free = self.bodies.of(body).iter().map(|(point, _)| *point);
+        let free = free.filter(|point| !self.points.contains_key(point));
+        // Of equals the first: `max_by_key` takes the last.
+        let best = free.rev().max_by_key(|point| joints(*point));
+        if let Some(point) = best {
+            let form = self.unknown(drawn(point));
+            self.points.insert(point, form);
+            return;
+        }
+        // A block with one point: its direction is the unknown.
+        let turn = self.unknown(self.bodies.drawn_turn(body));
+        self.equations.push((Condition::Unit(turn.clone()), 1));
+        let Some((point, local)) = self.bodies.of(body).first().copied() else {
+            return;
+        };
+        let origin = self.points[&point].minus(&turn.by(local));
+        self.settle(body, [origin, turn], &[point]);
+    }
+
+    fn place(&mut self, body: usize, how: Follows) {
+        match how {
+            Follows::Points([first, second]) => {
+                let [a, b] =
+                    [first, second].map(|point| self.bodies.local(body, point).unwrap_or_default());
+                let [p, q] = [first, second].map(|point| self.points[&point].clone());
+                let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
+                if !turn.unknowns.is_empty() {
+                    self.equations.push((Condition::Unit(turn.clone()), 1));
+                }
+                let origin = p.minus(&turn.by(a));
+                self.settle(body, [origin, turn], &[first, second]);
+            }
+            Follows::Slide { point, slide } => {
+                let guide = &self.bodies.slides[slide];
+                let other = guide.joins(body).unwrap_or_default();
+                let (_, heading) = guide.line_on(other);
+                let (_, direction) = guide.line_on(body);
+                let turn = self.direction(other, heading).by(conjugate(direction));
+                let local = self.bodies.local(body, point).unwrap_or_default();
+                let origin = self.points[&point].minus(&turn.by(local));
+                self.by_slide.push(slide);
+                self.settle(body, [origin, turn], &[point]);
+            }
+        }
+    }
+
+    /// Sets the forms of a body; a point that had one already must agree.
+    fn settle(&mut self, body: usize, [origin, turn]: [Form; 2], used: &[usize]) {
+        for (point, local) in self.bodies.of(body) {
+            let at = origin.plus(&turn.by(*local));
+            if used.contains(point) {
+                continue;
+            }
+            match self.points.get(point) {
+                Some(known) => {
+                    let gap = at.minus(known);
+                    self.equations.push((Condition::Zero(gap), 2));
+                }
+                None => {
+                    self.points.insert(*point, at);
+                }
+            }
+        }
+        self.placed.insert(body, [origin, turn]);
+    }
+
+    /// A direction of a body that is placed.
+    fn direction(&mut self, body: usize, heading: Vector) -> Form {
+        match self.placed.get(&body) {
+            Some([_, turn]) => turn.by(heading),
+            None => self.input(Input::Direction(Anchor {
+                body,
+                local: heading,
+            })),
+        }
+    }
+
+    /// A place on a body that is placed.
+    fn place_on(&mut self, body: usize, local: Vector) -> Form {
+        match self.placed.get(&body) {
+            Some([origin, turn]) => origin.plus(&turn.by(local)),
+            None => self.input(Input::Place(Anchor { body, local })),
+        }
+    }
+
+    /// The conditions of the prismatic pairs.
+    fn slides(&mut self) {
+        let bodies = self.bodies;
+        let own = |slide: &Slide| {
+            slide
+                .bodies
+                .iter()
+                .any(|body| self.placed.contains_key(body))
+        };
+        let slides = bodies
+            .slides
+            .iter()
+            .enumerate()
+            .filter(|(_, slide)| own(slide));
+        let slides: Vec<(usize, &Slide)> = slides.collect();
+        for (index, slide) in slides {
+            let [on, moving] = slide.bodies;
+            if !self.is_placed(on) || !self.is_placed(moving) {
+                continue;
+            }
+            let [(start, heading), (point, along)] = [on, moving].map(|body| slide.line_on(body));
+            let direction = self.direction(on, heading);
+            if !self.by_slide.contains(&index) {
+                let other = self.direction(moving, along);
+                let parallel = Condition::Line {
+                    direction: direction.clone(),
+                    way: other,
+                };
+                self.equations.push((parallel, 1));
+            }
+            let way = self
+                .place_on(moving, point)
+                .minus(&self.place_on(on, start));
+            self.equations.push((Condition::Line { direction, way }, 1));
+        }
+    }
+
+    fn finished(self, offset: usize) -> (Group, Vec<Vector>) {
+        let mut forms = Vec::new();
+        let mut index = |form: Form| {
+            forms.push(form);
+            forms.len() - 1
+        };
+        let equations = self
+            .equations
+            .into_iter()
+            .map(|(condition, _)| match condition {
+                Condition::Unit(form) => Equation::Unit(index(form)),
+                Condition::Zero(form) => Equation::Zero(index(form)),
+                Condition::Line { direction, way } => Equation::Line {
+                    direction: index(direction),
+                    way: index(way),
+                    off: 0.0,
+                },
+            });
+        let equations = equations.collect();
+        let bodies = self
+            .placed
+            .into_iter()
+            .map(|(body, forms)| (body, forms.map(&mut index)));
+        let bodies = bodies.collect();
+        let group = Group {
+            inputs: self.inputs,
+            unknowns: self.home.len(),
+            offset,
+            forms,
+            equations,
+            bodies,
+        };
+        (group, self.home)
+    }
+}
+
+impl Form {
+    fn by(&self, factor: Vector) -> Self {
+        let times = |terms: &[(usize, Vector)]| {
+            terms
+                .iter()
+                .map(|(k, c)| (*k, product(*c, factor)))
+                .collect()
+        };
+        Self {
+            inputs: times(&self.inputs),
+            unknowns: times(&self.unknowns),
+        }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &[(usize, Vector)], b: &[(usize, Vector)]| {
+            let mut all: BTreeMap<usize, Vector> = a.iter().copied().collect();
+            for (k, c) in b {
+                *all.entry(*k).or_default() += c;
+            }
+            all.into_iter()
+                .filter(|(_, c)| *c != Vector::zeros())
+                .collect()
+        };
+        Self {
+            inputs: sum(&self.inputs, &other.inputs),
+            unknowns: sum(&self.unknowns, &other.unknowns),
+        }
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.by(-Vector::x()))
+    }
+}
