@@ -31,7 +31,10 @@ pub(crate) fn dwell() -> Draft {
 #[test]
 fn golden_table() {
     let mechanism = Mechanism::new(&dwell()).unwrap();
-    let formula = mechanism.structure().formula(|link| mechanism.body_name(link)).to_string();
+    let formula = mechanism
+        .structure()
+        .formula(|link| mechanism.body_name(link))
+        .to_string();
     assert_eq!(formula, "I(frame,AB) → IV₃(BE,EGF,HGL,CLK,FK,CD)");
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
     assert!(motion.cycle().is_full(), "{:?}", motion.dead_points());
@@ -42,20 +45,39 @@ fn golden_table() {
         let pose = pose.unwrap_or_else(|e| panic!("{turn}°: {e}"));
         // CD runs from D to C; ψ of the table is unwrapped from the drawn value.
         let psi = mechanism.angle(&pose, output);
-        for (order, (column, tolerance)) in
-            [("psi", 1e-11), ("dpsi", 1e-10), ("ddpsi", 1e-9), ("dddpsi", 1e-7)].into_iter().enumerate()
+        for (order, (column, tolerance)) in [
+            ("psi", 1e-11),
+            ("dpsi", 1e-10),
+            ("ddpsi", 1e-9),
+            ("dddpsi", 1e-7),
+        ]
+        .into_iter()
+        .enumerate()
         {
-            assert_near(psi.derivative(order), row.get(column), tolerance, &format!("{column} at {turn}°"));
+            assert_near(
+                psi.derivative(order),
+                row.get(column),
+                tolerance,
+                &format!("{column} at {turn}°"),
+            );
         }
         for (index, name) in mechanism.points().enumerate() {
             if !"EGFKLC".contains(name) {
                 continue;
             }
             let place = mechanism.place(&pose, index);
-            for (order, (d, tolerance)) in [("", 1e-11), ("d", 1e-10), ("dd", 1e-9)].into_iter().enumerate() {
+            for (order, (d, tolerance)) in [("", 1e-11), ("d", 1e-10), ("dd", 1e-9)]
+                .into_iter()
+                .enumerate()
+            {
                 for (axis, jet) in [("x", place.x), ("y", place.y)] {
                     let column = format!("{name}_{d}{axis}");
-                    assert_near(jet.derivative(order), row.get(&column), tolerance, &format!("{column} at {turn}°"));
+                    assert_near(
+                        jet.derivative(order),
+                        row.get(&column),
+                        tolerance,
+                        &format!("{column} at {turn}°"),
+                    );
                 }
             }
         }

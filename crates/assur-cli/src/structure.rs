@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use assur::motion::{DeadPointKind, Motion};
-use assur::structure::Step;
+use assur::structure::{Step, roman};
 use serde_json::{Value, json};
 
 use crate::Failure;
@@ -91,6 +91,7 @@ fn described(motion: &Motion) -> Value {
                 DeadPointKind::Folded => "folded",
                 DeadPointKind::Perpendicular => "perpendicular",
                 DeadPointKind::Parallel => "parallel",
+                DeadPointKind::Singular => "singular",
                 DeadPointKind::Range => "range",
             };
             let links: Vec<&str> = motion.links_at(end).collect();
@@ -108,11 +109,4 @@ fn described(motion: &Motion) -> Value {
         "turns_fully": motion.cycle().is_full() && mechanism.turns(),
         "dead_points": ends.collect::<Vec<_>>(),
     })
-}
-
-/// The class as textbooks write it; mechanisms that are solved are of class I or II.
-fn roman(class: usize) -> String {
-    ["", "I", "II", "III", "IV"]
-        .get(class)
-        .map_or_else(|| class.to_string(), |roman| (*roman).to_owned())
 }

@@ -171,6 +171,8 @@ impl Default for View {
             epsilon: 0.0,
             true_time: false,
             differenced: false,
+            step: 0,
+            projector: false,
             lang: String::new(),
         }
     }

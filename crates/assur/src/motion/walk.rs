@@ -1,7 +1,6 @@
 //! Going along a motion by continuity, from the drawn pose until it repeats or
 //! ends.
 
-
 use crate::Jet;
 use crate::mechanism::Mechanism;
 use crate::position::{Near, Obstacle, ROUNDING, State};

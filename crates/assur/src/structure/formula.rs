@@ -35,7 +35,8 @@ impl Group {
     }
 }
 
-fn roman(mut number: usize) -> String {
+/// A class as textbooks write it: IV.
+pub fn roman(mut number: usize) -> String {
     let mut roman = String::new();
     for (value, letters) in [
         (100, "C"),

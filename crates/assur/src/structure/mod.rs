@@ -75,6 +75,7 @@ mod group;
 mod pebbles;
 
 pub use fault::Fault;
+pub use formula::roman;
 pub use group::{Dyad, Group, Outer};
 
 use pebbles::{BODY, Pebbles};
