@@ -1,7 +1,8 @@
 //! The Class IV mechanism with dwell against a table in 40-digit arithmetic.
 
-use assur::mechanism::{Draft, Mechanism};
-use assur::motion::Motion;
+use assur::Point;
+use assur::mechanism::{Draft, Mechanism, Quantity};
+use assur::motion::{Course, Motion, PhaseKind};
 use assur_tests::{Table, assert_near};
 
 /// The demonstration dimensions, drawn at φ = 0; FK as drawn or as long as asked.
@@ -81,5 +82,123 @@ fn golden_table() {
                 }
             }
         }
+    }
+}
+
+/// FK of another length, drawn as before: its ends are drawn misplaced, and the
+/// links say where they are.
+fn with_fk(length: f64) -> Motion {
+    let mut draft = dwell();
+    let link = draft.links.iter_mut().find(|link| link.name == "FK");
+    link.unwrap().shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+    let mechanism = Mechanism::new(&draft).unwrap();
+    Motion::new(&mechanism, mechanism.drawn_assembly())
+}
+
+fn output(motion: &Motion) -> Course<'_> {
+    let mechanism = motion.mechanism();
+    Course::new(motion, Quantity::named(mechanism, "CD.angle").unwrap())
+}
+
+/// The table of the adjustable cyclogram: FK, the dwell within 0.1° and the stroke.
+#[test]
+fn adjustable_dwell() {
+    for (length, dwell, stroke) in [
+        (4.011_645_547_652, 184.289, 43.2908),
+        (4.062, 151.129, 43.7450),
+        (4.112, 121.896, 44.1512),
+        (4.162, 100.163, 44.5204),
+        (4.212, 84.784, 44.8580),
+        (4.312, 65.632, 45.4535),
+    ] {
+        let motion = with_fk(length);
+        assert!(
+            motion.cycle().is_full(),
+            "{length}: {:?}",
+            motion.dead_points()
+        );
+        let course = output(&motion);
+        let found = course.dwell(0.1_f64.to_radians()).unwrap();
+        let degrees = found.length().to_degrees();
+        assert!((degrees - dwell).abs() < 0.02, "FK {length}: {degrees}");
+        assert!(
+            (found.residual().to_degrees() - 0.1).abs() < 1e-9,
+            "FK {length}"
+        );
+        let values = course
+            .strokes()
+            .into_iter()
+            .flatten()
+            .map(|[_, value]| value);
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        let swing = (high - low).to_degrees();
+        assert!((swing - stroke).abs() < 2e-4, "FK {length}: {swing}");
+    }
+}
+
+/// 170.19° of the crank within 0.01°, near ψ = 151.698°; the bars of the cyclogram
+/// fill a turn.
+#[test]
+fn dwell_and_cyclogram() {
+    let motion = with_fk(4.011_645_547_652);
+    let course = output(&motion);
+    let found = course.dwell(0.01_f64.to_radians()).unwrap();
+    assert!(
+        (found.length().to_degrees() - 170.19).abs() < 0.01,
+        "{found:?}"
+    );
+    let middle = 0.5 * (found.band[0] + found.band[1]);
+    assert!((middle.to_degrees() - 151.698).abs() < 0.01, "{found:?}");
+    // Between the ends, which are roots, it stays inside; just beyond, it does not.
+    let psi = |input: f64| {
+        let pose = motion.pose::<1>(input).unwrap();
+        Quantity::named(motion.mechanism(), "CD.angle")
+            .unwrap()
+            .of(motion.mechanism(), &pose)
+            .value()
+    };
+    let inside = |input: f64| (found.band[0] - 1e-12..=found.band[1] + 1e-12).contains(&psi(input));
+    assert!((0..=10_000).all(|k| inside(found.arc[0] + found.length() * f64::from(k) / 1e4)));
+    assert!(!inside(found.arc[0] - 1e-6) && !inside(found.arc[1] + 1e-6));
+
+    let phases = course.cyclogram(0.1_f64.to_radians());
+    let turn: f64 = phases.iter().map(|phase| phase.arc[1] - phase.arc[0]).sum();
+    assert!((turn - std::f64::consts::TAU).abs() < 1e-9, "{phases:?}");
+    let kinds: Vec<PhaseKind> = phases.iter().map(|phase| phase.kind).collect();
+    let longest = phases.iter().filter(|phase| phase.kind == PhaseKind::Dwell);
+    let longest = longest
+        .map(|phase| phase.arc[1] - phase.arc[0])
+        .fold(0.0, f64::max);
+    assert!((longest.to_degrees() - 184.289).abs() < 0.02, "{phases:?}");
+    use PhaseKind::{Dwell, Return, Rise};
+    assert_eq!(kinds.len(), 4, "{phases:?}");
+    for kind in [Rise, Return] {
+        assert_eq!(kinds.iter().filter(|one| **one == kind).count(), 1);
+    }
+    assert_eq!(kinds.iter().filter(|one| **one == Dwell).count(), 2);
+}
+
+/// What only grows has no stroke, and is nowhere long within a small band; what
+/// moves by less than the tolerance dwells for the whole turn.
+#[test]
+fn dwells_at_the_bounds() {
+    let motion = with_fk(4.011_645_547_652);
+    let crank = Course::new(
+        &motion,
+        Quantity::named(motion.mechanism(), "AB.angle").unwrap(),
+    );
+    assert!(crank.strokes().is_empty());
+    assert_eq!(crank.cyclogram(0.1).len(), 1);
+    let course = output(&motion);
+    let whole = course.dwell(2.0).unwrap();
+    assert!((whole.length() - std::f64::consts::TAU).abs() < 1e-12);
+    assert!((whole.residual().to_degrees() - 43.2908).abs() < 2e-4);
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(
+            course.dwell(tolerance).is_none() && course.cyclogram(tolerance).is_empty()
+                || tolerance.is_infinite()
+        );
     }
 }

@@ -1,32 +1,12 @@
 //! What holds of every chain of dyads, however they are joined.
 
-use assur::mechanism::{Draft, DraftPoint, Mechanism, Pose};
+use assur::mechanism::{Draft, DraftPoint, Mechanism};
 use assur::motion::Motion;
-use assur::{JetPoint, Point, Vector};
+use assur::{Point, Vector};
 
-use proptest::prelude::RngExt;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use crate::following::{Random, closes, does_not_jump, inputs, leads_to_itself};
 
 const CHAINS: usize = 4_000;
-
-/// Chance with a fixed seed: a failure is a defect, and stays until it is mended.
-struct Random(TestRng);
-
-impl Random {
-    fn new(seed: u64) -> Self {
-        let mut bytes = [0; 32];
-        bytes[..8].copy_from_slice(&seed.to_le_bytes());
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
-    }
-
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        self.0.random_range(from..to)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        self.0.random_range(0..count)
-    }
-}
 
 /// A chain under construction: on which links new dyads can be set.
 struct Chain {
@@ -182,48 +162,6 @@ fn moving(seed: u64) -> Option<(Draft, Motion)> {
     Some((draft, motion))
 }
 
-/// Inputs over the whole motion, the ends not quite included.
-fn inputs(motion: &Motion, random: &mut Random) -> Vec<f64> {
-    let arcs = motion.cycle().arcs().to_vec();
-    let inside = |random: &mut Random| {
-        let [from, to] = arcs[random.below(arcs.len())];
-        from + (to - from) * random.within(0.0, 1.0)
-    };
-    (0..8).map(|_| inside(random)).collect()
-}
-
-/// By how much a moving point differs from another, each derivative beside the
-/// size that derivatives of this order have.
-fn worst<const N: usize>(a: &JetPoint<N>, b: &JetPoint<N>, size: f64, rate: f64) -> f64 {
-    (0..N)
-        .map(|order| {
-            let scale = size * rate.powi(order as i32);
-            (a.derivative(order) - b.derivative(order)).norm() / scale
-        })
-        .fold(0.0, f64::max)
-}
-
-/// The size of the mechanism in a pose: between guides nearly parallel links go far.
-fn size_at(mechanism: &Mechanism, pose: &Pose<1>) -> f64 {
-    let places = (0..mechanism.points().len()).map(|point| mechanism.place(pose, point).place());
-    places.fold(mechanism.size(), |size, at| size.max(at.coords.norm()))
-}
-
-/// How fast the pose changes: the scale of its derivatives. Near a dead point
-/// they grow without bound, and their errors with them.
-fn rate(mechanism: &Mechanism, pose: &Pose<4>) -> f64 {
-    let points = (0..mechanism.points().len()).map(|point| mechanism.place(pose, point));
-    let rates = points.flat_map(|point| {
-        (1..4).map(move |order| {
-            (point.derivative(order).norm() / mechanism.size()).powf(1.0 / order as f64)
-        })
-    });
-    rates.fold(1.0, f64::max)
-}
-
-/// Every point is where each of its links carries it, with all derivatives; a
-/// link's angle is that of the line between its points; a sliding point keeps
-/// its distance from the line.
 #[test]
 fn chains_close_with_all_derivatives() {
     let mut random = Random::new(7);
@@ -233,81 +171,13 @@ fn chains_close_with_all_derivatives() {
             continue;
         };
         closed += 1;
-        let mechanism = motion.mechanism();
-        let size = mechanism.size();
-        for input in inputs(&motion, &mut random) {
-            let position = motion.pose::<1>(input);
-            let position =
-                position.unwrap_or_else(|e| panic!("{seed} at {input}: {e} {:?}", motion.cycle()));
-            let Ok(pose) = motion.pose::<4>(input) else {
-                continue;
-            };
-            checked += 1;
-            let rate = rate(mechanism, &pose);
-            for (link, named) in draft.links.iter().enumerate() {
-                for point in mechanism.points_of(link) {
-                    let here = mechanism.carried(&pose, link, *point).unwrap();
-                    let off = worst(&here, &mechanism.place(&pose, *point), size, rate);
-                    assert!(
-                        off < 1e-9,
-                        "{seed} at {input}: {} of {} is off by {off:e}",
-                        draft.points[*point].name,
-                        named.name
-                    );
-                    let [here, there] = [
-                        mechanism.carried(&position, link, *point).unwrap(),
-                        mechanism.place(&position, *point),
-                    ];
-                    let off = (here.place() - there.place()).norm() / size_at(mechanism, &position);
-                    assert!(off < 1e-12, "{seed} at {input}: closure {off:e}");
-                }
-                if let [first, second, ..] = mechanism.points_of(link)[..] {
-                    let length = (draft.points[second].at - draft.points[first].at).norm();
-                    let end = mechanism.place(&pose, first).offset(
-                        mechanism.angle(&pose, link),
-                        length,
-                        0.0,
-                    );
-                    let off = worst(&end, &mechanism.place(&pose, second), size, rate);
-                    assert!(
-                        off < 1e-9,
-                        "{seed} at {input}: {} is turned off by {off:e}",
-                        named.name
-                    );
-                }
-            }
-            for slide in &draft.slides {
-                let index = |name: &String| {
-                    draft
-                        .points
-                        .iter()
-                        .position(|point| point.name == *name)
-                        .unwrap()
-                };
-                let [a, b] = slide
-                    .line
-                    .each_ref()
-                    .map(|name| mechanism.place(&position, index(name)).place());
-                let at = mechanism.place(&position, index(&slide.point)).place();
-                let heading = (b - a).normalize();
-                let [da, db, dp] = [&slide.line[0], &slide.line[1], &slide.point]
-                    .map(|name| draft.points[index(name)].at);
-                let drawn = (db - da).normalize();
-                let [now, then] = [heading.perp(&(at - a)), drawn.perp(&(dp - da))];
-                assert!(
-                    (now - then).abs() < 1e-12 * size_at(mechanism, &position),
-                    "{seed} at {input}: off the guide {:e}",
-                    now - then
-                );
-            }
-        }
+        let inputs = inputs(&motion, &mut random);
+        checked += closes(seed, &draft, &motion, &inputs);
     }
     assert!(closed > CHAINS / 2, "{closed} of {CHAINS}");
     assert!(checked > 3 * CHAINS, "{checked}");
 }
 
-/// Drawn at any other of its poses it is the same mechanism: no way along the
-/// motion leads onto another branch.
 #[test]
 fn any_pose_leads_to_the_same_motion() {
     let mut random = Random::new(11);
@@ -316,87 +186,17 @@ fn any_pose_leads_to_the_same_motion() {
         let Some((draft, motion)) = moving(seed) else {
             continue;
         };
-        let mechanism = motion.mechanism();
         let inputs = inputs(&motion, &mut random);
-        let Ok(there) = motion.pose::<4>(inputs[0]) else {
-            continue;
-        };
-        // Next to a singular pose the drawing itself is not told apart.
-        if rate(mechanism, &there) > 1e3 {
-            continue;
-        }
-        let mut redrawn = draft.clone();
-        for (point, place) in redrawn.points.iter_mut().enumerate() {
-            place.at = mechanism.place(&there, point).place();
-        }
-        let other = Mechanism::new(&redrawn).unwrap_or_else(|e| panic!("{seed}: {e:?}"));
-        let again = Motion::new(&other, other.drawn_assembly());
-        for input in &inputs[1..] {
-            let Ok(pose) = motion.pose::<4>(*input) else {
-                continue;
-            };
-            if rate(mechanism, &pose) > 1e3 {
-                continue;
-            }
-            let same = again.pose::<1>(*input);
-            let same = same.unwrap_or_else(|e| {
-                panic!(
-                    "{seed}: drawn at {}, not at {input}: {e} {:?} {:?}",
-                    inputs[0],
-                    motion.cycle(),
-                    again.cycle()
-                )
-            });
-            for point in 0..mechanism.points().len() {
-                let off = (mechanism.place(&pose, point).place()
-                    - other.place(&same, point).place())
-                .norm();
-                assert!(
-                    off < 1e-8 * mechanism.size(),
-                    "{seed}: drawn at {}, at {input} {point} is off by {off:e}",
-                    inputs[0]
-                );
-            }
-            checked += 1;
-        }
+        checked += leads_to_itself(seed, &draft, &motion, &inputs);
     }
     assert!(checked > CHAINS / 2, "{checked}");
 }
 
-/// From sample to sample nothing jumps: a pose is where its neighbour's
-/// derivatives say.
 #[test]
 fn nothing_jumps() {
     for seed in 0..CHAINS as u64 / 8 {
-        let Some((_, motion)) = moving(seed) else {
-            continue;
-        };
-        let mechanism = motion.mechanism();
-        for [from, to] in motion.cycle().arcs() {
-            let count = 1_000;
-            let width = (to - from) / f64::from(count);
-            let mut before: Option<Pose<4>> = None;
-            for k in 0..=count {
-                let here = motion
-                    .pose::<4>((from + width * f64::from(k)).min(*to))
-                    .ok();
-                if let (Some(a), Some(b)) = (&before, &here)
-                    && rate(mechanism, a).max(rate(mechanism, b)) * width < 0.1
-                {
-                    for link in 0..mechanism.links().len() {
-                        let [p, q] = [a, b].map(|pose| mechanism.angle(pose, link));
-                        let promised =
-                            p.value() + width * (p.derivative(1) + 0.5 * width * p.derivative(2));
-                        assert!(
-                            (q.value() - promised).abs() < 0.05,
-                            "{seed}: link {link} jumps at {k}: {} {}",
-                            q.value(),
-                            promised
-                        );
-                    }
-                }
-                before = here;
-            }
+        if let Some((_, motion)) = moving(seed) {
+            does_not_jump(seed, &motion);
         }
     }
 }

@@ -1,9 +1,11 @@
-//! Properties that hold for every four-bar, chain of dyads and structure, drawn
+//! Properties that hold for every four-bar, chain of dyads, higher group and structure, drawn
 //! near degenerate on purpose.
 #![cfg(not(target_family = "wasm"))]
 
 mod draw;
 mod dyads;
+mod following;
+mod groups;
 mod motion;
 mod poses;
 mod structure;

@@ -244,6 +244,49 @@ fn golden_files_keep_opening() {
     assert_eq!(file, said(&["sweep", "mixer-b", "--step", "45"]));
 }
 
+/// All that the table in 40-digit arithmetic says of the Class IV mechanism.
+#[test]
+fn class4_dwell_is_the_golden_table() {
+    let golden = std::fs::read_to_string(data("class4.csv")).unwrap();
+    let golden = Table::of(&golden);
+    let table = Table::of(&said(&["sweep", "class4-dwell", "--step", "5"]));
+    assert_eq!(table.rows.len(), 73);
+    let mut checked = 0;
+    for k in 0..golden.rows.len() {
+        let degrees = golden.number(k, "phi_deg");
+        let row = (degrees / 5.0) as usize;
+        assert_eq!(table.number(row, "phi_deg"), degrees);
+        assert_eq!(table.cell(row, "reason"), "");
+        let angle = ["psi", "dpsi", "ddpsi"].map(str::to_owned);
+        let angle = angle
+            .into_iter()
+            .zip(["CD.angle", "CD.dangle", "CD.ddangle"].map(str::to_owned));
+        let points = ["E", "G", "F", "K", "L", "C"].iter().flat_map(|point| {
+            ["", "d", "dd"].iter().flat_map(move |d| {
+                ["x", "y"].map(|axis| (format!("{point}_{d}{axis}"), format!("{point}.{d}{axis}")))
+            })
+        });
+        for (theirs, ours) in angle.chain(points) {
+            let [expected, found] = [golden.number(k, &theirs), table.number(row, &ours)];
+            let order = ["dd", "d"]
+                .iter()
+                .position(|d| ours.split('.').nth(1).unwrap().starts_with(d));
+            let tolerance = [1e-9, 1e-10, 1e-11][order.unwrap_or(2)];
+            assert!(
+                (found - expected).abs() <= tolerance * expected.abs().max(1.0),
+                "{ours} at {degrees}°: {found} against {expected}"
+            );
+            checked += 1;
+        }
+    }
+    assert_eq!(checked, golden.rows.len() * (3 + 36));
+    let text = said(&["structure", "class4-dwell"]);
+    assert!(
+        text.contains("I(frame,AB) → IV₃(BE,EGF,HGL,CLK,FK,CD)"),
+        "{text}"
+    );
+}
+
 /// Where there is no pose a row has the input and the reason; at a dead point it
 /// has the places, too.
 #[test]

@@ -14,8 +14,39 @@ const MIXERS: [(&str, Case); 3] = [
     ("mixer-c", Case::C),
 ];
 
+/// A file of the folder `catalogue` with its name.
+macro_rules! catalogued {
+    ($name:literal) => {
+        (
+            $name,
+            include_str!(concat!("../catalogue/", $name, ".json")),
+        )
+    };
+}
+
 /// Names and texts of the files of the catalogue.
-const FILES: &[(&str, &str)] = &[];
+const FILES: &[(&str, &str)] = &[
+    catalogued!("slider-crank"),
+    catalogued!("slider-crank-offset"),
+    catalogued!("inverted-slider-crank"),
+    catalogued!("whitworth"),
+    catalogued!("scotch-yoke"),
+    catalogued!("watt-1"),
+    catalogued!("watt-2"),
+    catalogued!("stephenson-1"),
+    catalogued!("stephenson-2"),
+    catalogued!("stephenson-3"),
+    catalogued!("chebyshev"),
+    catalogued!("peaucellier"),
+    catalogued!("klann"),
+    catalogued!("jansen"),
+    catalogued!("geared-five-bar"),
+    catalogued!("class3-platform"),
+    catalogued!("class3-slide"),
+    catalogued!("class4-order2"),
+    catalogued!("class4-dwell"),
+    catalogued!("class5"),
+];
 
 /// The names of the catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static str> {

@@ -1,5 +1,7 @@
 //! What is read off a whole motion rather than one pose.
 
+mod cyclogram;
+mod dwell;
 mod extrema;
 mod features;
 mod input;
@@ -9,6 +11,8 @@ mod table;
 mod trace;
 mod walk;
 
+pub use cyclogram::{Phase, PhaseKind};
+pub use dwell::{Course, Dwell};
 pub use extrema::{Extremum, Kind, extrema};
 pub use features::{Features, features};
 pub use input::Input;

@@ -1,0 +1,107 @@
+//! The cyclogram: what a quantity does over a turn, bar by bar.
+
+use super::{Course, Dwell};
+
+/// What a quantity does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PhaseKind {
+    /// It grows.
+    Rise,
+    /// It stays within the tolerance.
+    Dwell,
+    /// It falls.
+    Return,
+}
+
+/// A bar of the cyclogram.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase {
+    /// What the quantity does.
+    pub kind: PhaseKind,
+    /// From where to where.
+    pub arc: [f64; 2],
+    /// Its values there.
+    pub values: [f64; 2],
+}
+
+impl Course<'_> {
+    /// The phases of a cycle: dwells at its extrema within a band of full width
+    /// `tolerance`, the longest first where they would overlap, and what is between
+    /// them. Empty where the tolerance is not greater than zero.
+    pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
+        let sound = tolerance > 0.0 && tolerance.is_finite();
+        let (Some(first), true) = (self.stations.first(), sound) else {
+            return Vec::new();
+        };
+        let cycle = self.motion.cycle();
+        let period = cycle.period().filter(|_| cycle.is_full());
+        let mut arcs = if self.monotone {
+            Vec::new()
+        } else {
+            self.touching(tolerance)
+        };
+        arcs.sort_by(|a, b| b.length().total_cmp(&a.length()));
+        let mut dwells: Vec<Dwell> = Vec::new();
+        let clash = |a: &Dwell, b: &Dwell| {
+            let shifts = period.map_or([0.0; 3], |period| [-period, 0.0, period]);
+            shifts
+                .iter()
+                .any(|shift| a.arc[0] < b.arc[1] + shift && b.arc[0] + shift < a.arc[1])
+        };
+        for arc in arcs {
+            let whole = period.is_some_and(|period| arc.length() >= period);
+            // All begin within one cycle from the first extremum on.
+            let turns = period.map_or(0.0, |p| p * ((arc.arc[0] - first[0]) / p).floor());
+            let arc = Dwell {
+                arc: arc.arc.map(|input| input - turns),
+                ..arc
+            };
+            if !whole && arc.length() > 0.0 && !dwells.iter().any(|other| clash(&arc, other)) {
+                dwells.push(arc);
+            }
+        }
+        dwells.sort_by(|a, b| a.arc[0].total_cmp(&b.arc[0]));
+        let start = dwells.first().map_or(first[0], |dwell| dwell.arc[0]);
+        let [from, to] = match period {
+            Some(period) => [start, start + period],
+            None => [first[0], self.stations[self.stations.len() - 1][0]],
+        };
+        let mut phases = Vec::new();
+        let mut at = from;
+        for dwell in &dwells {
+            self.strokes_between([at, dwell.arc[0]], &mut phases);
+            phases.extend(self.phase(Some(PhaseKind::Dwell), dwell.arc));
+            at = dwell.arc[1];
+        }
+        self.strokes_between([at, to], &mut phases);
+        phases
+    }
+
+    /// Rise and return between two dwells, parted at extrema.
+    fn strokes_between(&self, [from, to]: [f64; 2], phases: &mut Vec<Phase>) {
+        let inner = self.stations.iter().map(|[input, _]| *input);
+        let inner = inner.filter(|input| *input > from && *input < to);
+        let cuts: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
+        for pair in cuts.windows(2) {
+            if let [a, b] = pair
+                && a < b
+            {
+                phases.extend(self.phase(None, [*a, *b]));
+            }
+        }
+    }
+
+    fn phase(&self, kind: Option<PhaseKind>, arc: [f64; 2]) -> Option<Phase> {
+        let values = [self.value(arc[0])?, self.value(arc[1])?];
+        let moved = if values[1] > values[0] {
+            PhaseKind::Rise
+        } else {
+            PhaseKind::Return
+        };
+        Some(Phase {
+            kind: kind.unwrap_or(moved),
+            arc,
+            values,
+        })
+    }
+}

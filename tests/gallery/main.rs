@@ -1,0 +1,218 @@
+//! The mechanisms of the catalogue: each is decomposed as it should be, moves and
+//! closes, and has a number that is published or follows exactly.
+#![cfg(not(target_family = "wasm"))]
+
+mod groups;
+mod numbers;
+
+use assur::JetPoint;
+use assur::mechanism::Quantity;
+use assur::motion::{Course, Motion};
+use assur_file::{catalogue, from_catalogue};
+
+/// Name, structural formula, and whether its crank turns fully.
+const GALLERY: [(&str, &str, bool); 20] = [
+    ("slider-crank", "I(frame,crank) → II₂(rod,slider)", true),
+    (
+        "slider-crank-offset",
+        "I(frame,crank) → II₂(rod,slider)",
+        true,
+    ),
+    (
+        "inverted-slider-crank",
+        "I(frame,crank) → II₂(block,lever)",
+        true,
+    ),
+    (
+        "whitworth",
+        "I(frame,crank) → II₂(block,lever) → II₂(rod,ram)",
+        true,
+    ),
+    ("scotch-yoke", "I(frame,crank) → II₂(block,yoke)", true),
+    (
+        "watt-1",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(EG,FG)",
+        true,
+    ),
+    (
+        "watt-2",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(link,output)",
+        true,
+    ),
+    (
+        "stephenson-1",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(EG,FG)",
+        true,
+    ),
+    (
+        "stephenson-2",
+        "I(frame,crank) → III₃(BP,EQ,platform,rocker)",
+        true,
+    ),
+    (
+        "stephenson-3",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(link,output)",
+        true,
+    ),
+    ("chebyshev", "I(frame,lever) → II₂(coupler,follower)", false),
+    (
+        "peaucellier",
+        "I(frame,crank) → II₂(OB,CB) → II₂(OD,CD) → II₂(BE,DE)",
+        false,
+    ),
+    (
+        "klann",
+        "I(frame,crank) → II₂(rod,lower rocker) → II₂(leg,upper rocker)",
+        true,
+    ),
+    (
+        "jansen",
+        "I(frame,crank) → II₂(j,upper triangle) → II₂(k,c) → II₂(f,foot)",
+        true,
+    ),
+    (
+        "geared-five-bar",
+        "I(frame,crank) → II₂(follower) → II₂(BC,DC)",
+        true,
+    ),
+    (
+        "class3-platform",
+        "I(frame,crank) → III₃(BP,platform,GQ,HR)",
+        true,
+    ),
+    (
+        "class3-slide",
+        "I(frame,crank) → III₃(BP,platform,GQ,slider)",
+        true,
+    ),
+    ("class4-order2", "I(frame,crank) → IV₂(BCE,CF,EH,DFH)", true),
+    (
+        "class4-dwell",
+        "I(frame,AB) → IV₃(BE,EGF,HGL,CLK,FK,CD)",
+        true,
+    ),
+    ("class5", "I(frame,crank) → V₃(BTP,PQ,DQR,RSU,ST,HU)", true),
+];
+
+fn moved(name: &str) -> Motion {
+    let document = from_catalogue(name).unwrap().unwrap();
+    let mechanism = document
+        .mechanism()
+        .unwrap_or_else(|e| panic!("{name}: {e:?}"));
+    Motion::new(&mechanism, mechanism.drawn_assembly())
+}
+
+fn quantity(motion: &Motion, name: &str) -> Quantity {
+    Quantity::named(motion.mechanism(), name).unwrap_or_else(|| panic!("{name}"))
+}
+
+/// A quantity with three derivatives.
+fn at(motion: &Motion, name: &str, degrees: f64) -> [f64; 4] {
+    let pose = motion.pose::<4>(degrees.to_radians()).unwrap();
+    let jet = quantity(motion, name).of(motion.mechanism(), &pose);
+    [0, 1, 2, 3].map(|order| jet.derivative(order))
+}
+
+/// Inputs and values between which a quantity goes to and fro.
+fn strokes(motion: &Motion, name: &str) -> Vec<[[f64; 2]; 2]> {
+    Course::new(motion, quantity(motion, name)).strokes()
+}
+
+/// The whole stroke of a quantity.
+fn stroke(motion: &Motion, name: &str) -> f64 {
+    let [low, high] = range(motion, name);
+    high - low
+}
+
+fn range(motion: &Motion, name: &str) -> [f64; 2] {
+    let values = strokes(motion, name).into_iter().flatten();
+    values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[low, high], [_, value]| [low.min(value), high.max(value)],
+    )
+}
+
+/// The slow stroke by the quick one, at constant speed.
+fn time_ratio(motion: &Motion, name: &str) -> f64 {
+    let [first, second] = strokes(motion, name)[..] else {
+        panic!("{name} has not two strokes");
+    };
+    let [a, b] = [first, second].map(|[from, to]| to[0] - from[0]);
+    (a / b).max(b / a)
+}
+
+/// The catalogue holds these, the mixers first, and each tells of itself.
+#[test]
+fn all_are_listed() {
+    let names: Vec<&str> = catalogue()
+        .filter(|name| !name.starts_with("mixer-"))
+        .collect();
+    assert_eq!(names, GALLERY.map(|(name, ..)| name));
+    for name in names {
+        let document = from_catalogue(name).unwrap().unwrap();
+        assert!(
+            document.title.is_some() && document.source.is_some(),
+            "{name}"
+        );
+        assert!(
+            !document.plots.is_empty() && !document.traces.is_empty(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn structures() {
+    for (name, expected, _) in GALLERY {
+        let motion = moved(name);
+        let mechanism = motion.mechanism();
+        let formula = mechanism
+            .structure()
+            .formula(|link| mechanism.body_name(link).to_owned());
+        assert_eq!(formula, expected, "{name}");
+    }
+}
+
+/// Each moves over a whole turn, or else from dead point to dead point, is closed
+/// to rounding everywhere, and its links are as long as they were drawn.
+#[test]
+fn all_move_and_close() {
+    for (name, _, full) in GALLERY {
+        let motion = moved(name);
+        let mechanism = motion.mechanism();
+        let size = mechanism.size();
+        assert_eq!(
+            motion.cycle().is_full(),
+            full,
+            "{name}: {:?}",
+            motion.dead_points()
+        );
+        assert_eq!(motion.dead_points().is_empty(), full, "{name}");
+        let drawn = motion.pose::<1>(mechanism.home()).unwrap();
+        let [from, to] = motion.cycle().arcs()[0];
+        // At a dead point Peaucellier's rhombus is folded flat: anything closes it.
+        let ends = if full { 0..=720 } else { 1..=719 };
+        for k in ends {
+            let input = from + (to - from) * f64::from(k) / 720.0;
+            let pose = motion
+                .pose::<1>(input)
+                .unwrap_or_else(|e| panic!("{name}: {e}"));
+            for link in 0..mechanism.links().len() {
+                for point in mechanism.points_of(link) {
+                    let [here, there]: [JetPoint<1>; 2] = [
+                        mechanism.carried(&pose, link, *point).unwrap(),
+                        mechanism.place(&pose, *point),
+                    ];
+                    let off = (here.place() - there.place()).norm() / size;
+                    assert!(off < 1e-12, "{name} at {input}: {off:e}");
+                    let first = mechanism.points_of(link)[0];
+                    let [now, then] = [&pose, &drawn].map(|pose| {
+                        let [a, b] = [first, *point].map(|k| mechanism.place(pose, k).place());
+                        (a - b).norm()
+                    });
+                    assert!((now - then).abs() < 1e-12 * size, "{name} at {input}");
+                }
+            }
+        }
+    }
+}
