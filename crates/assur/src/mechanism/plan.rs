@@ -86,7 +86,7 @@ impl Step {
                 state.angle[wheel.body] = carrier + turned * wheel.ratio + wheel.shift;
                 pin(state, wheel.body, wheel.at, wheel.hinge);
             }
-            Self::Closed(closed) => closed.solve(state, sign)?,
+            Self::Closed(closed) => closed.solve(state, sign, step)?,
             Self::Rrr(dyad) => dyad.solve(state, sign, step)?,
             Self::Rrp(dyad) => dyad.solve(state, sign, step)?,
             Self::Rpr(dyad) => dyad.solve(state, sign, step)?,

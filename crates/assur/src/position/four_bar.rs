@@ -2,7 +2,7 @@
 //! closed form passes change points smoothly and needs no history.
 
 use super::{Arm, Complex, Obstacle, State};
-use crate::{Assembly, FourBar, Unsolved};
+use crate::{Assembly, FourBar, Jet, Unsolved};
 
 /// A four-bar within a mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,7 @@ impl Closed {
         &self,
         state: &mut State<N>,
         sign: f64,
+        step: usize,
     ) -> Result<(), Obstacle> {
         let crank = state.angle[self.crank];
         let assembly = if sign > 0.0 {
@@ -39,6 +40,11 @@ impl Closed {
             })?;
         let [coupler, rocker] = &self.arms;
         let [b, d] = [coupler, rocker].map(|arm| state.place(arm.outer));
+        // Told for the kind of a dead point only; the closed form passes by itself.
+        let [l2, l3] = [coupler.length(), rocker.length()];
+        let square = (d - b).norm_squared().value();
+        let margins = [(l2 + l3).powi(2) - square, square - (l2 - l3).powi(2)];
+        state.margins[step] = margins.map(Jet::constant);
         let angle = pose.coupler + self.leads[0];
         let turn = Complex::turn(angle);
         state.turn[coupler.body] = turn;
