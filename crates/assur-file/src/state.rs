@@ -210,6 +210,13 @@ impl State {
                 let Body { document, view } = part(source())?;
                 (Document::Mixer(document), view)
             }
+            #[cfg(not(feature = "linkages"))]
+            Lesson::Linkage => {
+                return Err(Problem::UnknownChoice {
+                    field: "lesson".into(),
+                });
+            }
+            #[cfg(feature = "linkages")]
             Lesson::Linkage => {
                 let Body { document, view } = part(source())?;
                 (Document::Linkage(document), view)
