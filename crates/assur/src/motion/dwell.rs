@@ -240,7 +240,7 @@ impl<'a> Course<'a> {
         let mut best: Option<Dwell> = None;
         for k in 0..LEVELS - 1 {
             let (mut below, mut above) = (level(k), level(k + 1));
-            if !(lengthens(below)? && !lengthens(above)?) {
+            if !lengthens(below)? || lengthens(above)? {
                 continue;
             }
             for _ in 0..HALVINGS {

@@ -400,8 +400,8 @@ fn factor(matrix: &mut [f64], rows: &mut [usize], size: usize) -> Option<f64> {
             return None;
         }
         determinant *= divisor;
-        for i in k + 1..size {
-            let below = rows[i] * size;
+        for row in &rows[k + 1..] {
+            let below = row * size;
             let factor = matrix[below + k] / divisor;
             matrix[below + k] = factor;
             if factor != 0.0 {
