@@ -47,6 +47,7 @@ const BUILT: [(&str, &[&str]); 21] = [
     (
         "problem.",
         &[
+            "crates/assur-file/src/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
             "www/carrier.js",
             "www/model.js",
