@@ -2,7 +2,7 @@
 //! each is a sentence, and what is on the screen stays as it was. What is damaged and
 //! what still is a state is judged by `assur-file`, not by what the page says.
 
-use assur_file::{Problem, State};
+use assur_file::{Document, Problem, State};
 use serde_json::{Value, json};
 
 use crate::browser::{Page, setting};
@@ -284,7 +284,7 @@ fn held_by_address(hash: &str) -> Option<Value> {
 fn judged(held: Option<Value>, length: usize) -> Result<State, Vec<Problem>> {
     let fits = |value: &Value| length <= LONGEST && depth(value) <= DEEPEST;
     let value = held.filter(fits).ok_or_else(Vec::new)?;
-    let state = State::read(value).map_err(|problem| vec![problem])?;
+    let state = State::read(|| &value).map_err(|problem| vec![problem])?;
     state.mixer()?;
     Ok(state)
 }
@@ -322,7 +322,9 @@ async fn give(page: &Page, kind: &str, inputs: &[String], shown: &str) -> Vec<Va
 
 /// The controls show the state that was read natively.
 fn check_shown(controls: &Value, state: &State, input: &str) {
-    let document = &state.document;
+    let Document::Mixer(document) = &state.document else {
+        panic!("{input}");
+    };
     for (id, value) in [
         ("field-l1", document.l1),
         ("field-l2", document.l2),
