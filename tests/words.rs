@@ -60,6 +60,10 @@ const BUILT: [(&str, &[&str]); 21] = [
     ("tracers.", &["www/rail-lists.js"]),
 ];
 
+/// The tables of all that the page says, and of what it says of linkages besides.
+const PAGE: &str = "lang/*.json";
+const LINKAGES: &str = "lang/linkages/*.json";
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
@@ -93,6 +97,15 @@ fn lesson_tables() -> Vec<String> {
     modules
         .map(|name| format!("lang/lessons/{}", name.replace(".js", ".*.json")))
         .collect()
+}
+
+/// Every word the page ever says outside its lessons, in the first language.
+fn page_words() -> Words {
+    let tables = [PAGE, LINKAGES].map(|place| tables(place).swap_remove(0).2);
+    let count: usize = tables.iter().map(Words::len).sum();
+    let all: Words = tables.into_iter().flatten().collect();
+    assert_eq!(all.len(), count, "a key stands in both tables");
+    all
 }
 
 /// A key without the form of the noun, and the form.
@@ -155,7 +168,7 @@ fn pascal(code: &str) -> String {
 fn every_language_says_everything() {
     let all = lesson_tables()
         .into_iter()
-        .chain(["lang/*.json".to_owned()]);
+        .chain([PAGE, LINKAGES].map(str::to_owned));
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
@@ -190,9 +203,9 @@ fn no_key_is_left_over() {
         .into_iter()
         .chain(scripts.values().flat_map(|script| quoted(script, '"')))
         .collect();
-    let words = &tables("lang/*.json")[0].2;
+    let words = page_words();
     let mut over = Vec::new();
-    for key in asked(words) {
+    for key in asked(&words) {
         let built = BUILT.iter().any(|(start, sources)| {
             key.strip_prefix(start)
                 .is_some_and(|rest| sources.iter().any(|source| names(source, rest)))
@@ -207,8 +220,8 @@ fn no_key_is_left_over() {
 
 #[test]
 fn no_key_is_missing() {
-    let words = &tables("lang/*.json")[0].2;
-    let keys = asked(words);
+    let words = page_words();
+    let keys = asked(&words);
     let spaces: BTreeSet<&str> = keys
         .iter()
         .map(|key| key.split('.').next().unwrap())
@@ -297,7 +310,7 @@ fn lessons_have_their_words_and_no_more() {
     }
 }
 
-/// Codes and fields as `assur-file` writes them.
+/// Codes and fields as `assur-file` writes them; those of linkages in their own tables.
 #[test]
 fn every_problem_has_words() {
     let codes = [
@@ -315,6 +328,10 @@ fn every_problem_has_words() {
         "undetermined",
         "dead_point",
         "bad_state",
+        "trapped",
+        "not_settings",
+    ];
+    let of_linkages = [
         "too_many",
         "bad_name",
         "bad_text",
@@ -352,8 +369,6 @@ fn every_problem_has_words() {
         "guides_parallel",
         "links_undetermined",
         "links_dead_point",
-        "trapped",
-        "not_settings",
     ];
     let fields = [
         "l1",
@@ -379,7 +394,7 @@ fn every_problem_has_words() {
         "epsilon",
         "plot",
     ];
-    for (lang, _, words) in tables("lang/*.json") {
+    for (lang, _, words) in tables(PAGE) {
         for code in codes {
             assert!(
                 words.contains_key(&format!("problem.{code}")),
@@ -391,6 +406,12 @@ fn every_problem_has_words() {
                 words.contains_key(&format!("field.{field}")),
                 "{lang}: {field}"
             );
+        }
+    }
+    for (lang, _, words) in tables(LINKAGES) {
+        for code in of_linkages {
+            let key = format!("problem.{code}");
+            assert!(words.contains_key(&key), "{lang}: {code}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Problems as English sentences, from the string table of the page.
+//! Problems as English sentences, from the string tables of the page.
 
 use std::collections::BTreeMap;
 
@@ -7,10 +7,8 @@ use serde_json::Value;
 
 /// The sentence of a problem.
 pub(crate) fn sentence(problem: &Problem) -> String {
-    // The table is checked by a test of the workspace, and a problem holds nothing
-    // that JSON cannot.
-    let table = serde_json::from_str(include_str!("../../../lang/en.json"));
-    let table: BTreeMap<String, String> = table.unwrap_or_default();
+    let table = table();
+    // A problem holds nothing that JSON cannot.
     let said = serde_json::to_value(problem).unwrap_or_default();
     let code = said["code"].as_str().unwrap_or_default();
     let Some(text) = table.get(&format!("problem.{code}")) else {
@@ -29,6 +27,20 @@ pub(crate) fn sentence(problem: &Problem) -> String {
     let detail = said["detail"].as_str();
     let detail = detail.map_or(String::new(), |detail| format!(" ({detail})"));
     sentence + rest + &detail
+}
+
+/// What the page says, and what it says of linkages besides. Tests of the workspace
+/// check both.
+fn table() -> BTreeMap<String, String> {
+    let texts = [
+        include_str!("../../../lang/en.json"),
+        include_str!("../../../lang/linkages/en.json"),
+    ];
+    let tables = texts.map(|text| serde_json::from_str(text).unwrap_or_default());
+    tables
+        .into_iter()
+        .flat_map(|one: BTreeMap<_, _>| one)
+        .collect()
 }
 
 /// What stands in a place of a sentence.

@@ -5,7 +5,9 @@ use assur::motion::Input;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{LinkageDocument, MixerDocument, Problem};
+#[cfg(feature = "linkages")]
+use crate::LinkageDocument;
+use crate::{MixerDocument, Problem};
 
 /// The version of the saved form that is written; others are refused.
 const FORMAT: f64 = 1.0;
@@ -40,7 +42,19 @@ pub enum Document {
     /// Crank-rocker and gears.
     Mixer(MixerDocument),
     /// Any linkage.
+    #[cfg(feature = "linkages")]
     Linkage(LinkageDocument),
+}
+
+impl Document {
+    /// The document, where it is a mixer's.
+    pub fn mixer(&self) -> Option<&MixerDocument> {
+        match self {
+            Self::Mixer(document) => Some(document),
+            #[cfg(feature = "linkages")]
+            Self::Linkage(_) => None,
+        }
+    }
 }
 
 /// What says how the rest of a state is to be read.
@@ -62,6 +76,7 @@ struct Body<D> {
 #[serde(rename_all = "snake_case")]
 enum Lesson {
     Mixer,
+    #[cfg(feature = "linkages")]
     Linkage,
 }
 
@@ -210,12 +225,6 @@ impl State {
                 let Body { document, view } = part(source())?;
                 (Document::Mixer(document), view)
             }
-            #[cfg(not(feature = "linkages"))]
-            Lesson::Linkage => {
-                return Err(Problem::UnknownChoice {
-                    field: "lesson".into(),
-                });
-            }
             #[cfg(feature = "linkages")]
             Lesson::Linkage => {
                 let Body { document, view } = part(source())?;
@@ -244,7 +253,7 @@ impl State {
     /// Every problem of the whole state at once, each naming its field; another
     /// lesson.
     pub fn mixer(&self) -> Result<(Mixer, Vec<Quantity>), Vec<Problem>> {
-        let Document::Mixer(document) = &self.document else {
+        let Some(document) = self.document.mixer() else {
             return Err(vec![Problem::UnknownChoice {
                 field: "lesson".into(),
             }]);
@@ -268,6 +277,7 @@ impl State {
     /// # Errors
     /// Every problem of the view, and of a mixer. What is wrong with the linkage
     /// is told by [`LinkageDocument::mechanism`].
+    #[cfg(feature = "linkages")]
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         match &self.document {
