@@ -13,6 +13,10 @@ use crate::tools::{self, WASM};
 use crate::words::Words;
 use crate::workspace::{VERSION, Workspace};
 
+/// Less is put inline than LLVM would: that makes the download smaller, and nothing slower that
+/// could be measured.
+const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
+
 /// Installs what the build needs, then builds.
 pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     tools::wasm_target(workspace)?;
@@ -54,7 +58,9 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
 fn compile(workspace: &Workspace) -> Result<PathBuf> {
     // In a file of their own, the flags add to those of the user and the command stays short.
     let flags = workspace.target().join("wasm-flags.toml");
-    let list = serde_json::to_string(&path_remapping(workspace)).context("the build flags")?;
+    let mut list = path_remapping(workspace);
+    list.push(INLINING.to_owned());
+    let list = serde_json::to_string(&list).context("the build flags")?;
     fs::write(&flags, format!("[target.{WASM}]\nrustflags = {list}\n"))
         .with_context(|| format!("{} cannot be written", flags.display()))?;
 
