@@ -6,7 +6,8 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use assur::motion::extrema;
+use assur::mechanism;
+use assur::motion::{Motion, extrema};
 use assur::{Assembly, FourBar, Pose};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -16,6 +17,8 @@ const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
 /// Crank angles of a sweep, and sweeps between two looks at the clock.
 const SAMPLES: usize = 720;
 const SWEEPS: usize = 40;
+/// The same of a linkage: a sample each degree.
+const DEGREES: usize = 360;
 /// Every contestant has its turn this many times; the median counts.
 const ROUNDS: usize = 25;
 
@@ -54,6 +57,26 @@ fn speed() {
             black_box(extrema(&linkage, Assembly::First, |pose| pose.rocker));
         }),
     ));
+    let linkages = [
+        ("six-bar of dyads, full state", "stephenson-3"),
+        ("Class IV, full state at 1° steps", "class4-dwell"),
+    ];
+    for (name, linkage) in linkages {
+        let motion = motion(linkage);
+        let mut full = Full::new(&motion);
+        contestants.push((
+            name,
+            DEGREES * SWEEPS,
+            Box::new(move || {
+                for _ in 0..SWEEPS {
+                    for index in 0..DEGREES {
+                        let crank = TAU * index as f64 / DEGREES as f64;
+                        full.store(&motion, index, black_box(crank));
+                    }
+                }
+            }),
+        ));
+    }
 
     let mut times = vec![Vec::new(); contestants.len()];
     for _ in 0..ROUNDS {
@@ -82,6 +105,52 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
     for order in 0..3 {
         columns[2 * order][index] = pose.coupler.derivative(order);
         columns[2 * order + 1][index] = pose.rocker.derivative(order);
+    }
+}
+
+/// The motion of a linkage of the catalogue, as it is drawn.
+fn motion(name: &str) -> Motion {
+    let document = assur_file::from_catalogue(name).unwrap().unwrap();
+    let mechanism = document.mechanism().unwrap();
+    Motion::new(&mechanism, mechanism.drawn_assembly())
+}
+
+/// The columns of a whole linkage: places of the moving points and angles of the
+/// links, with both derivatives of each.
+struct Full {
+    pose: mechanism::Pose<3>,
+    moving: Vec<usize>,
+    columns: Vec<[f64; 3]>,
+}
+
+impl Full {
+    fn new(motion: &Motion) -> Self {
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<3>(motion.cycle().home()).unwrap();
+        let moving: Vec<usize> = (0..mechanism.points().len())
+            .filter(|point| mechanism.place(&pose, *point).derivative(1).norm() > 0.0)
+            .collect();
+        let columns = 2 * moving.len() + mechanism.links().len();
+        Self {
+            pose,
+            moving,
+            columns: vec![[0.0; 3]; columns * DEGREES],
+        }
+    }
+
+    fn store(&mut self, motion: &Motion, index: usize, crank: f64) {
+        motion.place(crank, &mut self.pose).unwrap();
+        let mechanism = motion.mechanism();
+        let points = self.moving.iter().flat_map(|point| {
+            let place = mechanism.place(&self.pose, *point);
+            [place.x, place.y]
+        });
+        let links = (0..mechanism.links().len()).map(|link| mechanism.angle(&self.pose, link));
+        let count = self.columns.len() / DEGREES;
+        let row = self.columns[index * count..][..count].iter_mut();
+        for (column, value) in row.zip(points.chain(links)) {
+            *column = [0, 1, 2].map(|order| value.derivative(order));
+        }
     }
 }
 

@@ -17,7 +17,7 @@ use std::fmt;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 
 pub use crate::position::Obstacle;
-use crate::position::{Anchor, Near, State};
+use crate::position::{Anchor, Followed, Near, Stand, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
@@ -36,10 +36,10 @@ pub struct Mechanism {
     /// Of each body its points, with their places on it.
     bodies: Vec<Vec<(usize, Vector)>>,
     size: f64,
-    /// The drawn pose: input, signs of the steps, angles of the bodies.
+    /// The drawn pose: input, signs of the steps, how the bodies stand.
     home: f64,
     signs: Vec<f64>,
-    angles: Vec<f64>,
+    stands: Vec<Stand>,
     natural: Vec<f64>,
     assemblies: Vec<Vec<f64>>,
     range: Option<[f64; 2]>,
@@ -139,8 +139,11 @@ impl Mechanism {
             steps: plan.steps,
             natural: plan.natural,
             structure,
-            angles: (0..bodies.count())
-                .map(|body| bodies.drawn_angle(body))
+            stands: (0..bodies.count())
+                .map(|body| Stand {
+                    angle: bodies.drawn_angle(body),
+                    turn: bodies.drawn_turn(body),
+                })
                 .collect(),
             size: draft.size(),
             home: plan.home,
@@ -158,7 +161,7 @@ impl Mechanism {
     /// The drawn pose as the one nearby.
     fn drawn(&self) -> Near<'_> {
         Near {
-            angles: &self.angles,
+            stands: &self.stands,
             natural: &self.natural,
         }
     }
@@ -190,14 +193,17 @@ impl Mechanism {
             self.signs[step] = sign;
             // The try that counts, last: the state is that of the drawn pose.
             let _ = self.steps[step].solve(&mut state, input, sign, self.drawn(), step);
+            if let Step::Group(group) = &mut self.steps[step] {
+                group.plan_as(&state);
+            }
             if off > MISDRAWN * self.size
                 && let Some((point, by)) = self.misdrawn(draft, &state, step)
             {
                 return Err(vec![Defect::Misdrawn { point, by }]);
             }
         }
-        for (body, angle) in state.angle.iter().enumerate() {
-            self.angles[body] = angle.value();
+        for (body, stand) in self.stands.iter_mut().enumerate() {
+            *stand = state.stand(body);
         }
         for (k, place) in state.natural.iter().enumerate() {
             (self.natural[2 * k], self.natural[2 * k + 1]) = (place.x.value(), place.y.value());
@@ -359,7 +365,7 @@ impl Mechanism {
     /// The angle of a link, from its first to its second point, in a pose.
     pub fn angle<const N: usize>(&self, pose: &Pose<N>, link: usize) -> Jet<N> {
         let part = &self.links[link];
-        pose.state.angle[part.body] + part.lead
+        pose.state.angle(part.body) + part.lead
     }
 
     /// Where a point is in a pose.
@@ -389,7 +395,7 @@ impl Mechanism {
 
     pub(crate) fn blank_state<const N: usize>(&self) -> State<N> {
         let steps = self.steps.len();
-        State::new(self.angles.len(), steps, self.natural.len() / 2, self.size)
+        State::new(self.stands.len(), steps, self.natural.len() / 2, self.size)
     }
 
     /// Solves every step for an input; the numbers of the step that fails.
@@ -414,7 +420,7 @@ impl Mechanism {
 
     /// Input, signs and pose from which an assembly is followed: the drawn one, or
     /// just beside it where that is singular.
-    pub(crate) fn start(&self, assembly: usize) -> (f64, &[f64], State<3>) {
+    pub(crate) fn start(&self, assembly: usize) -> (f64, &[f64], Followed) {
         let signs = self.assemblies.get(assembly).unwrap_or(&self.signs);
         let mut state = self.blank_state();
         let input = self.entry(signs, &mut state).unwrap_or(self.home);
@@ -422,7 +428,7 @@ impl Mechanism {
     }
 
     /// The input at, or beside, the drawn one where the pose has derivatives.
-    fn entry(&self, signs: &[f64], state: &mut State<3>) -> Option<f64> {
+    fn entry(&self, signs: &[f64], state: &mut Followed) -> Option<f64> {
         let aside = [0.0, ASIDE, -ASIDE].map(|aside| aside * self.span() / TAU);
         let mut inputs = aside.into_iter().map(|aside| self.home + aside);
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
@@ -435,9 +441,9 @@ impl Mechanism {
 
     /// Whether every link that matters stands in two poses alike. A wheel that
     /// moves nothing else may stand anywhere.
-    pub(crate) fn stands_alike(&self, a: &State<3>, b: &State<3>, within: f64) -> bool {
+    pub(crate) fn stands_alike(&self, a: &Followed, b: &Followed, within: f64) -> bool {
         let driving = |body: usize| self.steps.iter().any(|step| step.leans_on(body));
-        (0..self.angles.len()).all(|body| {
+        (0..self.stands.len()).all(|body| {
             let idle = self.steps.iter().any(|step| step.is_wheel(body)) && !driving(body);
             let turned = [a, b].map(|state| JetPoint::from(state.turn[body]).place());
             let moved = [a, b].map(|state| JetPoint::from(state.origin[body]).place());
@@ -451,6 +457,10 @@ impl Mechanism {
         self.steps
             .iter()
             .any(|step| step.winds() && step.bodies().any(|b| b == body))
+    }
+
+    pub(crate) fn steps(&self) -> usize {
+        self.steps.len()
     }
 
     pub(crate) fn margin_scale(&self, step: usize) -> f64 {

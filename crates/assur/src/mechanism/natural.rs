@@ -32,7 +32,7 @@ pub(super) fn group(
         points: BTreeMap::new(),
         placed: BTreeMap::new(),
         by_slide: Vec::new(),
-        equations: Vec::new(),
+        conditions: Vec::new(),
         home: Vec::new(),
     };
     for body in members {
@@ -61,9 +61,7 @@ pub(super) fn group(
         }
     }
     plan.slides();
-    let unknowns = plan.home.len();
-    let rows: usize = plan.equations.iter().map(|(_, rows)| rows).sum();
-    (rows == 2 * unknowns).then(|| plan.finished(offset))
+    plan.finished(offset)
 }
 
 /// How a body follows from what is known.
@@ -74,7 +72,7 @@ enum Follows {
     Slide { point: usize, slide: usize },
 }
 
-/// An equation in forms of its own.
+/// One equation, or two, in forms of its own.
 enum Condition {
     Unit(Form),
     Zero(Form),
@@ -91,14 +89,21 @@ struct Plan<'a> {
     placed: BTreeMap<usize, [Form; 2]>,
     /// Slides that have given a direction.
     by_slide: Vec<usize>,
-    /// Conditions, with how many real equations each is.
-    equations: Vec<(Condition, usize)>,
+    conditions: Vec<Condition>,
     /// The drawn values of the unknowns.
     home: Vec<Vector>,
 }
 
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
+        // The frame stands still.
+        let (Input::Place(anchor) | Input::Direction(anchor)) = input;
+        if anchor.body == 0 {
+            return Form {
+                constant: anchor.local,
+                ..Form::default()
+            };
+        }
         let known = self.inputs.iter().position(|other| *other == input);
         let index = known.unwrap_or(self.inputs.len());
         if known.is_none() {
@@ -106,15 +111,15 @@ impl Plan<'_> {
         }
         Form {
             inputs: vec![(index, Vector::x())],
-            unknowns: Vec::new(),
+            ..Form::default()
         }
     }
 
     fn unknown(&mut self, home: Vector) -> Form {
         self.home.push(home);
         Form {
-            inputs: Vec::new(),
             unknowns: vec![(self.home.len() - 1, Vector::x())],
+            ..Form::default()
         }
     }
 
@@ -179,7 +184,7 @@ impl Plan<'_> {
         }
         // A block with one point: its direction is the unknown.
         let turn = self.unknown(self.bodies.drawn_turn(body));
-        self.equations.push((Condition::Unit(turn.clone()), 1));
+        self.conditions.push(Condition::Unit(turn.clone()));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {
             return;
         };
@@ -195,7 +200,7 @@ impl Plan<'_> {
                 let [p, q] = [first, second].map(|point| self.points[&point].clone());
                 let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
                 if !turn.unknowns.is_empty() {
-                    self.equations.push((Condition::Unit(turn.clone()), 1));
+                    self.conditions.push(Condition::Unit(turn.clone()));
                 }
                 let origin = p.minus(&turn.by(a));
                 self.settle(body, [origin, turn], &[first, second]);
@@ -224,7 +229,7 @@ impl Plan<'_> {
             match self.points.get(point) {
                 Some(known) => {
                     let gap = at.minus(known);
-                    self.equations.push((Condition::Zero(gap), 2));
+                    self.conditions.push(Condition::Zero(gap));
                 }
                 None => {
                     self.points.insert(*point, at);
@@ -281,48 +286,46 @@ impl Plan<'_> {
                     direction: direction.clone(),
                     way: other,
                 };
-                self.equations.push((parallel, 1));
+                self.conditions.push(parallel);
             }
             let way = self
                 .place_on(moving, point)
                 .minus(&self.place_on(on, start));
-            self.equations.push((Condition::Line { direction, way }, 1));
+            self.conditions.push(Condition::Line { direction, way });
         }
     }
 
-    fn finished(self, offset: usize) -> (Group, Vec<Vector>) {
-        let mut forms = Vec::new();
+    /// The group; none where the equations are not as many as the unknowns.
+    fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
+        let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {
-            forms.push(form);
-            forms.len() - 1
+            let known = forms.iter().position(|other| *other == form);
+            known.unwrap_or_else(|| {
+                forms.push(form);
+                forms.len() - 1
+            })
         };
-        let equations = self
-            .equations
-            .into_iter()
-            .map(|(condition, _)| match condition {
-                Condition::Unit(form) => Equation::Unit(index(form)),
-                Condition::Zero(form) => Equation::Zero(index(form)),
-                Condition::Line { direction, way } => Equation::Line {
+        let mut equations = Vec::new();
+        for condition in self.conditions {
+            match condition {
+                Condition::Unit(form) => equations.push(Equation::Unit(index(form))),
+                Condition::Zero(form) => {
+                    let form = index(form);
+                    equations.extend([Equation::Real(form), Equation::Imaginary(form)]);
+                }
+                Condition::Line { direction, way } => equations.push(Equation::Line {
                     direction: index(direction),
                     way: index(way),
-                    off: 0.0,
-                },
-            });
-        let equations = equations.collect();
-        let bodies = self
-            .placed
-            .into_iter()
-            .map(|(body, forms)| (body, forms.map(&mut index)));
-        let bodies = bodies.collect();
-        let group = Group {
-            inputs: self.inputs,
-            unknowns: self.home.len(),
-            offset,
-            forms,
-            equations,
-            bodies,
-        };
-        (group, self.home)
+                }),
+            }
+        }
+        let bodies = self.placed.into_iter();
+        let bodies: Vec<_> = bodies
+            .map(|(body, forms)| (body, forms.map(&mut index)))
+            .collect();
+        let unknowns = self.home.len();
+        let group = Group::new(offset, unknowns, self.inputs, forms, equations, bodies);
+        group.map(|group| (group, self.home))
     }
 }
 
@@ -335,6 +338,7 @@ impl Form {
                 .collect()
         };
         Self {
+            constant: product(self.constant, factor),
             inputs: times(&self.inputs),
             unknowns: times(&self.unknowns),
         }
@@ -351,6 +355,7 @@ impl Form {
                 .collect()
         };
         Self {
+            constant: self.constant + other.constant,
             inputs: sum(&self.inputs, &other.inputs),
             unknowns: sum(&self.unknowns, &other.unknowns),
         }

@@ -2,8 +2,8 @@
 
 use crate::gears::Mesh;
 use crate::position::{
-    Anchor, Arm, Closed, Complex, Group, Input, Near, Obstacle, Prp, Rpp, Rpr, Rrp, Rrr, State,
-    Track,
+    Anchor, Angle, Arm, Closed, Complex, Group, Input, Near, Obstacle, Prp, Rpp, Rpr, Rrp, Rrr,
+    State, Track,
 };
 use crate::structure::{self, Structure};
 use crate::{FourBar, Jet, Vector};
@@ -68,8 +68,7 @@ impl Step {
                 hinge,
                 lead,
             } => {
-                state.angle[*body] = input + -lead;
-                pin(state, *body, *at, *hinge);
+                pin(state, *body, input + -lead, *at, *hinge);
             }
             Self::Slider { track, range } => {
                 if !(range[0]..=range[1]).contains(&input.value()) {
@@ -78,13 +77,12 @@ impl Step {
                 let (start, direction) = state.line(track);
                 let at = direction * Complex::new(input, Jet::constant(track.off));
                 state.slid(track, direction, start + at);
-                state.wind(track.body, near.angles[track.body]);
             }
             Self::Geared(wheel) => {
-                let carrier = state.angle[wheel.at.body];
-                let turned = state.angle[wheel.mate] - carrier;
-                state.angle[wheel.body] = carrier + turned * wheel.ratio + wheel.shift;
-                pin(state, wheel.body, wheel.at, wheel.hinge);
+                let carrier = state.angle(wheel.at.body);
+                let turned = state.angle(wheel.mate) - carrier;
+                let angle = carrier + turned * wheel.ratio + wheel.shift;
+                pin(state, wheel.body, angle, wheel.at, wheel.hinge);
             }
             Self::Closed(closed) => closed.solve(state, sign, step)?,
             Self::Rrr(dyad) => dyad.solve(state, sign, step)?,
@@ -94,14 +92,14 @@ impl Step {
             Self::Rpp(dyad) => dyad.solve(state, step)?,
             Self::Group(group) => group.solve(state, near.natural, step)?,
         }
-        if self.winds() {
-            for body in self.bodies() {
-                state.wind(body, near.angles[body]);
+        let winds = self.winds();
+        let mut placed = true;
+        for body in self.bodies() {
+            if winds {
+                state.angle[body] = Angle::Near(near.stands[body]);
             }
+            placed &= state.origin[body].is_finite() && state.turn[body].is_finite();
         }
-        let placed = self
-            .bodies()
-            .all(|body| state.origin[body].is_finite() && state.angle[body].is_finite());
         if placed {
             Ok(())
         } else {
@@ -111,24 +109,21 @@ impl Step {
 
     /// The bodies that it places.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..).map_while(|k| self.body(k))
-    }
-
-    fn body(&self, k: usize) -> Option<usize> {
-        let pair = match self {
-            Self::Group(group) => return group.bodies.get(k).map(|(body, _)| *body),
-            Self::Crank { body, .. } => [Some(*body), None],
-            Self::Slider { track, .. } => [Some(track.body), None],
-            Self::Geared(wheel) => [Some(wheel.body), None],
+        let (group, pair) = match self {
+            Self::Group(group) => (&group.bodies[..], [None; 2]),
+            Self::Crank { body, .. } => (&[][..], [Some(*body), None]),
+            Self::Slider { track, .. } => (&[][..], [Some(track.body), None]),
+            Self::Geared(wheel) => (&[][..], [Some(wheel.body), None]),
             Self::Closed(Closed { arms: [i, j], .. }) | Self::Rrr(Rrr { arms: [i, j] }) => {
-                [Some(i.body), Some(j.body)]
+                (&[][..], [Some(i.body), Some(j.body)])
             }
-            Self::Rrp(dyad) => [Some(dyad.arm.body), Some(dyad.track.body)],
-            Self::Rpr(Rpr { sides: [i, j] }) => [Some(i.body), Some(j.body)],
-            Self::Prp(Prp { tracks: [i, j] }) => [Some(i.body), Some(j.body)],
-            Self::Rpp(dyad) => [Some(dyad.side.body), Some(dyad.track.body)],
+            Self::Rrp(dyad) => (&[][..], [Some(dyad.arm.body), Some(dyad.track.body)]),
+            Self::Rpr(Rpr { sides: [i, j] }) => (&[][..], [Some(i.body), Some(j.body)]),
+            Self::Prp(Prp { tracks: [i, j] }) => (&[][..], [Some(i.body), Some(j.body)]),
+            Self::Rpp(dyad) => (&[][..], [Some(dyad.side.body), Some(dyad.track.body)]),
         };
-        pair.get(k).copied().flatten()
+        let group = group.iter().map(|(body, _)| *body);
+        group.chain(pair.into_iter().flatten())
     }
 
     /// Whether it needs the place of a body solved before.
@@ -187,8 +182,15 @@ impl Step {
     }
 }
 
-fn pin<const N: usize>(state: &mut State<N>, body: usize, at: Anchor, hinge: Vector) {
-    let turn = Complex::turn(state.angle[body]);
+fn pin<const N: usize>(
+    state: &mut State<N>,
+    body: usize,
+    angle: Jet<N>,
+    at: Anchor,
+    hinge: Vector,
+) {
+    let turn = Complex::turn(angle);
+    state.angle[body] = Angle::Known(angle);
     state.turn[body] = turn;
     state.origin[body] = state.place(at) - turn.by(hinge);
 }
@@ -365,41 +367,18 @@ fn dyad(bodies: &Bodies, pair: [usize; 2], solved: &[bool], crank: Option<usize>
             Some((c_i, c_j)),
             _,
         ) => {
-            let arms = [
-                Arm {
-                    body: i,
-                    outer: b,
-                    from,
-                    to: c_i,
-                },
-                Arm {
-                    body: j,
-                    outer: d,
-                    from: start,
-                    to: c_j,
-                },
-            ];
+            let arms = [Arm::new(i, b, [from, c_i]), Arm::new(j, d, [start, c_j])];
             closed(bodies, &arms, crank).unwrap_or(Step::Rrr(Rrr { arms }))
         }
         (Outer::Hinge { outer, hinge }, Outer::Slide { slide }, Some((c_i, c_j)), _) => {
             Step::Rrp(Rrp {
-                arm: Arm {
-                    body: i,
-                    outer,
-                    from: hinge,
-                    to: c_i,
-                },
+                arm: Arm::new(i, outer, [hinge, c_i]),
                 track: track(j, slide, Some(c_j)),
             })
         }
         (Outer::Slide { slide }, Outer::Hinge { outer, hinge }, Some((c_i, c_j)), _) => {
             Step::Rrp(Rrp {
-                arm: Arm {
-                    body: j,
-                    outer,
-                    from: hinge,
-                    to: c_j,
-                },
+                arm: Arm::new(j, outer, [hinge, c_j]),
                 track: track(i, slide, Some(c_i)),
             })
         }
@@ -443,7 +422,8 @@ fn rpp(inner: &Slide, [i, j]: [usize; 2], outer: Anchor, hinge: Vector, slide: &
     }
 }
 
-/// The closed form of a four-bar where the dyad joins the driven crank and the frame.
+/// The closed form of a four-bar where the dyad joins the driven crank and the
+/// frame, and the motion comes near a change point.
 fn closed(bodies: &Bodies, arms: &[Arm; 2], crank: Option<usize>) -> Option<Step> {
     let crank = crank?;
     let [coupler, rocker] = match (arms[0].outer.body, arms[1].outer.body) {
@@ -456,6 +436,9 @@ fn closed(bodies: &Bodies, arms: &[Arm; 2], crank: Option<usize>) -> Option<Step
     let base = rocker.outer.local - a;
     let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
     let linkage = FourBar::new(lengths).ok()?;
+    if !linkage.nears_change_point() {
+        return None;
+    }
     let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
     let arms = [coupler, rocker];
     let leads = arms.each_ref().map(|arm| {

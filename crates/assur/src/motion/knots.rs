@@ -1,11 +1,10 @@
 //! Samples of a motion: which way each group is joined, and where what is solved
 //! by iteration is about to be.
 
-use crate::Jet;
-use crate::position::{Near, State};
+use crate::position::{Followed, Near, Stand};
 
 /// Samples in ascending inputs (or descending, while a motion is followed back):
-/// signs of the steps, angles of the bodies, and the unknowns of groups with two
+/// signs of the steps, how the bodies stand, and the unknowns of groups with two
 /// derivatives.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots {
@@ -16,22 +15,28 @@ pub(super) struct Knots {
 struct Knot {
     input: f64,
     signs: Vec<f64>,
-    angles: Vec<f64>,
-    natural: [Vec<f64>; 3],
+    stands: Vec<Stand>,
+    /// Of each coordinate the value and the coefficients of three derivatives.
+    natural: Vec<[f64; 4]>,
 }
 
 impl Knots {
-    pub(super) fn push(&mut self, input: f64, signs: &[f64], state: &State<3>) {
-        let parts = |order: usize| {
-            let places = state.natural.iter();
-            places.flat_map(move |place| [place.x.derivative(order), place.y.derivative(order)])
-        };
+    pub(super) fn push(&mut self, input: f64, signs: &[f64], state: &Followed) {
+        let natural = state.natural.iter().flat_map(|place| {
+            [place.x, place.y].map(|jet| [0, 1, 2, 3].map(|order| jet.coefficient(order)))
+        });
         self.list.push(Knot {
             input,
             signs: signs.to_vec(),
-            angles: state.angle.iter().map(Jet::value).collect(),
-            natural: [0, 1, 2].map(|order| parts(order).collect()),
+            stands: (0..state.angle.len())
+                .map(|body| state.stand(body))
+                .collect(),
+            natural: natural.collect(),
         });
+    }
+
+    pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
+        self.list.iter().map(|knot| knot.input)
     }
 
     /// Other signs from the last knot on.
@@ -63,18 +68,21 @@ impl Knots {
             return;
         };
         let gained: Vec<f64> = last
-            .angles
+            .stands
             .iter()
-            .zip(&first.angles)
-            .map(|(b, a)| b - a)
+            .zip(&first.stands)
+            .map(|(b, a)| b.angle - a.angle)
             .collect();
         let later = |knot: &Knot, periods: f64| Knot {
             input: knot.input + period * periods,
-            angles: knot
-                .angles
+            stands: knot
+                .stands
                 .iter()
                 .zip(&gained)
-                .map(|(a, g)| a + g * periods)
+                .map(|(stand, gain)| Stand {
+                    angle: stand.angle + gain * periods,
+                    ..*stand
+                })
                 .collect(),
             ..knot.clone()
         };
@@ -92,40 +100,94 @@ impl Knots {
     /// The signs at an input, what is known nearby, and a guess for the unknowns
     /// of groups, put into `guess`.
     pub(super) fn near<'a>(&'a self, input: f64, guess: &'a mut Vec<f64>) -> (&'a [f64], Near<'a>) {
-        let after = self.list.partition_point(|knot| knot.input <= input);
-        let at = after.saturating_sub(1);
+        let at = self.before(input);
         let knot = &self.list[at];
+        guess.clear();
         match self.list.get(at + 1) {
-            Some(next) if !knot.natural[0].is_empty() => between(knot, next, input, guess),
-            _ => guess.clone_from(&knot.natural[0]),
+            Some(next) => between(knot, next, input, guess),
+            None => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
         }
         let near = Near {
-            angles: &knot.angles,
+            stands: &knot.stands,
             natural: guess,
         };
         (&knot.signs, near)
     }
+
+    /// The last knot that is not after an input, or the first.
+    fn before(&self, input: f64) -> usize {
+        // They are as many as the samples of a grid, but for doubts.
+        if let [first, .., last] = &self.list[..] {
+            let cells = (self.list.len() - 1) as f64;
+            let at = (input - first.input) / (last.input - first.input) * cells;
+            let at = at as usize;
+            if let Some([a, b]) = self.list.get(at..at + 2)
+                && (a.input..b.input).contains(&input)
+            {
+                return at;
+            }
+        }
+        let after = self.list.partition_point(|knot| knot.input <= input);
+        after.saturating_sub(1)
+    }
 }
 
-/// The quintic that has the values and two derivatives of both knots.
+/// The polynomial of degree 7 that has the values and three derivatives of both
+/// knots.
 fn between(a: &Knot, b: &Knot, input: f64, guess: &mut Vec<f64>) {
+    if a.natural.is_empty() {
+        return;
+    }
     let width = b.input - a.input;
     let u = ((input - a.input) / width).clamp(0.0, 1.0);
-    let (u2, u3) = (u * u, u * u * u);
-    let start = [
-        1.0 + u3 * (-10.0 + u * (15.0 - 6.0 * u)),
-        width * (u + u3 * (-6.0 + u * (8.0 - 3.0 * u))),
-        0.5 * width * width * (u2 + u3 * (-3.0 + u * (3.0 - u))),
-    ];
-    let end = [
-        1.0 - start[0],
-        width * u3 * (-4.0 + u * (7.0 - 3.0 * u)),
-        0.5 * width * width * u3 * (1.0 + u * (u - 2.0)),
-    ];
-    guess.clear();
-    guess.extend((0..a.natural[0].len()).map(|k| {
-        let terms = (0..3)
-            .map(|order| start[order] * a.natural[order][k] + end[order] * b.natural[order][k]);
+    let start = weights(u, width);
+    let end = weights(1.0 - u, -width);
+    guess.extend(a.natural.iter().zip(&b.natural).map(|(a, b)| {
+        let terms = (0..4).map(|order| start[order] * a[order] + end[order] * b[order]);
         terms.sum::<f64>()
     }));
+}
+
+/// By what the Taylor coefficients of one end count, `u` of the `width` from it:
+/// the polynomials that vanish with three derivatives at the other end.
+fn weights(u: f64, width: f64) -> [f64; 4] {
+    let rest = (1.0 - u).powi(4);
+    let way = u * width;
+    let sums = [
+        1.0 + u * (4.0 + u * (10.0 + u * 20.0)),
+        1.0 + u * (4.0 + u * 10.0),
+        1.0 + u * 4.0,
+        1.0,
+    ];
+    let powers = [1.0, way, way * way, way * way * way];
+    std::array::from_fn(|order| rest * powers[order] * sums[order])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::weights;
+
+    /// Polynomials of degree 7 come out as they are.
+    #[test]
+    fn polynomials_are_kept() {
+        let (from, to) = (0.4_f64, 0.7_f64);
+        for degree in 0..8_i32 {
+            let binomial =
+                |k: i32| (0..k).fold(1.0, |c, i| c * f64::from(degree - i) / f64::from(i + 1));
+            let coefficient = |at: f64, k: i32| binomial(k) * at.powi(degree - k);
+            for k in 0..=10 {
+                let u = f64::from(k) / 10.0;
+                let width = to - from;
+                let [start, end] = [weights(u, width), weights(1.0 - u, -width)];
+                let value: f64 = (0..4)
+                    .map(|k| {
+                        let order = k as usize;
+                        start[order] * coefficient(from, k) + end[order] * coefficient(to, k)
+                    })
+                    .sum();
+                let expected = (from + u * width).powi(degree);
+                assert!((value - expected).abs() < 1e-15, "{degree} {u}: {value}");
+            }
+        }
+    }
 }

@@ -1,9 +1,9 @@
 //! Going along a motion by continuity, from the drawn pose until it repeats or
 //! ends.
 
-use crate::Jet;
 use crate::mechanism::Mechanism;
-use crate::position::{Near, Obstacle, ROUNDING, State};
+use crate::position::{Followed, Near, Obstacle, ROUNDING, Stand, State};
+use crate::{Jet, Vector};
 
 use super::knots::Knots;
 use super::trace::{DeadPoint, DeadPointKind};
@@ -40,8 +40,8 @@ pub(super) struct Walk<'a> {
     signs: Vec<f64>,
     input: f64,
     /// The pose at the input, and a second one to try the next.
-    here: State<3>,
-    there: State<3>,
+    here: Followed,
+    there: Followed,
     pub(super) change_points: Vec<f64>,
     /// The step in doubt, where the last look ahead was.
     doubtful: usize,
@@ -49,14 +49,14 @@ pub(super) struct Walk<'a> {
 
 /// A pose that is expected.
 struct Promise {
-    angles: Vec<f64>,
+    stands: Vec<Stand>,
     natural: Vec<f64>,
 }
 
 impl Promise {
     fn near(&self) -> Near<'_> {
         Near {
-            angles: &self.angles,
+            stands: &self.stands,
             natural: &self.natural,
         }
     }
@@ -186,7 +186,7 @@ impl<'a> Walk<'a> {
         }
         let width = next - self.input;
         for body in 0..self.here.angle.len() {
-            let (a, b) = (&self.here.angle[body], &self.there.angle[body]);
+            let [a, b] = [&self.here, &self.there].map(|state| state.angle(body));
             let change = b.value() - a.value();
             let rates = 0.5 * (a.derivative(1) + b.derivative(1)) * width;
             let wound = self.mechanism.is_wound(body);
@@ -216,18 +216,24 @@ impl<'a> Walk<'a> {
     /// Where everything should be at another input, by the derivatives here.
     fn promised(&self, next: f64) -> Promise {
         let width = next - self.input;
-        let by = |jet: &Jet<3>| {
-            jet.value() + width * (jet.derivative(1) + 0.5 * width * jet.derivative(2))
+        let by = |jet: Jet<4>| {
+            let orders = (0..4).rev();
+            orders.fold(0.0, |sum, order| sum * width + jet.coefficient(order))
         };
-        let angles = self.here.angle.iter().map(by).collect();
-        let natural = self
-            .here
-            .natural
-            .iter()
-            .flat_map(|place| [by(&place.x), by(&place.y)]);
+        let stand = |body: usize| {
+            let angle = by(self.here.angle(body));
+            let (sin, cos) = angle.sin_cos();
+            Stand {
+                angle,
+                turn: Vector::new(cos, sin),
+            }
+        };
+        let places = self.here.natural.iter();
         Promise {
-            angles,
-            natural: natural.collect(),
+            stands: (0..self.here.angle.len()).map(stand).collect(),
+            natural: places
+                .flat_map(|place| [by(place.x), by(place.y)])
+                .collect(),
         }
     }
 

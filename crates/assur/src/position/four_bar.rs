@@ -1,7 +1,7 @@
 //! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
 //! closed form passes change points smoothly and needs no history.
 
-use super::{Arm, Complex, Obstacle, State};
+use super::{Angle, Arm, Complex, Obstacle, State};
 use crate::{Assembly, FourBar, Jet, Unsolved};
 
 /// A four-bar within a mechanism.
@@ -23,7 +23,7 @@ impl Closed {
         sign: f64,
         step: usize,
     ) -> Result<(), Obstacle> {
-        let crank = state.angle[self.crank];
+        let crank = state.angle(self.crank);
         let assembly = if sign > 0.0 {
             Assembly::First
         } else {
@@ -49,10 +49,10 @@ impl Closed {
         let turn = Complex::turn(angle);
         state.turn[coupler.body] = turn;
         state.origin[coupler.body] = b - turn.by(coupler.from);
-        state.angle[coupler.body] = angle;
+        state.angle[coupler.body] = Angle::Known(angle);
         // The rocker ends where the coupler does: no second sine and cosine.
         state.lay(rocker, d, b + turn.by(coupler.to - coupler.from) - d);
-        state.angle[rocker.body] = pose.rocker + self.leads[1];
+        state.angle[rocker.body] = Angle::Known(pose.rocker + self.leads[1]);
         Ok(())
     }
 }

@@ -6,13 +6,16 @@
 //! left are quadratic equations. Derivatives follow order by order from the
 //! same Jacobian at the solution: J x⁽ᵏ⁾ = −(what the lower orders leave).
 
-use super::complex::Complex;
+use super::complex::{Complex, product};
+use super::elimination::Elimination;
 use super::{Anchor, Obstacle, State};
 use crate::{Jet, Vector};
 
 /// A complex-linear form of solved quantities and of the unknowns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Form {
+    /// What does not change.
+    pub(crate) constant: Vector,
     /// Indices of inputs with their coefficients.
     pub(crate) inputs: Vec<(usize, Vector)>,
     /// Indices of unknowns with their coefficients.
@@ -33,13 +36,13 @@ pub(crate) enum Input {
 pub(crate) enum Equation {
     /// |form|² = 1.
     Unit(usize),
-    /// form = 0: two real equations.
-    Zero(usize),
-    /// A point keeps its distance to the left of a line: direction × way = off.
+    /// The real part of a form is 0, or its imaginary part.
+    Real(usize),
+    Imaginary(usize),
+    /// A point stays on a line: direction × way = 0.
     Line {
         direction: usize,
         way: usize,
-        off: f64,
     },
 }
 
@@ -50,10 +53,15 @@ pub(crate) struct Group {
     /// How many complex unknowns, and where theirs begin among those of all groups.
     pub(crate) unknowns: usize,
     pub(crate) offset: usize,
+    /// Forms; so many of them, the first, stand in equations.
     pub(crate) forms: Vec<Form>,
+    pub(crate) equated: usize,
     pub(crate) equations: Vec<Equation>,
     /// Each body with the forms of its origin and its turn.
     pub(crate) bodies: Vec<(usize, [usize; 2])>,
+    /// Where the Jacobian can be other than zero, row by row, and its elimination.
+    pub(crate) pattern: Vec<bool>,
+    pub(crate) elimination: Elimination,
 }
 
 /// Newton's method goes on until a step is this small beside the unknowns.
@@ -64,6 +72,40 @@ const MOST_STEPS: usize = 30;
 const CLOSED: f64 = 1e-12;
 
 impl Group {
+    /// None where the equations are not as many as the unknowns. Forms of
+    /// equations come first.
+    pub(crate) fn new(
+        offset: usize,
+        unknowns: usize,
+        inputs: Vec<Input>,
+        forms: Vec<Form>,
+        equations: Vec<Equation>,
+        bodies: Vec<(usize, [usize; 2])>,
+    ) -> Option<Self> {
+        let size = 2 * unknowns;
+        if equations.len() != size {
+            return None;
+        }
+        let mut pattern = vec![false; size * size];
+        for (row, equation) in pattern.chunks_exact_mut(size).zip(&equations) {
+            for (unknown, _) in equation.forms().flat_map(|form| &forms[form].unknowns) {
+                row[2 * unknown..][..2].fill(true);
+            }
+        }
+        let equated = equations.iter().flat_map(Equation::forms).max();
+        Some(Self {
+            inputs,
+            unknowns,
+            offset,
+            forms,
+            equated: equated.map_or(0, |last| last + 1),
+            equations,
+            bodies,
+            pattern,
+            elimination: Elimination::default(),
+        })
+    }
+
     /// Solves from the guess in `near`, real and imaginary parts of the unknowns
     /// of all groups; sets the margin of the step to the Jacobian's determinant,
     /// and `state.doubt` to the size of the first correction.
@@ -73,51 +115,46 @@ impl Group {
         near: &[f64],
         step: usize,
     ) -> Result<(), Obstacle> {
-        let mut work = std::mem::take(&mut state.work);
-        let solved = self.newton(state, near, step, &mut work);
-        state.work = work;
-        solved
+        state.work.fit(self);
+        for (k, input) in self.inputs.iter().enumerate() {
+            state.work.inputs[k] = series(state.taken(*input));
+        }
+        let work = &mut state.work;
+        for (value, form) in work.known.iter_mut().zip(&self.forms) {
+            *value = form.known(&work.inputs);
+        }
+        let own = near[2 * self.offset..].chunks_exact(2);
+        for (place, guess) in work.unknowns.iter_mut().zip(own) {
+            place[0] = Vector::new(guess[0], guess[1]);
+        }
+        self.newton(state, step)?;
+        for order in 1..N {
+            self.differentiate(&mut state.work, order);
+        }
+        self.put(state);
+        Ok(())
     }
 
-    fn newton<const N: usize>(
-        &self,
-        state: &mut State<N>,
-        near: &[f64],
-        step: usize,
-        work: &mut Work,
-    ) -> Result<(), Obstacle> {
-        let size = 2 * self.unknowns;
-        work.fit(self);
-        let inputs = |state: &State<N>, work: &mut Work, order: usize| {
-            for (value, input) in work.inputs.iter_mut().zip(&self.inputs) {
-                *value = state.taken(*input, order);
-            }
-        };
-        inputs(state, work, 0);
-        let own = 2 * self.offset..2 * self.offset + size;
-        work.x.copy_from_slice(&near[own]);
+    /// From now on the Jacobian is eliminated as it had to be where `state` was
+    /// solved last.
+    pub(crate) fn plan_as<const N: usize>(&mut self, state: &State<N>) {
+        self.elimination.clone_from(&state.work.spare);
+    }
+
+    fn newton<const N: usize>(&self, state: &mut State<N>, step: usize) -> Result<(), Obstacle> {
+        let work = &mut state.work;
         let length = state.scale.sqrt();
         let mut last = f64::INFINITY;
         for turn in 0..MOST_STEPS {
-            self.evaluate(work);
-            let left = work
-                .residual
-                .iter()
-                .fold(0.0, |most: f64, r| most.max(r.abs()));
-            self.jacobian(work);
-            let Some(determinant) = factor(&mut work.jacobian, &mut work.rows, size) else {
-                return Err(Obstacle::DeadPoint);
-            };
+            self.evaluate(work, 0);
+            for (left, equation) in work.left.iter_mut().zip(&self.equations) {
+                *left = equation.left(&work.values);
+            }
+            let left = largest(&work.left);
+            let determinant = self.factor(work).ok_or(Obstacle::DeadPoint)?;
             state.margins[step] = [Jet::constant(determinant); 2];
-            work.step.copy_from_slice(&work.residual);
-            substitute(
-                &work.jacobian,
-                &work.rows,
-                &mut work.step,
-                size,
-                &mut work.sorted,
-            );
-            let change = work.step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+            self.substitute(work);
+            let change = largest(&work.step);
             if !change.is_finite() {
                 return Err(Obstacle::DeadPoint);
             }
@@ -127,309 +164,234 @@ impl Group {
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.
             if change <= CONVERGED * length || (left <= CLOSED && change >= 0.5 * last) {
-                break;
+                return Ok(());
             }
             if turn + 1 == MOST_STEPS {
                 return Err(Obstacle::Apart { by: left });
             }
             last = change;
-            for (x, step) in work.x.iter_mut().zip(&work.step) {
-                *x -= step;
+            for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
+                place[0] -= Vector::new(step[0], step[1]);
             }
         }
-        self.keep(work, 0);
-        for order in 1..N {
-            inputs(state, work, order);
-            self.differentiate(work, order, size);
-        }
-        for unknown in 0..self.unknowns {
-            let part = |k: usize| {
-                let mut coefficients = [0.0; N];
-                for (order, c) in coefficients.iter_mut().enumerate() {
-                    *c = work.orders[order][2 * unknown + k];
-                }
-                Jet::from_coefficients(coefficients)
-            };
-            state.natural[self.offset + unknown] = Complex::new(part(0), part(1));
-        }
-        for (body, [origin, turn]) in &self.bodies {
-            let form = |index: usize| {
-                let part = |k: usize| {
-                    let mut coefficients = [0.0; N];
-                    for (order, c) in coefficients.iter_mut().enumerate() {
-                        *c = work.forms[order][index][k];
-                    }
-                    Jet::from_coefficients(coefficients)
-                };
-                Complex::new(part(0), part(1))
-            };
-            state.origin[*body] = form(*origin);
-            state.turn[*body] = form(*turn);
-        }
-        Ok(())
+        Err(Obstacle::DeadPoint)
     }
 
-    /// The values of forms and equations at `work.x`.
-    fn evaluate(&self, work: &mut Work) {
-        for (value, form) in work.values.iter_mut().zip(&self.forms) {
-            *value = form.value(&work.inputs, &work.x);
+    /// The coefficients of an order of the forms that stand in equations.
+    fn evaluate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
+        let known = work.known.iter().zip(&self.forms);
+        for (value, (known, form)) in work.values.iter_mut().zip(known) {
+            value[order] = form.with(known[order], &work.unknowns, order);
         }
-        let mut row = 0;
-        for equation in &self.equations {
-            match *equation {
-                Equation::Unit(form) => {
-                    work.residual[row] = 0.5 * (work.values[form].norm_squared() - 1.0);
-                    row += 1;
-                }
-                Equation::Zero(form) => {
-                    let value = work.values[form];
-                    (work.residual[row], work.residual[row + 1]) = (value.x, value.y);
-                    row += 2;
-                }
-                Equation::Line {
-                    direction,
-                    way,
-                    off,
-                } => {
-                    work.residual[row] = work.values[direction].perp(&work.values[way]) - off;
-                    row += 1;
-                }
-            }
-        }
+    }
+
+    /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
+    /// must be; its determinant, none where it is singular.
+    fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
+        self.jacobian(work);
+        let planned = self.elimination.factor(&mut work.jacobian);
+        work.planned = planned.is_some();
+        planned.or_else(|| {
+            self.jacobian(work);
+            work.spare.plan(&self.pattern, &mut work.jacobian)
+        })
     }
 
     /// The derivatives of the equations by the unknowns, row by row.
-    fn jacobian(&self, work: &mut Work) {
+    fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
         let size = 2 * self.unknowns;
         work.jacobian.fill(0.0);
-        let mut row = 0;
-        for equation in &self.equations {
-            match *equation {
-                Equation::Unit(form) => {
-                    let value = work.values[form];
-                    let of = &mut work.jacobian[row * size..(row + 1) * size];
-                    for (unknown, c) in &self.forms[form].unknowns {
-                        of[2 * unknown] += value.dot(c);
-                        of[2 * unknown + 1] += value.dot(&left(*c));
-                    }
-                    row += 1;
-                }
-                Equation::Zero(form) => {
-                    for (unknown, c) in &self.forms[form].unknowns {
-                        for (k, c) in [*c, left(*c)].into_iter().enumerate() {
-                            work.jacobian[row * size + 2 * unknown + k] += c.x;
-                            work.jacobian[(row + 1) * size + 2 * unknown + k] += c.y;
-                        }
-                    }
-                    row += 2;
-                }
-                Equation::Line { direction, way, .. } => {
-                    let [along, between] = [direction, way].map(|form| work.values[form]);
-                    let of = &mut work.jacobian[row * size..(row + 1) * size];
-                    for (unknown, c) in &self.forms[direction].unknowns {
-                        of[2 * unknown] += c.perp(&between);
-                        of[2 * unknown + 1] += left(*c).perp(&between);
-                    }
-                    for (unknown, c) in &self.forms[way].unknowns {
-                        of[2 * unknown] += along.perp(c);
-                        of[2 * unknown + 1] += along.perp(&left(*c));
-                    }
-                    row += 1;
-                }
-            }
+        for (of, equation) in work.jacobian.chunks_exact_mut(size).zip(&self.equations) {
+            equation.derivatives(
+                |form| &self.forms[form],
+                &work.values,
+                |unknown, [x, y]| {
+                    of[2 * unknown] += x;
+                    of[2 * unknown + 1] += y;
+                },
+            );
         }
     }
 
-    /// Keeps the unknowns and forms as the coefficients of an order.
-    fn keep(&self, work: &mut Work, order: usize) {
+    fn substitute<const N: usize>(&self, work: &mut Work<N>) {
         let Work {
-            orders,
-            forms,
-            x,
-            values,
+            jacobian,
+            left,
+            step,
+            spare,
+            planned,
             ..
         } = work;
-        orders[order].copy_from_slice(x);
-        forms[order].copy_from_slice(values);
+        let elimination = if *planned { &self.elimination } else { spare };
+        elimination.solve(jacobian, left, step);
     }
 
     /// The coefficients of an order from those below it: all equations are
     /// quadratic, so that of an order holds the new ones linearly.
-    fn differentiate(&self, work: &mut Work, order: usize, size: usize) {
-        work.x.fill(0.0);
-        for (value, form) in work.values.iter_mut().zip(&self.forms) {
-            *value = form.value(&work.inputs, &work.x);
+    fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
+        for (value, known) in work.values.iter_mut().zip(&work.known) {
+            value[order] = known[order];
         }
-        let of = |work: &Work, k: usize, form: usize| {
-            if k == order {
-                work.values[form]
-            } else {
-                work.forms[k][form]
+        for (left, equation) in work.left.iter_mut().zip(&self.equations) {
+            *left = equation.coefficient(&work.values, order);
+        }
+        self.substitute(work);
+        for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
+            place[order] = Vector::new(-step[0], -step[1]);
+        }
+        self.evaluate(work, order);
+    }
+
+    /// Puts what was found where it is looked for.
+    fn put<const N: usize>(&self, state: &mut State<N>) {
+        let work = &state.work;
+        let natural = &mut state.natural[self.offset..];
+        for (place, found) in natural.iter_mut().zip(&work.unknowns) {
+            *place = complex(found);
+        }
+        for (body, forms) in &self.bodies {
+            let [origin, turn] = forms.map(|form| match work.values.get(form) {
+                Some(value) => complex(value),
+                None => complex(&self.forms[form].value(work)),
+            });
+            state.origin[*body] = origin;
+            state.turn[*body] = turn;
+        }
+    }
+}
+
+impl Equation {
+    /// The forms that stand in it.
+    fn forms(&self) -> impl Iterator<Item = usize> + use<> {
+        let forms = match *self {
+            Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None],
+            Self::Line { direction, way } => [Some(direction), Some(way)],
+        };
+        forms.into_iter().flatten()
+    }
+
+    /// What is left of it.
+    fn left<const N: usize>(&self, values: &[Series<N>]) -> f64 {
+        let constant = match self {
+            Self::Unit(_) => 0.5,
+            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => 0.0,
+        };
+        self.coefficient(values, 0) - constant
+    }
+
+    /// Its coefficient of an order.
+    fn coefficient<const N: usize>(&self, values: &[Series<N>], order: usize) -> f64 {
+        match *self {
+            Self::Unit(form) => {
+                let v = &values[form];
+                let terms = (0..=order).map(|k| v[k].dot(&v[order - k]));
+                0.5 * terms.sum::<f64>()
+            }
+            Self::Real(form) => values[form][order].x,
+            Self::Imaginary(form) => values[form][order].y,
+            Self::Line { direction, way } => {
+                let [u, v] = [direction, way].map(|form| &values[form]);
+                (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
+            }
+        }
+    }
+
+    /// Tells its derivatives by real and imaginary part of each unknown; one
+    /// unknown may come twice.
+    fn derivatives<'a, const N: usize>(
+        &self,
+        form: impl Fn(usize) -> &'a Form,
+        values: &[Series<N>],
+        mut tell: impl FnMut(usize, [f64; 2]),
+    ) {
+        let mut along = |index: usize, by: Vector| {
+            for (unknown, c) in &form(index).unknowns {
+                tell(*unknown, [c.dot(&by), c.perp(&by)]);
             }
         };
-        let mut row = 0;
-        for equation in &self.equations {
-            match *equation {
-                Equation::Unit(form) => {
-                    let terms =
-                        (0..=order).map(|k| of(work, k, form).dot(&of(work, order - k, form)));
-                    work.step[row] = 0.5 * terms.sum::<f64>();
-                    row += 1;
-                }
-                Equation::Zero(form) => {
-                    let value = work.values[form];
-                    (work.step[row], work.step[row + 1]) = (value.x, value.y);
-                    row += 2;
-                }
-                Equation::Line { direction, way, .. } => {
-                    let terms =
-                        (0..=order).map(|k| of(work, k, direction).perp(&of(work, order - k, way)));
-                    work.step[row] = terms.sum();
-                    row += 1;
-                }
+        match *self {
+            Self::Unit(form) => along(form, values[form][0]),
+            Self::Real(form) => along(form, Vector::x()),
+            Self::Imaginary(form) => along(form, Vector::y()),
+            Self::Line { direction, way } => {
+                let [u, v] = [direction, way].map(|form| values[form][0]);
+                // u × v = u · (v turned to the right) = v · (u turned to the left).
+                along(direction, Vector::new(v.y, -v.x));
+                along(way, Vector::new(-u.y, u.x));
             }
         }
-        substitute(
-            &work.jacobian,
-            &work.rows,
-            &mut work.step,
-            size,
-            &mut work.sorted,
-        );
-        for (x, step) in work.x.iter_mut().zip(&work.step) {
-            *x = -step;
-        }
-        for (value, form) in work.values.iter_mut().zip(&self.forms) {
-            *value = form.value(&work.inputs, &work.x);
-        }
-        self.keep(work, order);
     }
 }
 
 impl Form {
-    fn value(&self, inputs: &[Vector], x: &[f64]) -> Vector {
-        let mut value = Vector::zeros();
+    /// What of it is known before the group is solved.
+    fn known<const N: usize>(&self, inputs: &[Series<N>]) -> Series<N> {
+        let mut value = [Vector::zeros(); N];
+        value[0] = self.constant;
         for (input, c) in &self.inputs {
-            let v = inputs[*input];
-            value.x += c.x * v.x - c.y * v.y;
-            value.y += c.x * v.y + c.y * v.x;
-        }
-        for (unknown, c) in &self.unknowns {
-            let [u, v] = [x[2 * unknown], x[2 * unknown + 1]];
-            value.x += c.x * u - c.y * v;
-            value.y += c.x * v + c.y * u;
+            for (value, v) in value.iter_mut().zip(&inputs[*input]) {
+                *value += product(*c, *v);
+            }
         }
         value
     }
+
+    /// A coefficient of it, with the same of what is known of it.
+    fn with<const N: usize>(&self, known: Vector, unknowns: &[Series<N>], order: usize) -> Vector {
+        let terms = self.unknowns.iter();
+        terms.fold(known, |sum, (k, c)| sum + product(*c, unknowns[*k][order]))
+    }
+
+    fn value<const N: usize>(&self, work: &Work<N>) -> Series<N> {
+        let known = self.known(&work.inputs);
+        std::array::from_fn(|order| self.with(known[order], &work.unknowns, order))
+    }
+}
+
+/// The coefficients of a place, order by order.
+type Series<const N: usize> = [Vector; N];
+
+fn series<const N: usize>(place: Complex<N>) -> Series<N> {
+    std::array::from_fn(|k| Vector::new(place.x.coefficient(k), place.y.coefficient(k)))
+}
+
+fn complex<const N: usize>(series: &Series<N>) -> Complex<N> {
+    let [x, y] = [0, 1].map(|k| Jet::from_coefficients(series.map(|c| c[k])));
+    Complex::new(x, y)
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Work {
-    inputs: Vec<Vector>,
-    values: Vec<Vector>,
-    x: Vec<f64>,
-    residual: Vec<f64>,
+pub(crate) struct Work<const N: usize> {
+    inputs: Vec<Series<N>>,
+    /// Of the forms that stand in equations what is known, and the whole.
+    known: Vec<Series<N>>,
+    values: Vec<Series<N>>,
+    unknowns: Vec<Series<N>>,
+    /// What is left of the equations, and the step that this asks for.
+    left: Vec<f64>,
     step: Vec<f64>,
-    sorted: Vec<f64>,
     jacobian: Vec<f64>,
-    rows: Vec<usize>,
-    /// Coefficients of unknowns and forms, order by order.
-    orders: Vec<Vec<f64>>,
-    forms: Vec<Vec<Vector>>,
+    /// Whether it was eliminated as planned for the group; else as planned here.
+    planned: bool,
+    spare: Elimination,
 }
 
-/// Orders a group is ever asked for: a value and seven derivatives.
-const ORDERS: usize = 8;
-
-impl Work {
+impl<const N: usize> Work<N> {
     fn fit(&mut self, group: &Group) {
         let size = 2 * group.unknowns;
-        if self.x.len() == size
-            && self.values.len() == group.forms.len()
-            && self.inputs.len() == group.inputs.len()
-        {
-            return;
-        }
-        self.inputs.resize(group.inputs.len(), Vector::zeros());
-        self.values.resize(group.forms.len(), Vector::zeros());
-        for list in [
-            &mut self.x,
-            &mut self.residual,
-            &mut self.step,
-            &mut self.sorted,
-        ] {
-            list.resize(size, 0.0);
-        }
+        let nothing = [Vector::zeros(); N];
+        self.inputs.resize(group.inputs.len(), nothing);
+        self.known.resize(group.equated, nothing);
+        self.values.resize(group.equated, nothing);
+        self.unknowns.resize(group.unknowns, nothing);
+        self.left.resize(size, 0.0);
+        self.step.resize(size, 0.0);
         self.jacobian.resize(size * size, 0.0);
-        self.rows.resize(size, 0);
-        self.orders.resize(ORDERS, Vec::new());
-        self.forms.resize(ORDERS, Vec::new());
-        for order in 0..ORDERS {
-            self.orders[order].resize(size, 0.0);
-            self.forms[order].resize(group.forms.len(), Vector::zeros());
-        }
-    }
-}
-
-fn left(v: Vector) -> Vector {
-    Vector::new(-v.y, v.x)
-}
-
-/// Factors a square matrix in place, rows interchanged; its determinant, none
-/// where it is singular.
-fn factor(matrix: &mut [f64], rows: &mut [usize], size: usize) -> Option<f64> {
-    let mut determinant = 1.0;
-    for (k, row) in rows.iter_mut().enumerate() {
-        *row = k;
-    }
-    for k in 0..size {
-        let mut pivot = k;
-        for i in k + 1..size {
-            if matrix[rows[i] * size + k].abs() > matrix[rows[pivot] * size + k].abs() {
-                pivot = i;
-            }
-        }
-        if pivot != k {
-            rows.swap(pivot, k);
-            determinant = -determinant;
-        }
-        let at = rows[k] * size;
-        let divisor = matrix[at + k];
-        if divisor == 0.0 || !divisor.is_finite() {
-            return None;
-        }
-        determinant *= divisor;
-        for row in &rows[k + 1..] {
-            let below = row * size;
-            let factor = matrix[below + k] / divisor;
-            matrix[below + k] = factor;
-            if factor != 0.0 {
-                for j in k + 1..size {
-                    matrix[below + j] -= factor * matrix[at + j];
-                }
-            }
-        }
-    }
-    Some(determinant)
-}
-
-/// Solves with a factored matrix; `values` becomes the solution.
-fn substitute(matrix: &[f64], rows: &[usize], values: &mut [f64], size: usize, sorted: &mut [f64]) {
-    for i in 0..size {
-        let at = rows[i] * size;
-        let mut value = values[rows[i]];
-        for j in 0..i {
-            value -= matrix[at + j] * sorted[j];
-        }
-        sorted[i] = value;
-    }
-    for i in (0..size).rev() {
-        let at = rows[i] * size;
-        let mut value = sorted[i];
-        for j in i + 1..size {
-            value -= matrix[at + j] * values[j];
-        }
-        values[i] = value / matrix[at + i];
+        self.spare.fit(size);
     }
 }

@@ -6,6 +6,7 @@
 //! from bodies that were solved before it.
 
 mod complex;
+mod elimination;
 mod four_bar;
 mod group;
 mod prp;
@@ -13,8 +14,6 @@ mod rpp;
 mod rpr;
 mod rrp;
 mod rrr;
-
-use std::f64::consts::TAU;
 
 use crate::{Jet, Vector};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
@@ -47,11 +46,25 @@ pub(crate) struct Arm {
     /// The hinges on the link.
     pub(crate) from: Vector,
     pub(crate) to: Vector,
+    length: f64,
+    /// The link's turn beside the vector from the one to the other.
+    turn: Vector,
 }
 
 impl Arm {
+    pub(crate) fn new(body: usize, outer: Anchor, [from, to]: [Vector; 2]) -> Self {
+        Self {
+            body,
+            outer,
+            from,
+            to,
+            length: (to - from).norm(),
+            turn: quotient(Vector::x(), to - from),
+        }
+    }
+
     pub(crate) fn length(&self) -> f64 {
-        (self.to - self.from).norm()
+        self.length
     }
 }
 
@@ -75,8 +88,7 @@ pub(crate) struct Track {
 pub(crate) struct State<const N: usize> {
     pub(crate) origin: Vec<Complex<N>>,
     pub(crate) turn: Vec<Complex<N>>,
-    /// Angles, continuous along the motion.
-    pub(crate) angle: Vec<Jet<N>>,
+    pub(crate) angle: Vec<Angle<N>>,
     /// For every step of the plan what must not become negative: squares whose
     /// roots it takes, or the sine of the angle between two guides.
     pub(crate) margins: Vec<[Jet<N>; 2]>,
@@ -87,14 +99,35 @@ pub(crate) struct State<const N: usize> {
     /// The largest first correction of a group, beside the size: how far the
     /// guess was off.
     pub(crate) doubt: f64,
-    work: Work,
+    work: Work<N>,
+}
+
+/// A pose of a motion that is being followed, with the derivatives that predict
+/// the poses around it.
+pub(crate) type Followed = State<4>;
+
+/// How a body stands: its angle, with its whole turns, and e^(iθ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stand {
+    pub(crate) angle: f64,
+    pub(crate) turn: Vector,
+}
+
+/// The angle of a body, continuous along the motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Angle<const N: usize> {
+    /// What its turn was made of.
+    Known(Jet<N>),
+    /// That of its turn, less than half a turn from this: found when it is asked
+    /// for.
+    Near(Stand),
 }
 
 /// What is known of a pose before it is solved: a pose nearby.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near<'a> {
-    /// Angles of the bodies, to within half a turn.
-    pub(crate) angles: &'a [f64],
+    /// How the bodies stand there.
+    pub(crate) stands: &'a [Stand],
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
 }
@@ -105,7 +138,7 @@ impl<const N: usize> State<N> {
         Self {
             origin: vec![nowhere; bodies],
             turn: vec![Complex::constant(Vector::x()); bodies],
-            angle: vec![Jet::constant(0.0); bodies],
+            angle: vec![Angle::Known(Jet::constant(0.0)); bodies],
             margins: vec![[Jet::constant(1.0); 2]; steps],
             scale: size * size,
             natural: vec![nowhere; unknowns],
@@ -114,13 +147,12 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// What a group takes from what is solved, the coefficient of an order.
-    pub(crate) fn taken(&self, input: Input, order: usize) -> Vector {
-        let value = match input {
+    /// What a group takes from what is solved.
+    pub(crate) fn taken(&self, input: Input) -> Complex<N> {
+        match input {
             Input::Place(anchor) => self.place(anchor),
             Input::Direction(anchor) => self.turn[anchor.body].by(anchor.local),
-        };
-        Vector::new(value.x.coefficient(order), value.y.coefficient(order))
+        }
     }
 
     /// Where a place on a solved body is.
@@ -136,7 +168,7 @@ impl<const N: usize> State<N> {
 
     /// Lays an arm from a point along a vector as long as it is.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
-        let turn = along.by(quotient(Vector::x(), arm.to - arm.from));
+        let turn = along.by(arm.turn);
         self.turn[arm.body] = turn;
         self.origin[arm.body] = at - turn.by(arm.from);
     }
@@ -148,12 +180,24 @@ impl<const N: usize> State<N> {
         self.origin[track.body] = at - turn.by(track.point);
     }
 
-    /// Finds the angle of a body from its turn, next to `near`.
-    pub(crate) fn wind(&mut self, body: usize, near: f64) {
+    /// The angle of a body.
+    pub(crate) fn angle(&self, body: usize) -> Jet<N> {
+        match self.angle[body] {
+            Angle::Known(angle) => angle,
+            Angle::Near(near) => {
+                let turned = self.turn[body].by(conjugate(near.turn));
+                turned.y.unit_atan2(turned.x) + near.angle
+            }
+        }
+    }
+
+    /// How a body stands.
+    pub(crate) fn stand(&self, body: usize) -> Stand {
         let turn = self.turn[body];
-        let angle = turn.y.unit_atan2(turn.x);
-        let turns = ((near - angle.value()) / TAU).round();
-        self.angle[body] = angle + turns * TAU;
+        Stand {
+            angle: self.angle(body).value(),
+            turn: Vector::new(turn.x.value(), turn.y.value()),
+        }
     }
 }
 

@@ -1,0 +1,281 @@
+//! Gaussian elimination of a sparse square matrix, planned once: which pivots in
+//! which order, and which places can be filled. What is zero by its place is
+//! never touched.
+
+/// A pivot with what it acts on: ranges of [`Elimination::lists`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Pivot {
+    row: usize,
+    column: usize,
+    /// Its place in the matrix.
+    at: usize,
+    /// Rows below it with something in its column.
+    below: [usize; 2],
+    /// Columns right of it with something in its row.
+    right: [usize; 2],
+}
+
+/// A row or column on which a pivot acts, and the place where it meets the pivot's
+/// column or row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Line {
+    line: usize,
+    at: usize,
+}
+
+/// The plan of an elimination; none yet where it has no pivots.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Elimination {
+    size: usize,
+    pivots: Vec<Pivot>,
+    lists: Vec<Line>,
+    /// The sign of the determinant beside the product of the pivots.
+    sign: f64,
+    /// Where something can be, as the elimination goes on; rows and columns left.
+    filled: Vec<bool>,
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+/// When it is planned, a pivot is at least this large beside the largest in its
+/// column; when the plan is used, it may have become as small as this.
+const CHOSEN: f64 = 0.25;
+const SMALL: f64 = 1e-2;
+
+impl Elimination {
+    /// Room for a matrix of a size, so that planning allocates nothing.
+    pub(crate) fn fit(&mut self, size: usize) {
+        self.size = size;
+        self.pivots.clear();
+        self.pivots.reserve(size);
+        for list in [&mut self.rows, &mut self.columns] {
+            list.clear();
+            list.reserve(size);
+        }
+        self.lists.clear();
+        self.lists.reserve(size * size);
+        self.filled.clear();
+        self.filled.reserve(size * size);
+    }
+
+    /// Plans the elimination of a matrix, row by row in `matrix`, and does it: of
+    /// the pivots that are large enough the one that fills least. Returns the
+    /// determinant; none where the matrix is singular.
+    pub(crate) fn plan(&mut self, pattern: &[bool], matrix: &mut [f64]) -> Option<f64> {
+        let size = self.size;
+        self.pivots.clear();
+        self.lists.clear();
+        self.filled.clear();
+        self.filled.extend_from_slice(pattern);
+        self.rows.clear();
+        self.rows.extend(0..size);
+        self.columns.clear();
+        self.columns.extend(0..size);
+        self.sign = 1.0;
+        let mut determinant = 1.0;
+        while !self.rows.is_empty() {
+            let [i, j] = self.next(matrix)?;
+            // Moving it to the front is an exchange for each line it passes.
+            if (i + j) % 2 == 1 {
+                self.sign = -self.sign;
+            }
+            let (row, column) = (self.rows.remove(i), self.columns.remove(j));
+            let start = self.lists.len();
+            let below = self.rows.iter().map(|below| Line {
+                line: *below,
+                at: below * size + column,
+            });
+            self.lists.extend(below.filter(|line| self.filled[line.at]));
+            let middle = self.lists.len();
+            let right = self.columns.iter().map(|right| Line {
+                line: *right,
+                at: row * size + right,
+            });
+            self.lists.extend(right.filter(|line| self.filled[line.at]));
+            let end = self.lists.len();
+            for below in &self.lists[start..middle] {
+                for right in &self.lists[middle..end] {
+                    self.filled[below.line * size + right.line] = true;
+                }
+            }
+            let pivot = Pivot {
+                row,
+                column,
+                at: row * size + column,
+                below: [start, middle],
+                right: [middle, end],
+            };
+            self.pivots.push(pivot);
+            determinant *= self.eliminate(&pivot, matrix, 0.0)?;
+        }
+        Some(determinant * self.sign)
+    }
+
+    /// Which of the rows and columns left meet in the next pivot.
+    fn next(&self, matrix: &[f64]) -> Option<[usize; 2]> {
+        let size = self.size;
+        let mut best: Option<([usize; 2], usize, f64)> = None;
+        for (j, column) in self.columns.iter().enumerate() {
+            let of = |row: &usize| matrix[row * size + column].abs();
+            let most = self.rows.iter().map(of).fold(0.0, f64::max);
+            let count = |rows: &[usize], place: &dyn Fn(usize) -> usize| {
+                let filled = rows.iter().filter(|k| self.filled[place(**k)]);
+                filled.count().saturating_sub(1)
+            };
+            let below = count(&self.rows, &|row| row * size + column);
+            for (i, row) in self.rows.iter().enumerate() {
+                let value = of(row);
+                if value == 0.0 || !value.is_finite() || value < CHOSEN * most {
+                    continue;
+                }
+                let fills = below * count(&self.columns, &|column| row * size + column);
+                let better = best.is_none_or(|(_, least, largest)| {
+                    fills < least || fills == least && value > largest
+                });
+                if better {
+                    best = Some(([i, j], fills, value));
+                }
+            }
+        }
+        best.map(|(place, ..)| place)
+    }
+
+    /// Eliminates as planned; the determinant. None where there is no plan, or it
+    /// does not suit this matrix: a pivot is small in its column.
+    pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
+        if self.pivots.is_empty() {
+            return None;
+        }
+        let mut determinant = self.sign;
+        for pivot in &self.pivots {
+            determinant *= self.eliminate(pivot, matrix, SMALL)?;
+        }
+        Some(determinant)
+    }
+
+    /// One pivot: leaves its reciprocal in its place, and the multipliers below.
+    fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], small: f64) -> Option<f64> {
+        let value = matrix[pivot.at];
+        if value == 0.0 || !value.is_finite() {
+            return None;
+        }
+        let reciprocal = value.recip();
+        matrix[pivot.at] = reciprocal;
+        let right = &self.lists[pivot.right[0]..pivot.right[1]];
+        for below in &self.lists[pivot.below[0]..pivot.below[1]] {
+            let factor = matrix[below.at] * reciprocal;
+            if factor.abs() * small > 1.0 {
+                return None;
+            }
+            matrix[below.at] = factor;
+            for line in right {
+                matrix[below.line * self.size + line.line] -= factor * matrix[line.at];
+            }
+        }
+        Some(value)
+    }
+
+    /// Solves with a matrix that was eliminated; `values` is used up.
+    pub(crate) fn solve(&self, matrix: &[f64], values: &mut [f64], solution: &mut [f64]) {
+        for pivot in &self.pivots {
+            let value = values[pivot.row];
+            for below in &self.lists[pivot.below[0]..pivot.below[1]] {
+                values[below.line] -= matrix[below.at] * value;
+            }
+        }
+        for pivot in self.pivots.iter().rev() {
+            let mut value = values[pivot.row];
+            for right in &self.lists[pivot.right[0]..pivot.right[1]] {
+                value -= matrix[right.at] * solution[right.line];
+            }
+            solution[pivot.column] = value * matrix[pivot.at];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Elimination;
+
+    const PATTERN: [bool; 16] = [
+        true, true, false, false, //
+        true, true, true, false, //
+        false, true, true, true, //
+        true, false, true, true,
+    ];
+
+    /// The determinant by expansion, and the product with a vector.
+    fn check(elimination: &Elimination, found: f64, matrix: &[f64], factored: &[f64]) {
+        let minor = |rows: [usize; 3]| {
+            let m = |k: usize, column: usize| matrix[rows[k] * 4 + column];
+            (0..3).fold(0.0, |sum, k| {
+                let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3];
+                sum + m(a, 1) * (m(b, 2) * m(c, 3) - m(c, 2) * m(b, 3))
+            })
+        };
+        let expected = matrix[0] * minor([1, 2, 3]) - matrix[4] * minor([0, 2, 3])
+            + matrix[8] * minor([0, 1, 3])
+            - matrix[12] * minor([0, 1, 2]);
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        let x = [1.0, -2.0, 3.0, 0.5];
+        let mut b: Vec<f64> = (0..4)
+            .map(|row| (0..4).map(|k| matrix[row * 4 + k] * x[k]).sum())
+            .collect();
+        let mut solution = [0.0; 4];
+        elimination.solve(factored, &mut b, &mut solution);
+        for (a, b) in solution.iter().zip(x) {
+            assert!((a - b).abs() < 1e-12, "{solution:?}");
+        }
+    }
+
+    fn matrix(shift: f64) -> [f64; 16] {
+        let value = |k: usize| (1.7 * k as f64 + shift).sin() + 0.1;
+        std::array::from_fn(|k| if PATTERN[k] { value(k) } else { 0.0 })
+    }
+
+    #[test]
+    fn planned_and_used_again() {
+        let mut elimination = Elimination::default();
+        elimination.fit(4);
+        let mut used = 0;
+        for k in 0..40 {
+            let given = matrix(0.3 * f64::from(k));
+            let mut own = given;
+            if let Some(determinant) = elimination.factor(&mut own) {
+                check(&elimination, determinant, &given, &own);
+                used += 1;
+            }
+            let mut other = Elimination::default();
+            other.fit(4);
+            let mut own = given;
+            let determinant = other.plan(&PATTERN, &mut own).unwrap();
+            check(&other, determinant, &given, &own);
+            if k == 0 {
+                elimination = other;
+            }
+        }
+        assert!(used > 20, "{used}");
+    }
+
+    #[test]
+    fn singular_and_unsuited() {
+        let mut elimination = Elimination::default();
+        elimination.fit(4);
+        assert_eq!(elimination.factor(&mut matrix(0.0)), None);
+        let mut singular = matrix(0.0);
+        singular[0..4].fill(0.0);
+        assert_eq!(elimination.plan(&PATTERN, &mut singular), None);
+        let mut given = matrix(0.0);
+        given[0] = f64::NAN;
+        assert_eq!(elimination.plan(&PATTERN, &mut given), None);
+        elimination.plan(&PATTERN, &mut matrix(0.0)).unwrap();
+        // Another row has to lead where the planned pivots vanish.
+        let unsuited: [f64; 16] = std::array::from_fn(|k| {
+            let pivot = elimination.pivots.iter().any(|pivot| pivot.at == k);
+            if pivot { 1e-9 } else { matrix(0.0)[k] }
+        });
+        assert_eq!(elimination.factor(&mut unsuited.clone()), None);
+        let determinant = Elimination::plan(&mut elimination, &PATTERN, &mut unsuited.clone());
+        assert!(determinant.is_some());
+    }
+}

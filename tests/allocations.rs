@@ -1,0 +1,59 @@
+//! Samples of a motion allocate nothing.
+#![cfg(not(target_family = "wasm"))]
+
+use std::hint::black_box;
+
+use allocation_counter::measure;
+use assur::motion::Motion;
+use assur_file::from_catalogue;
+
+/// What is allocated while a motion is sampled all around, with two derivatives of
+/// every place and angle, in a pose that was made before.
+fn allocated(name: &str) -> u64 {
+    let mechanism = from_catalogue(name).unwrap().unwrap().mechanism().unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let [from, to] = motion.cycle().axis();
+    let mut pose = mechanism.blank::<3>();
+    let mut sample = |input: f64| {
+        motion.place(input, &mut pose).unwrap();
+        for point in 0..mechanism.points().len() {
+            black_box(mechanism.place(&pose, point));
+        }
+        for link in 0..mechanism.links().len() {
+            black_box(mechanism.angle(&pose, link));
+        }
+    };
+    // The first sample makes the room.
+    sample(from);
+    let around = measure(|| {
+        for k in 0..3600 {
+            sample(from + (to - from) * f64::from(k) / 3600.0);
+        }
+    });
+    around.count_total
+}
+
+#[test]
+fn samples_allocate_nothing() {
+    for name in [
+        "watt-1",
+        "stephenson-3",
+        "jansen",
+        "slider-crank",
+        "class3-platform",
+        "class4-order2",
+        "class4-dwell",
+        "class5",
+    ] {
+        assert_eq!(allocated(name), 0, "{name}");
+    }
+}
+
+/// The counter counts.
+#[test]
+fn allocations_are_counted() {
+    let info = measure(|| {
+        black_box(vec![black_box(1.0)]);
+    });
+    assert_eq!(info.count_total, 1);
+}
