@@ -4,6 +4,9 @@ use assur::Point;
 use assur::mechanism::{Draft, Mechanism, Quantity};
 use assur::motion::{Course, Motion, PhaseKind};
 use assur_tests::{Table, assert_near};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
 
 /// The demonstration dimensions, drawn at φ = 0; FK as drawn or as long as asked.
 pub(crate) fn dwell() -> Draft {
@@ -29,7 +32,7 @@ pub(crate) fn dwell() -> Draft {
         .crank("AB")
 }
 
-#[test]
+#[wasm_bindgen_test(unsupported = test)]
 fn golden_table() {
     let mechanism = Mechanism::new(&dwell()).unwrap();
     let formula = mechanism
@@ -101,7 +104,7 @@ fn output(motion: &Motion) -> Course<'_> {
 }
 
 /// The table of the adjustable cyclogram: FK, the dwell within 0.1° and the stroke.
-#[test]
+#[wasm_bindgen_test(unsupported = test)]
 fn adjustable_dwell() {
     for (length, dwell, stroke) in [
         (4.011_645_547_652, 184.289, 43.2908),
@@ -140,7 +143,7 @@ fn adjustable_dwell() {
 
 /// 170.19° of the crank within 0.01°, near ψ = 151.698°; the bars of the cyclogram
 /// fill a turn.
-#[test]
+#[wasm_bindgen_test(unsupported = test)]
 fn dwell_and_cyclogram() {
     let motion = with_fk(4.011_645_547_652);
     let course = output(&motion);
@@ -182,7 +185,7 @@ fn dwell_and_cyclogram() {
 
 /// What only grows has no stroke, and is nowhere long within a small band; what
 /// moves by less than the tolerance dwells for the whole turn.
-#[test]
+#[wasm_bindgen_test(unsupported = test)]
 fn dwells_at_the_bounds() {
     let motion = with_fk(4.011_645_547_652);
     let crank = Course::new(

@@ -3,7 +3,9 @@
 
 use assur::catalog::mixer::{Case, Mixer};
 use assur::gears::Mesh;
-use assur::{Assembly, FourBar, Jet, Link, Offset, Pose};
+use assur::mechanism::{Draft, Mechanism};
+use assur::motion::Motion;
+use assur::{Assembly, FourBar, Jet, Link, Offset, Pose, Vector};
 use assur_tests::{angle_between, assert_near};
 
 /// Crank angles all around, none of them special.
@@ -135,5 +137,260 @@ fn mixer_10_11_13_hold() {
         ] {
             assert_near(found, expected, 1e-13, what);
         }
+    }
+}
+
+/// The Class IV mechanism with its first and second derivatives at a crank angle.
+struct Class4 {
+    /// B, E, G, F, K, L, C and the fixed H, D; each with two derivatives.
+    joints: [[Vector; 3]; 9],
+}
+
+const B_: usize = 0;
+const E_: usize = 1;
+const G_: usize = 2;
+const F_: usize = 3;
+const K_: usize = 4;
+const L_: usize = 5;
+const C_: usize = 6;
+const H_: usize = 7;
+const D_: usize = 8;
+
+/// What of the printed expansions is left as it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Printed {
+    Nothing,
+    C3,
+    C5,
+    C7,
+    C9,
+    C10,
+    Cramer,
+}
+
+impl Class4 {
+    fn at(motion: &Motion, crank: f64) -> Self {
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<3>(crank).unwrap();
+        let joints = ["B", "E", "G", "F", "K", "L", "C", "H", "D"].map(|name| {
+            let index = mechanism.points().position(|point| point == name).unwrap();
+            let place = mechanism.place(&pose, index);
+            [0, 1, 2].map(|k| Vector::new(place.x.derivative(k), place.y.derivative(k)))
+        });
+        Self { joints }
+    }
+
+    fn between(&self, a: usize, b: usize, order: usize) -> Vector {
+        self.joints[a][order] - self.joints[b][order]
+    }
+
+    /// The ratio of two vectors of a rigid link, as (f_x, f_y).
+    fn ratio(&self, [a, b]: [usize; 2], [c, d]: [usize; 2]) -> Vector {
+        let (v, w) = (self.between(a, b, 0), self.between(c, d, 0));
+        Vector::new(v.dot(&w), w.perp(&v)) / w.norm_squared()
+    }
+
+    /// x and y of the derivative of an order of G, by elimination as in the paper's
+    /// c, b and d, then Cramer's rule. It divides by x_EB and x_CD.
+    fn expanded(&self, order: usize, printed: Printed) -> Vector {
+        let is = |one: Printed| printed == one;
+        // Second derivatives leave the squares of the first on the right.
+        let right = |a: usize, b: usize| {
+            if order == 2 {
+                -self.between(a, b, 1).norm_squared()
+            } else {
+                0.0
+            }
+        };
+        let [eb, eg, gh] = [(E_, B_), (E_, G_), (G_, H_)].map(|(a, b)| self.between(a, b, 0));
+        let [fk, cd, lc] = [(F_, K_), (C_, D_), (L_, C_)].map(|(a, b)| self.between(a, b, 0));
+        let f_f = self.ratio([F_, G_], [E_, G_]);
+        let f_l = self.ratio([L_, H_], [G_, H_]);
+        let f_k = self.ratio([K_, C_], [L_, C_]);
+        let c1 = eb.dot(&self.joints[B_][order]) + right(E_, B_);
+        let delta = eg.y - eg.x * eb.y / eb.x;
+        let (c14, c15, c17, c18) = (eg.x / delta, eg.y / delta, c1 / eb.x, eb.y / eb.x);
+        let c16 = (eg.x * c17 - right(E_, G_)) / delta;
+        let along = f_f.x * c18 + f_f.y;
+        let across = f_f.x - f_f.y * c18;
+        // Coefficients of x_G, y_G and 1.
+        let mut x_f = [
+            1.0 - f_f.x - along * c14,
+            f_f.y - along * c15,
+            f_f.x * c17 + along * c16,
+        ];
+        let mut y_f = [
+            -f_f.y + across * c14,
+            1.0 - f_f.x + across * c15,
+            f_f.y * c17 - across * c16,
+        ];
+        if is(Printed::C3) {
+            x_f[0] += f_f.y * c14;
+        }
+        if is(Printed::C5) {
+            y_f[0] += 2.0 * f_f.y * (1.0 + c18 * c14);
+        }
+        if is(Printed::C7) {
+            x_f[1] = -f_f.y - c15 * (f_f.x * c18 - f_f.y);
+        }
+        if is(Printed::C9) {
+            y_f[1] = 1.0 - f_f.x + (f_f.x + f_f.y * c18) * c15;
+        }
+        let x_l = [f_l.x, -f_l.y, 0.0];
+        let y_l = [f_l.y, f_l.x, 0.0];
+        let c10 = if is(Printed::C10) {
+            lc.y - cd.y / cd.x
+        } else {
+            lc.y - cd.y * lc.x / cd.x
+        };
+        let left = right(L_, C_) + lc.x * right(C_, D_) / cd.x;
+        let y_c: [f64; 3] = std::array::from_fn(|k| {
+            let constant = if k == 2 { left } else { 0.0 };
+            (lc.x * x_l[k] + lc.y * y_l[k] - constant) / c10
+        });
+        let x_c: [f64; 3] = std::array::from_fn(|k| {
+            let constant = if k == 2 { right(C_, D_) } else { 0.0 };
+            (constant - cd.y * y_c[k]) / cd.x
+        });
+        let row: [f64; 3] = std::array::from_fn(|k| {
+            let (x, y) = (x_l[k] - x_c[k], y_l[k] - y_c[k]);
+            let x_k = x_c[k] + f_k.x * x - f_k.y * y;
+            let y_k = y_c[k] + f_k.y * x + f_k.x * y;
+            fk.x * (x_f[k] - x_k) + fk.y * (y_f[k] - y_k)
+        });
+        let known = [right(F_, K_) - row[2], right(G_, H_)];
+        let det = row[0] * gh.y - row[1] * gh.x;
+        let det_x = known[0] * gh.y - row[1] * known[1];
+        let det_y = row[0] * known[1] - known[0] * gh.x;
+        if is(Printed::Cramer) {
+            Vector::new(det / det_x, det / det_y)
+        } else {
+            Vector::new(det_x / det, det_y / det)
+        }
+    }
+}
+
+/// Crank angles at which the expansions divide by nothing small.
+fn class4_poses() -> Vec<Class4> {
+    let motion = class4();
+    let poses = cranks().map(|crank| Class4::at(&motion, crank));
+    let poses = poses.filter(|pose| {
+        let [eb, cd] = [(E_, B_), (C_, D_)].map(|(a, b)| pose.between(a, b, 0));
+        let [eg, lc] = [(E_, G_), (L_, C_)].map(|(a, b)| pose.between(a, b, 0));
+        let delta = eg.y - eg.x * eb.y / eb.x;
+        let c10 = lc.y - cd.y * lc.x / cd.x;
+        [eb.x, cd.x, delta, c10]
+            .iter()
+            .all(|divisor| divisor.abs() > 0.1)
+    });
+    poses.collect()
+}
+
+fn class4() -> Motion {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 1.0, 0.0)
+        .point("E", 4.96, 0.01)
+        .point("G", 2.00, 0.50)
+        .point("F", 0.95, -2.83)
+        .point("K", 4.62, -4.45)
+        .point("L", 1.41, -2.63)
+        .point("C", -2.35, 1.53)
+        .point("H", 4.07, 1.73)
+        .point("D", -0.25, -4.78)
+        .fixed(&["A", "H", "D"])
+        .bar("AB", &["A", "B"])
+        .bar("BE", &["B", "E"])
+        .bar("EGF", &["E", "G", "F"])
+        .bar("HGL", &["H", "G", "L"])
+        .bar("CLK", &["C", "L", "K"])
+        .bar("FK", &["F", "K"])
+        .bar("CD", &["D", "C"])
+        .crank("AB");
+    let mechanism = Mechanism::new(&draft).unwrap();
+    Motion::new(&mechanism, mechanism.drawn_assembly())
+}
+
+/// The expansions, corrected, give the same x′, y′, x″, y″ of G as the Jacobian.
+#[test]
+fn class4_expansions_corrected() {
+    let poses = class4_poses();
+    assert!(poses.len() > 24, "{}", poses.len());
+    for (k, pose) in poses.iter().enumerate() {
+        for order in [1, 2] {
+            let found = pose.expanded(order, Printed::Nothing);
+            let ours = pose.joints[G_][order];
+            for (a, b) in [(found.x, ours.x), (found.y, ours.y)] {
+                assert_near(a, b, 1e-9, &format!("derivative {order} of G at {k}"));
+            }
+        }
+    }
+}
+
+/// Each coefficient as it is printed gives another x′_G.
+fn differs(printed: Printed) {
+    let poses = class4_poses();
+    let off = |pose: &&Class4| (pose.expanded(1, printed) - pose.joints[G_][1]).norm() > 1e-3;
+    let count = poses.iter().filter(off).count();
+    assert!(
+        2 * count > poses.len(),
+        "{printed:?}: {count} of {}",
+        poses.len()
+    );
+}
+
+#[test]
+fn class4_c3_lacks_a_term() {
+    differs(Printed::C3);
+}
+
+#[test]
+fn class4_c5_sign() {
+    differs(Printed::C5);
+}
+
+#[test]
+fn class4_c7_signs() {
+    differs(Printed::C7);
+}
+
+#[test]
+fn class4_c9_sign() {
+    differs(Printed::C9);
+}
+
+#[test]
+fn class4_c10_lacks_a_factor() {
+    differs(Printed::C10);
+}
+
+#[test]
+fn class4_cramer_is_upside_down() {
+    differs(Printed::Cramer);
+}
+
+/// (2), pairs GH and CD: squares of the first derivatives, not of the second.
+#[test]
+fn class4_2_squares_of_the_first_derivatives() {
+    for (a, b) in [(G_, H_), (C_, D_)] {
+        let mut told_apart = 0;
+        for pose in class4_poses() {
+            let [way, rate, bend] = [0, 1, 2].map(|order| pose.between(a, b, order));
+            assert!((way.dot(&bend) + rate.norm_squared()).abs() < 1e-9);
+            // While the output dwells both are nothing.
+            let off = (rate.norm_squared() - bend.norm_squared()).abs();
+            told_apart += usize::from(off > 1e-3);
+        }
+        assert!(told_apart > 5, "{told_apart}");
+    }
+}
+
+/// (1) and (2) hold eleven equations for twelve unknowns: L turns about H as well.
+#[test]
+fn class4_1_twelfth_equation() {
+    for pose in class4_poses() {
+        let [way, rate, bend] = [0, 1, 2].map(|order| pose.between(L_, H_, order));
+        assert!(way.dot(&rate).abs() < 1e-10);
+        assert!((way.dot(&bend) + rate.norm_squared()).abs() < 1e-9);
     }
 }
