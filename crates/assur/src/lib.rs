@@ -30,6 +30,7 @@ pub mod mechanism;
 pub mod motion;
 mod position;
 pub mod structure;
+pub mod synthesis;
 
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,

@@ -259,7 +259,7 @@ impl Draft {
     }
 
     /// The diagonal of the drawing: the size of the mechanism.
-    pub(super) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
         for point in &self.points {
             low = low.inf(&point.at.coords);

@@ -122,6 +122,39 @@ impl Motion {
         &self.change_points
     }
 
+    /// How far the groups that Newton's method solves stay from singular poses: the
+    /// least determinant of a Jacobian over the motion beside its greatest, with the
+    /// sign that it keeps; 1 where there is no such group.
+    pub fn conditioning(&self) -> f64 {
+        let mut pose = self.mechanism.blank::<1>();
+        let mut ranges: Vec<Option<[f64; 2]>> = vec![None; self.mechanism.steps()];
+        for input in self.knots.inputs() {
+            if self.place(input, &mut pose).is_err() {
+                continue;
+            }
+            let (state, _) = pose.parts();
+            for (step, range) in ranges.iter_mut().enumerate() {
+                if self.mechanism.is_group(step) {
+                    let value = state.margins[step][0].value();
+                    let [low, high] = range.unwrap_or([value; 2]);
+                    *range = Some([low.min(value), high.max(value)]);
+                }
+            }
+        }
+        let ratios = ranges.into_iter().flatten().map(|[low, high]| {
+            if low > 0.0 {
+                low / high
+            } else if high < 0.0 {
+                -high / low
+            } else {
+                0.0
+            }
+        });
+        ratios.fold(1.0, |least: f64, ratio| {
+            least.abs().min(ratio.abs()).copysign(least * ratio)
+        })
+    }
+
     /// The pose at an input, with `N − 1` derivatives by it.
     ///
     /// # Errors

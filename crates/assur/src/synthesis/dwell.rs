@@ -1,0 +1,382 @@
+//! "Design your dwell": a mechanism whose output is to stand still for a wanted
+//! arc of the crank and to swing by a wanted stroke in between.
+//!
+//! One dimension after the other is moved; what makes the defects smaller stays,
+//! and is tried twice as wide next time, what does not is tried half as wide the
+//! other way (Rosenbrock's search of 1960 without its turning of axes: an arc of
+//! dwell leaps where the band breaks, so there is no gradient to follow). Each
+//! step of the search is one candidate, judged over its full turn.
+
+use crate::Point;
+use crate::mechanism::{Defect, Draft, DraftLink, Mechanism, Quantity};
+use crate::motion::{Course, Motion};
+
+/// What is wanted of the output, an angle (radians) or a coordinate (length).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wish {
+    /// The full width of the band within which the output counts as standing.
+    pub tolerance: f64,
+    /// The arc of the crank over which it stands at least, radians.
+    pub arc: f64,
+    /// By how much it moves from its least to its greatest value.
+    pub stroke: f64,
+}
+
+/// A dimension that may move.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Movable {
+    /// The length of a link with two points.
+    Length {
+        /// The link, by name.
+        link: String,
+    },
+    /// The abscissa of a point of the frame.
+    X {
+        /// The point, by name.
+        point: String,
+    },
+    /// The ordinate of a point of the frame.
+    Y {
+        /// The point, by name.
+        point: String,
+    },
+}
+
+/// A dimension with its least and its greatest value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Freedom {
+    /// Which one.
+    pub dimension: Movable,
+    /// How far it may go; its value at the start lies between.
+    pub range: [f64; 2],
+}
+
+/// Why there is nothing to search.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    /// The tolerance, the arc (up to a turn) or the stroke is not greater than
+    /// zero and finite.
+    Tolerance,
+    /// See [`Refused::Tolerance`].
+    Arc,
+    /// See [`Refused::Tolerance`].
+    Stroke,
+    /// The mechanism has no such output.
+    Output,
+    /// No dimension may move.
+    Rigid,
+    /// The freedom of this index: no such link of two points or point of the frame.
+    Dimension(usize),
+    /// The freedom of this index: its range is not finite, empty, or does not hold
+    /// the value at the start; or a length may become zero.
+    Range(usize),
+    /// The draft is no mechanism.
+    Defects(Vec<Defect>),
+    /// The crank does not turn fully, or the motion comes close to a singular pose.
+    Blocked,
+}
+
+/// What a mechanism does of what is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// The longest arc of the crank within the tolerance, radians.
+    pub arc: f64,
+    /// From the least to the greatest value of the output.
+    pub stroke: f64,
+    /// The root of the sum of the squared defects, each beside what is wanted; a
+    /// longer arc is no defect.
+    pub residual: f64,
+    /// [`Motion::conditioning`].
+    pub conditioning: f64,
+}
+
+/// How the search stands after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Candidates judged so far.
+    pub judged: usize,
+    /// Whether the last one was better and is now the draft.
+    pub accepted: bool,
+    /// What the best one reaches.
+    pub reached: Reached,
+    /// Why it is over, if it is.
+    pub end: Option<End>,
+}
+
+/// Why a search is over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// All that is wanted is reached.
+    Fulfilled,
+    /// No dimension can be moved for the better.
+    Settled,
+}
+
+/// A search, step by step, so that it can be shown and stopped.
+#[derive(Clone, Debug)]
+pub struct Search {
+    wish: Wish,
+    output: String,
+    freedoms: Vec<Freedom>,
+    /// The value of each freedom, and the step to try next.
+    values: Vec<f64>,
+    steps: Vec<f64>,
+    next: usize,
+    draft: Draft,
+    progress: Progress,
+}
+
+/// The first step beside the range of a dimension, and the least.
+const FIRST: f64 = 1.0 / 16.0;
+const LEAST: f64 = 1e-7;
+/// A residual this small is none.
+const FULFILLED: f64 = 1e-6;
+/// No candidate may come closer to a singular pose.
+const CONDITIONING: f64 = 1e-3;
+/// A candidate is drawn no farther from the one before, beside the size: else
+/// another assembly might pass for the same.
+const MOVED: f64 = 0.1;
+
+impl Search {
+    /// A search from a draft; `output` is the name of a quantity, as `CD.angle`.
+    ///
+    /// # Errors
+    /// The first thing that is wrong.
+    pub fn new(
+        draft: &Draft,
+        output: &str,
+        wish: Wish,
+        freedoms: &[Freedom],
+    ) -> Result<Self, Refused> {
+        let sound = |value: f64| value > 0.0 && value.is_finite();
+        if !sound(wish.tolerance) {
+            return Err(Refused::Tolerance);
+        }
+        if !sound(wish.arc) || wish.arc > std::f64::consts::TAU {
+            return Err(Refused::Arc);
+        }
+        if !sound(wish.stroke) {
+            return Err(Refused::Stroke);
+        }
+        let mechanism = Mechanism::new(draft).map_err(Refused::Defects)?;
+        Quantity::named(&mechanism, output).ok_or(Refused::Output)?;
+        if freedoms.is_empty() {
+            return Err(Refused::Rigid);
+        }
+        let draft = with_shapes(draft);
+        let mut values = Vec::new();
+        for (index, freedom) in freedoms.iter().enumerate() {
+            let value = freedom.dimension.of(&draft);
+            let value = value.ok_or(Refused::Dimension(index))?;
+            let [from, to] = freedom.range;
+            let length = matches!(freedom.dimension, Movable::Length { .. });
+            let sound = from.is_finite() && to.is_finite() && from < to;
+            if !sound || !(from..=to).contains(&value) || length && from <= 0.0 {
+                return Err(Refused::Range(index));
+            }
+            values.push(value);
+        }
+        let (draft, reached) = judged(&draft, output, wish).ok_or(Refused::Blocked)?;
+        let widths = freedoms.iter().map(|freedom| freedom.width());
+        Ok(Self {
+            wish,
+            output: output.to_owned(),
+            values,
+            steps: widths.map(|width| FIRST * width).collect(),
+            freedoms: freedoms.to_vec(),
+            next: 0,
+            draft,
+            progress: Progress {
+                judged: 1,
+                accepted: true,
+                reached,
+                end: (reached.residual <= FULFILLED).then_some(End::Fulfilled),
+            },
+        })
+    }
+
+    /// The best mechanism so far, drawn in its own pose, every link with its shape.
+    pub fn draft(&self) -> &Draft {
+        &self.draft
+    }
+
+    /// How the search stands.
+    pub fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    /// The values of the freedoms in the best mechanism so far.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Judges one candidate more, unless the search is over.
+    pub fn step(&mut self) -> Progress {
+        self.progress.accepted = false;
+        if self.progress.end.is_none() {
+            match self.candidate() {
+                Some(value) => self.judge(value),
+                None => self.progress.end = Some(End::Settled),
+            }
+        }
+        self.progress
+    }
+
+    /// The value to try next of the dimension `self.next`; none where no step is
+    /// left to try.
+    fn candidate(&mut self) -> Option<f64> {
+        let live = |k: usize| self.steps[k].abs() > LEAST * self.freedoms[k].width();
+        let count = self.freedoms.len();
+        let mut idle = 0;
+        while idle < count {
+            let k = self.next;
+            if !live(k) {
+                self.next = (k + 1) % count;
+                idle += 1;
+                continue;
+            }
+            let [from, to] = self.freedoms[k].range;
+            let value = (self.values[k] + self.steps[k]).clamp(from, to);
+            if value != self.values[k] {
+                return Some(value);
+            }
+            // At its bound already: the other way.
+            self.steps[k] *= -0.5;
+            return self.candidate();
+        }
+        None
+    }
+
+    fn judge(&mut self, value: f64) {
+        let k = self.next;
+        let mut draft = self.draft.clone();
+        self.freedoms[k].dimension.set(&mut draft, value);
+        self.progress.judged += 1;
+        self.next = (k + 1) % self.freedoms.len();
+        let before = self.progress.reached;
+        let better = judged(&draft, &self.output, self.wish).filter(|(drawn, reached)| {
+            reached.residual < before.residual
+                && reached.conditioning * before.conditioning > 0.0
+                && moved(&draft, drawn) <= MOVED * draft.size()
+        });
+        match better {
+            Some((drawn, reached)) => {
+                self.draft = drawn;
+                self.values[k] = value;
+                self.steps[k] *= 2.0;
+                self.progress.reached = reached;
+                self.progress.accepted = true;
+                if reached.residual <= FULFILLED {
+                    self.progress.end = Some(End::Fulfilled);
+                }
+            }
+            None => self.steps[k] *= -0.5,
+        }
+    }
+}
+
+impl Freedom {
+    fn width(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
+}
+
+impl Movable {
+    /// Its value in a draft whose links have their shapes; none where it is not
+    /// there.
+    pub fn of(&self, draft: &Draft) -> Option<f64> {
+        let frame = |name: &String| {
+            let point = draft.points.iter().find(|point| point.name == *name)?;
+            draft.frame.contains(name).then_some(point.at)
+        };
+        match self {
+            Self::Length { link } => {
+                let link = draft.links.iter().find(|other| other.name == *link)?;
+                match shape_of(draft, link)?[..] {
+                    [a, b] => Some((b - a).norm()),
+                    _ => None,
+                }
+            }
+            Self::X { point } => Some(frame(point)?.x),
+            Self::Y { point } => Some(frame(point)?.y),
+        }
+    }
+
+    fn set(&self, draft: &mut Draft, value: f64) {
+        match self {
+            Self::Length { link } => {
+                for link in draft.links.iter_mut().filter(|other| other.name == *link) {
+                    link.shape = Some(vec![Point::origin(), Point::new(value, 0.0)]);
+                }
+            }
+            Self::X { point } | Self::Y { point } => {
+                for point in draft.points.iter_mut().filter(|p| p.name == *point) {
+                    match self {
+                        Self::X { .. } => point.at.x = value,
+                        _ => point.at.y = value,
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The places of a link's points on it.
+fn shape_of(draft: &Draft, link: &DraftLink) -> Option<Vec<Point>> {
+    link.shape.clone().or_else(|| {
+        let place = |name: &String| draft.points.iter().find(|point| point.name == *name);
+        let places = link.points.iter().map(|name| Some(place(name)?.at));
+        places.collect()
+    })
+}
+
+/// The draft with a shape for every link, so that moving a point of the frame
+/// changes no link.
+fn with_shapes(draft: &Draft) -> Draft {
+    let mut shaped = draft.clone();
+    for link in &mut shaped.links {
+        link.shape = shape_of(draft, link);
+    }
+    shaped
+}
+
+/// The farthest that a point is drawn from where it was.
+fn moved(before: &Draft, after: &Draft) -> f64 {
+    let pairs = before.points.iter().zip(&after.points);
+    pairs.fold(0.0, |most, (a, b)| most.max((b.at - a.at).norm()))
+}
+
+/// What a draft reaches, and the draft drawn in its own pose; none where it is no
+/// mechanism, does not turn fully, or comes close to a singular pose.
+fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
+    let mechanism = Mechanism::new(draft).ok()?;
+    let quantity = Quantity::named(&mechanism, output)?;
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let conditioning = motion.conditioning();
+    if !motion.cycle().is_full() || conditioning.abs() < CONDITIONING {
+        return None;
+    }
+    let course = Course::new(&motion, quantity);
+    let values = course
+        .strokes()
+        .into_iter()
+        .flatten()
+        .map(|[_, value]| value);
+    let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    let (arc, stroke) = (course.dwell(wish.tolerance)?.length(), high - low);
+    let defects = [(1.0 - arc / wish.arc).max(0.0), stroke / wish.stroke - 1.0];
+    let reached = Reached {
+        arc,
+        stroke,
+        residual: defects[0].hypot(defects[1]),
+        conditioning,
+    };
+    let pose = motion.pose::<1>(mechanism.home()).ok()?;
+    let mut drawn = draft.clone();
+    for (index, point) in drawn.points.iter_mut().enumerate() {
+        point.at = mechanism.place(&pose, index).place();
+    }
+    reached.residual.is_finite().then_some((drawn, reached))
+}

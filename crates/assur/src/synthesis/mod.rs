@@ -1,0 +1,3 @@
+//! Dimensions for a wanted motion.
+
+pub mod dwell;

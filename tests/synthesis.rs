@@ -1,0 +1,205 @@
+//! Dimensions for a wanted motion: what a search reaches is judged anew.
+#![cfg(not(target_family = "wasm"))]
+
+use assur::Point;
+use assur::mechanism::{Draft, Mechanism, Quantity};
+use assur::motion::{Course, Motion};
+use assur::synthesis::dwell::{End, Freedom, Movable, Refused, Search, Wish};
+use assur_file::from_catalogue;
+
+/// The dwell that the catalogue's mechanism has.
+const WISH: Wish = Wish {
+    tolerance: 0.1 * std::f64::consts::PI / 180.0,
+    arc: 184.28 * std::f64::consts::PI / 180.0,
+    stroke: 43.2908 * std::f64::consts::PI / 180.0,
+};
+const OUTPUT: &str = "CD.angle";
+
+fn length(link: &str, range: [f64; 2]) -> Freedom {
+    let link = link.to_owned();
+    Freedom {
+        dimension: Movable::Length { link },
+        range,
+    }
+}
+
+/// The Class IV mechanism with FK lengthened.
+fn perturbed(fk: f64) -> Draft {
+    let mut draft = from_catalogue("class4-dwell").unwrap().unwrap().draft();
+    let link = draft.links.iter_mut().find(|link| link.name == "FK");
+    link.unwrap().shape = Some(vec![Point::origin(), Point::new(fk, 0.0)]);
+    draft
+}
+
+/// Steps until the search is over, or so many candidates were judged.
+fn run(search: &mut Search, most: usize) -> Vec<f64> {
+    let mut residuals = vec![search.progress().reached.residual];
+    while search.progress().end.is_none() && search.progress().judged < most {
+        let progress = search.step();
+        if progress.accepted {
+            residuals.push(progress.reached.residual);
+        }
+    }
+    residuals
+}
+
+/// What the draft of a search does, found without it: arc, stroke; it turns fully.
+fn checked(draft: &Draft) -> [f64; 2] {
+    let mechanism = Mechanism::new(draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    assert!(motion.cycle().is_full() && motion.dead_points().is_empty());
+    assert!(motion.conditioning().abs() >= 1e-3);
+    let course = Course::new(&motion, Quantity::named(&mechanism, OUTPUT).unwrap());
+    let values = (0..3600).map(|k| {
+        let pose = motion
+            .pose::<1>(f64::from(k) * 0.1_f64.to_radians())
+            .unwrap();
+        let output = mechanism.links().position(|link| link == "CD").unwrap();
+        mechanism.angle(&pose, output).value()
+    });
+    let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    [course.dwell(WISH.tolerance).unwrap().length(), high - low]
+}
+
+#[test]
+fn perturbed_length_is_found_again() {
+    for fk in [4.062, 4.112, 4.212] {
+        let freedoms = [length("FK", [3.9, 4.4])];
+        let mut search = Search::new(&perturbed(fk), OUTPUT, WISH, &freedoms).unwrap();
+        let residuals = run(&mut search, 60);
+        let last = search.progress().reached;
+        assert!(last.residual <= 0.5 * residuals[0], "{fk}: {residuals:?}");
+        assert!(residuals.is_sorted_by(|a, b| a > b), "{residuals:?}");
+        let [arc, stroke] = checked(search.draft());
+        assert!((arc - last.arc).abs() < 1e-6, "{arc} {last:?}");
+        assert!((stroke - last.stroke).abs() < 1e-5, "{stroke} {last:?}");
+        assert!((3.9..=4.4).contains(&search.values()[0]));
+    }
+}
+
+/// Several dimensions at once, by twice; the same search ends the same.
+#[test]
+fn several_dimensions() {
+    let freedoms = [
+        length("FK", [3.95, 4.3]),
+        length("CD", [6.5, 6.8]),
+        length("BE", [3.9, 4.02]),
+        Freedom {
+            dimension: Movable::X {
+                point: "D".to_owned(),
+            },
+            range: [-0.35, -0.15],
+        },
+    ];
+    let run = || {
+        let mut search = Search::new(&perturbed(4.112), OUTPUT, WISH, &freedoms).unwrap();
+        let residuals = run(&mut search, 100);
+        assert!(
+            residuals[residuals.len() - 1] <= 0.5 * residuals[0],
+            "{residuals:?}"
+        );
+        for (value, freedom) in search.values().iter().zip(&freedoms) {
+            assert!((freedom.range[0]..=freedom.range[1]).contains(value));
+            let of = freedom.dimension.of(search.draft()).unwrap();
+            assert!((of - value).abs() < 1e-12);
+        }
+        checked(search.draft());
+        search.values().to_vec()
+    };
+    assert_eq!(run(), run());
+}
+
+/// What cannot be reached within the bounds ends with the best there is.
+#[test]
+fn the_impossible_ends_with_what_was_reached() {
+    let wish = Wish {
+        stroke: 3.0,
+        ..WISH
+    };
+    let freedoms = [length("FK", [4.0, 4.05])];
+    let mut search = Search::new(&perturbed(4.02), OUTPUT, wish, &freedoms).unwrap();
+    run(&mut search, 1000);
+    let progress = search.progress();
+    assert_eq!(progress.end, Some(End::Settled), "{progress:?}");
+    assert!(progress.reached.residual > 0.5);
+    checked(search.draft());
+    // It is over.
+    assert_eq!(search.step().judged, progress.judged);
+}
+
+#[test]
+fn what_is_reached_already_is_fulfilled() {
+    let mut wish = WISH;
+    wish.arc = 1.0;
+    let start = Search::new(&perturbed(4.02), OUTPUT, wish, &[length("FK", [4.0, 4.05])]).unwrap();
+    wish.stroke = start.progress().reached.stroke;
+    let search = Search::new(&perturbed(4.02), OUTPUT, wish, &[length("FK", [4.0, 4.05])]).unwrap();
+    assert_eq!(search.progress().end, Some(End::Fulfilled));
+}
+
+#[test]
+fn refusals_name_their_field() {
+    let draft = perturbed(4.02);
+    let good = [length("FK", [4.0, 4.05])];
+    let refused = |wish: Wish, freedoms: &[Freedom]| {
+        Search::new(&draft, OUTPUT, wish, freedoms)
+            .map(|_| ())
+            .unwrap_err()
+    };
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let with = |set: fn(&mut Wish, f64)| {
+            let mut wish = WISH;
+            set(&mut wish, bad);
+            refused(wish, &good)
+        };
+        assert_eq!(with(|wish, bad| wish.tolerance = bad), Refused::Tolerance);
+        assert_eq!(with(|wish, bad| wish.arc = bad), Refused::Arc);
+        assert_eq!(with(|wish, bad| wish.stroke = bad), Refused::Stroke);
+    }
+    assert_eq!(refused(WISH, &[]), Refused::Rigid);
+    let none = |name: &str| [good[0].clone(), length(name, [1.0, 9.0])];
+    assert_eq!(refused(WISH, &none("XY")), Refused::Dimension(1));
+    // A plate has no one length.
+    assert_eq!(refused(WISH, &none("EGF")), Refused::Dimension(1));
+    let joint = Movable::Y {
+        point: "E".to_owned(),
+    };
+    let moving = [Freedom {
+        dimension: joint,
+        range: [-9.0, 9.0],
+    }];
+    assert_eq!(refused(WISH, &moving), Refused::Dimension(0));
+    for range in [
+        [4.0, 4.01],
+        [4.05, 4.0],
+        [f64::NAN, 5.0],
+        [0.0, 5.0],
+        [-1.0, 5.0],
+    ] {
+        assert_eq!(refused(WISH, &[length("FK", range)]), Refused::Range(0));
+    }
+    let output = Search::new(&draft, "CD.colour", WISH, &good).map(|_| ());
+    assert_eq!(output.unwrap_err(), Refused::Output);
+    let broken = Search::new(&Draft::default(), OUTPUT, WISH, &good).map(|_| ());
+    assert!(matches!(broken.unwrap_err(), Refused::Defects(list) if !list.is_empty()));
+    // A double rocker: the driven link cannot turn fully.
+    let stuck = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.6, 1.7)
+        .point("C", 1.6, 1.7)
+        .point("D", 2.2, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank");
+    let stuck = Search::new(
+        &stuck,
+        "rocker.angle",
+        WISH,
+        &[length("rocker", [1.0, 3.0])],
+    );
+    assert_eq!(stuck.map(|_| ()).unwrap_err(), Refused::Blocked);
+}
