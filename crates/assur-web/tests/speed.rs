@@ -57,20 +57,20 @@ fn speed() {
             black_box(extrema(&linkage, Assembly::First, |pose| pose.rocker));
         }),
     ));
-    let linkages = [
-        ("six-bar of dyads, full state", "stephenson-3"),
-        ("Class IV, full state at 1° steps", "class4-dwell"),
-    ];
-    for (name, linkage) in linkages {
+    for (name, linkage, places) in [
+        ("six-bar of dyads, full state", "stephenson-3", false),
+        ("Class IV, full state at 1° steps", "class4-dwell", true),
+    ] {
         let motion = motion(linkage);
-        let mut full = Full::new(&motion);
+        let mut full = Full::new(&motion, places);
         contestants.push((
             name,
             DEGREES * SWEEPS,
             Box::new(move || {
                 for _ in 0..SWEEPS {
                     for index in 0..DEGREES {
-                        let crank = TAU * index as f64 / DEGREES as f64;
+                        // Off the samples by which the motion was followed.
+                        let crank = TAU * (index as f64 + 0.3) / DEGREES as f64;
                         full.store(&motion, index, black_box(crank));
                     }
                 }
@@ -115,37 +115,44 @@ fn motion(name: &str) -> Motion {
     Motion::new(&mechanism, mechanism.drawn_assembly())
 }
 
-/// The columns of a whole linkage: places of the moving points and angles of the
-/// links, with both derivatives of each.
+/// The columns of a linkage, with both derivatives of each: the angles of its links
+/// as the yardstick has them; or, as a table of the Class IV mechanism, the places of
+/// the moving points and the angle of the output.
 struct Full {
     pose: mechanism::Pose<3>,
-    moving: Vec<usize>,
+    points: Vec<usize>,
+    links: Vec<usize>,
     columns: Vec<[f64; 3]>,
 }
 
 impl Full {
-    fn new(motion: &Motion) -> Self {
+    fn new(motion: &Motion, places: bool) -> Self {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(motion.cycle().home()).unwrap();
-        let moving: Vec<usize> = (0..mechanism.points().len())
-            .filter(|point| mechanism.place(&pose, *point).derivative(1).norm() > 0.0)
+        let moves = |point: &usize| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
+        let points = (0..mechanism.points().len()).filter(|point| places && moves(point));
+        let points: Vec<usize> = points.collect();
+        let links = mechanism.links().len();
+        let links: Vec<usize> = (0..links)
+            .filter(|link| !places || link + 1 == links)
             .collect();
-        let columns = 2 * moving.len() + mechanism.links().len();
         Self {
+            columns: vec![[0.0; 3]; (2 * points.len() + links.len()) * DEGREES],
             pose,
-            moving,
-            columns: vec![[0.0; 3]; columns * DEGREES],
+            points,
+            links,
         }
     }
 
     fn store(&mut self, motion: &Motion, index: usize, crank: f64) {
         motion.place(crank, &mut self.pose).unwrap();
         let mechanism = motion.mechanism();
-        let points = self.moving.iter().flat_map(|point| {
+        let points = self.points.iter().flat_map(|point| {
             let place = mechanism.place(&self.pose, *point);
             [place.x, place.y]
         });
-        let links = (0..mechanism.links().len()).map(|link| mechanism.angle(&self.pose, link));
+        let links = self.links.iter();
+        let links = links.map(|link| mechanism.angle(&self.pose, *link));
         let count = self.columns.len() / DEGREES;
         let row = self.columns[index * count..][..count].iter_mut();
         for (column, value) in row.zip(points.chain(links)) {
