@@ -33,6 +33,8 @@ export class ChartCursor {
   #hovered = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
+  /** @type {Float64Array | null} the values that were written last: in motion new ones come too fast to be read */
+  #written = null;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -50,6 +52,7 @@ export class ChartCursor {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
+    if (snapshot.legible || this.#written?.length !== snapshot.plotted?.length) this.#written = snapshot.plotted;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
     this.redraw();
   }
@@ -69,9 +72,10 @@ export class ChartCursor {
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
     const { panels } = this.#chart;
     // Two sets of numbers would cover each other: under a pointer only its own are written.
-    for (const panel of panels) this.#panel(panel, snapshot, radians(snapshot.phiDeg), snapshot.plotted, hovered === null);
+    const phi = radians(snapshot.phiDeg);
+    for (const panel of panels) this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? this.#written : null);
     if (hovered === null || panels.length === 0) return;
-    for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, true, GHOST);
+    for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, ghost, GHOST);
     this.#angle(panels[0], hovered, snapshot);
   }
 
@@ -104,10 +108,10 @@ export class ChartCursor {
    * @param {Snapshot} snapshot
    * @param {number} phi
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {boolean} tagged whether the numbers are written
+   * @param {Float64Array | null} written the values to be written beside them
    * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot, phi, values, tagged, dashes = WHOLE) {
+  #panel(panel, snapshot, phi, values, written, dashes = WHOLE) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
     const x = across(panel, phi);
@@ -120,7 +124,7 @@ export class ChartCursor {
     context.setLineDash(dashes);
     context.stroke();
     context.setLineDash(WHOLE);
-    const dots = this.#dots(panel, snapshot, values);
+    const dots = this.#dots(panel, snapshot, values, written);
     if (dots.length === 0) return;
     context.lineWidth = 2 * weight;
     for (const { y, colour } of dots) {
@@ -131,22 +135,23 @@ export class ChartCursor {
       context.strokeStyle = colour;
       context.stroke();
     }
-    if (tagged) this.#tags(panel, x, dots);
+    if (written) this.#tags(panel, x, dots);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {Float64Array | null} values of the plotted quantities
+   * @param {Float64Array | null} numbers those that are written of them
    * @returns {Dot[]} from the top down
    */
-  #dots(panel, { words }, values) {
+  #dots(panel, { words }, values, numbers) {
     if (!values) return [];
     const dots = [];
     for (const [i, { role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = written(panel, value, words.numbers);
+      const text = numbers ? written(panel, numbers[3 * i + panel.order], words.numbers) : "";
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

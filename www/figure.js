@@ -26,6 +26,8 @@ export class Figure {
   #newPath;
   /** @type {Snapshot | null} */
   #snapshot = null;
+  /** @type {Snapshot | null} the one whose numbers stand in the labels: in motion new ones come too fast to be read */
+  #legible = null;
   #revision = 0;
   /** @type {readonly Layer[]} what stands still under all that moves */
   #still = [];
@@ -51,6 +53,7 @@ export class Figure {
   /** @param {Snapshot} snapshot what is painted from now on */
   take(snapshot) {
     this.#snapshot = snapshot;
+    if (snapshot.legible || this.#legible?.words !== snapshot.words) this.#legible = snapshot;
     const { scene, frame, revision } = snapshot;
     if (this.#revision !== revision) {
       this.#revision = revision;
@@ -92,7 +95,7 @@ export class Figure {
    * @param {boolean} small whether there is little room
    */
   paintLabels(sheet, view, small) {
-    const snapshot = this.#snapshot;
+    const snapshot = this.#legible;
     if (!snapshot) return;
     const write = (/** @type {string} */ label) => ({ text: labelText(label, snapshot), lasting: !NUMBERS.includes(label) });
     const taken = small ? [] : null;
