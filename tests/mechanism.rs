@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
-use assur::{Assembly, FourBar};
+use assur::{Assembly, FourBar, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
     let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
@@ -139,4 +139,40 @@ fn the_search_for_assemblies_is_bounded() {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
     }
+}
+
+/// A point drawn elsewhere in a pose: its links get other lengths, the rest keep
+/// theirs, and the motion goes on from that pose in the same assembly.
+#[test]
+fn a_linkage_is_drawn_anew_in_a_pose() {
+    let lengths = [0.37, 0.85, 0.55, 0.85];
+    let draft = four_bar(lengths, 1.0, Assembly::Second);
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let pose = motion.pose::<1>(2.3).unwrap();
+    let [b, c, d] = [1, 2, 3].map(|point| mechanism.place(&pose, point).place());
+    let to = c + Vector::new(0.05, -0.08);
+    let redrawn = draft.redrawn(&mechanism, &pose, 2, to);
+    let mechanism = Mechanism::new(&redrawn).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let expected = FourBar::new([lengths[0], (to - b).norm(), (to - d).norm(), lengths[3]]);
+    for input in [2.3, 2.6] {
+        let pose = motion.pose::<3>(input).unwrap();
+        let exact = expected
+            .as_ref()
+            .unwrap()
+            .pose::<3>(Assembly::Second, input);
+        let exact = exact.unwrap();
+        for (link, angle) in [(1, exact.coupler), (2, exact.rocker)] {
+            for order in 0..3 {
+                let found = mechanism.angle(&pose, link).derivative(order);
+                assert!(
+                    (found - angle.derivative(order)).abs() < 1e-10,
+                    "{link} {order}"
+                );
+            }
+        }
+    }
+    let there = motion.pose::<1>(2.3).unwrap();
+    assert!((mechanism.place(&there, 2).place() - to).norm() < 1e-12);
 }

@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 21] = [
+const BUILT: [(&str, &[&str]); 23] = [
     ("assembly.", &["www/rail.js"]),
     (
         "field.",
@@ -28,13 +28,19 @@ const BUILT: [(&str, &[&str]); 21] = [
             "crates/assur-file/src/state.rs",
             "www/rail.js",
             "www/rail-lists.js",
+            "www/linkage/views.js",
         ],
     ),
     ("field.tracers.", &["www/rail-lists.js"]),
+    ("dead.", &["crates/assur-web/src/linkage.rs"]),
+    ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),
     ("lang.", &["www/words.js"]),
     ("mesh.", &["www/rail.js"]),
-    ("name.", &["www/rail.js", "www/rail-lists.js"]),
+    (
+        "name.",
+        &["www/rail.js", "www/rail-lists.js", "www/linkage/views.js"],
+    ),
     ("name.tracers.", &["www/rail-lists.js"]),
     ("notice.", &["www/opening.js"]),
     // Of a panel: its kind, by what its derivatives are, its order.
@@ -50,12 +56,16 @@ const BUILT: [(&str, &[&str]); 21] = [
             "crates/assur-file/src/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
             "www/carrier.js",
+            "www/engine.js",
             "www/model.js",
         ],
     ),
     ("readouts.", &["www/readouts.js"]),
-    ("slider.", &["www/rail.js", "www/rail-lists.js"]),
-    ("status.", &["www/status.js"]),
+    (
+        "slider.",
+        &["www/rail.js", "www/rail-lists.js", "www/linkage/views.js"],
+    ),
+    ("status.", &["www/status.js", "www/linkage/views.js"]),
     ("told.", &["www/spoken.js"]),
     ("tracers.", &["www/rail-lists.js"]),
 ];
@@ -199,6 +209,7 @@ fn no_key_is_left_over() {
     let mut scripts = files("www", ".js");
     scripts.extend(files("www/lessons", ".js"));
     scripts.extend(files("www/export", ".js"));
+    scripts.extend(files("www/linkage", ".js"));
     let named: BTreeSet<&str> = quoted(&page, '"')
         .into_iter()
         .chain(scripts.values().flat_map(|script| quoted(script, '"')))

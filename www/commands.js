@@ -1,7 +1,7 @@
 // What buttons of the header and keys do, by name.
 import { degrees } from "assur/angles.js";
 import { placed, turned } from "assur/player.js";
-import { contains, withDocument, withView } from "assur/state.js";
+import { contains, withDocument, withMechanism, withView } from "assur/state.js";
 import { SPEEDS } from "assur/transport.js";
 
 /**
@@ -16,17 +16,20 @@ import { SPEEDS } from "assur/transport.js";
  *   model: import("assur/model.js").Model,
  *   drafts: import("assur/drafts.js").Drafts,
  *   history: import("assur/history.js").History,
- *   presets: Engine["presets"],
+ *   engine: Engine,
  * }} parts
  * @returns {Commands}
  */
-export function commands({ store, model, drafts, history, presets }) {
+export function commands({ store, model, drafts, history, engine }) {
+  const { presets } = engine;
   const put = (/** @type {(state: State) => number} */ where) => {
     drafts.drop("phi_deg");
     store.update((state) => placed(state, where(state), model));
   };
   const turn = (/** @type {number} */ by) => put(({ view }) => view.phi_deg + by);
   const assemble = (/** @type {1 | 2} */ assembly) => {
+    const { assemblies = 2 } = /** @type {{ assemblies?: number }} */ (model.summary);
+    if (assembly > assemblies) return;
     history.step(() => store.update((state) => withDocument(state, { assembly })));
   };
   const hasten = (/** @type {1 | -1} */ by) => {
@@ -39,7 +42,8 @@ export function commands({ store, model, drafts, history, presets }) {
 
   // The preset that the mechanism was last; of an opened one that was none, the first.
   let preset = presets[0].document;
-  const note = (/** @type {State} */ { document }) => {
+  const note = (/** @type {State} */ { lesson, document }) => {
+    if (lesson !== "mixer") return;
     preset = presets.find((one) => contains(document, one.document))?.document ?? preset;
   };
   note(store.get());
@@ -64,6 +68,12 @@ export function commands({ store, model, drafts, history, presets }) {
     projector: () => store.update((state) => withView(state, { projector: !state.view.projector })),
     undo: () => history.undo(),
     redo: () => history.redo(),
-    reset: () => history.step(() => store.update((state) => withDocument(state, { ...preset, tracers: [] }))),
+    reset: () => {
+      history.step(() => store.update((state) => {
+        if (state.lesson === "mixer") return withDocument(state, { ...preset, tracers: [] });
+        const original = engine.original(state.document);
+        return original ? withMechanism(state, state.lesson, original.document) : state;
+      }));
+    },
   });
 }

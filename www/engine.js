@@ -1,8 +1,9 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
-import init, { Simulator, labelNames, presets, readState, roleNames } from "assur/pkg/assur_web.js";
+import init, * as mixer from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
  * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
  * @typedef {{ min: number, max: number, stroke: number }} Swing
@@ -25,6 +26,12 @@ import init, { Simulator, labelNames, presets, readState, roleNames } from "assu
  *   change_points: number[],
  *   bounds: [number, number, number, number],
  * }} Summary
+ * @typedef {{
+ *   cycle: Cycle, home: number, bounds: [number, number, number, number],
+ *   mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
+ *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
+ *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
+ * }} LinkageSummary
  * @typedef {{
  *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
  *   left: number, top: number, width: number, height: number,
@@ -62,27 +69,64 @@ export function attempt(work) {
 }
 
 export class Engine {
-  #simulator = new Simulator();
+  /** @type {typeof mixer} */
+  #module = mixer;
+  #simulator = new mixer.Simulator();
   /** @type {State | null} the last state the simulator took */
   #good = null;
 
   /** Whether it broke down since it last took a state. */
   trapped = false;
   /** @type {readonly string[]} */
-  roles = roleNames();
-  /** @type {readonly string[]} */
-  labels = labelNames();
+  roles = mixer.roleNames();
+  /** @type {readonly string[]} of the display lists */
+  labels = [];
   /** @type {readonly { id: string, document: Omit<MixerDocument, "tracers"> }[]} the dimensions of each; what is traced stays */
-  presets = presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
+  presets = mixer.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
+  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue, once they can be shown */
+  gallery = [];
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} the points whose coordinates can be plotted */
   points = [];
+  /** @type {readonly string[]} the links whose angles are read */
+  links = [];
+
+  /**
+   * @param {object} linkage
+   * @returns {{ id: string, document: LinkageDocument } | undefined} the one of the catalogue that was changed into it
+   */
+  original(linkage) {
+    return this.gallery.find(({ document }) => document.title === /** @type {LinkageDocument} */ (linkage).title);
+  }
+
+  /** @returns {readonly string[]} the tables of words for all that it knows */
+  get tables() {
+    return this.#module === mixer ? ["*"] : ["*", "linkages/*"];
+  }
 
   /** @returns {Promise<Engine>} */
   static async load() {
     await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });
     return new Engine();
+  }
+
+  /**
+   * Brings what knows any linkage: larger than what knows the mixer, it comes when one is first opened.
+   * @returns {Promise<void>} refused where it does not arrive
+   */
+  async grow() {
+    if (this.#module !== mixer) return;
+    try {
+      const grown = await import("assur/pkg/linkages/assur_web.js");
+      await grown.default({ module_or_path: fetch(import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm")) });
+      this.#module = /** @type {typeof mixer} */ (grown);
+      this.gallery = grown.gallery();
+      this.#recover();
+    } catch (thrown) {
+      console.error(thrown);
+      throw new Refusal([{ code: "not_arrived" }]);
+    }
   }
 
   /**
@@ -93,6 +137,7 @@ export class Engine {
     const summary = this.#ask((simulator) => {
       const taken = simulator.set(state);
       this.#name(simulator.readoutNames());
+      this.labels = simulator.labelNames();
       return taken;
     });
     this.#good = state;
@@ -105,7 +150,7 @@ export class Engine {
    * @returns {State} the same, read and checked
    */
   read(value) {
-    return this.#ask(() => readState(value));
+    return this.#ask(() => this.#module.readState(value));
   }
 
   /** @returns {Float32Array} display list of all that is rigid */
@@ -201,7 +246,7 @@ export class Engine {
 
   /**
    * @template T
-   * @param {(simulator: Simulator) => T} question
+   * @param {(simulator: mixer.Simulator) => T} question
    * @returns {T}
    */
   #ask(question) {
@@ -220,12 +265,14 @@ export class Engine {
   #name(names) {
     if (names.join() === this.#names.join()) return;
     this.#names = names;
-    this.points = names.filter((name) => name.endsWith(".x")).map((name) => name.slice(0, -2));
+    const of = (/** @type {string} */ what) => names.filter((name) => name.endsWith(what)).map((name) => name.slice(0, -what.length));
+    this.points = of(".x");
+    this.links = of(".angle");
   }
 
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
   #recover() {
-    this.#simulator = new Simulator();
+    this.#simulator = new this.#module.Simulator();
     if (this.#good) this.#simulator.set(this.#good);
   }
 }

@@ -129,8 +129,14 @@ function readPoses(frame) {
  * @param {string} label
  * @param {Snapshot} snapshot
  */
-function labelText(label, { frameDeg, readouts, words }) {
+function labelText(label, { lesson, frameDeg, readouts, words }) {
+  if (lesson !== "mixer") return low(label);
   if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
   if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
+  return low(label);
+}
+
+/** @param {string} label */
+function low(label) {
   return label.replace(/(?<=\p{L})\d/gu, subscript);
 }

@@ -1,9 +1,9 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { OVERLAYS, withDocument, withView } from "assur/state.js";
+import { OVERLAYS, withDocument, withMechanism, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
- * @typedef {Readonly<{ document: State["document"], shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ lesson: State["lesson"], document: State["document"], shown: Partial<State["view"]> }>} Moment
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
@@ -99,7 +99,11 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withDocument(now, next.document), next.shown));
+      this.#store.update((now) => {
+        const mixer = now.lesson === "mixer" && next.lesson === "mixer";
+        const changed = mixer ? withDocument(now, next.document) : withMechanism(now, next.lesson, next.document);
+        return withView(changed, next.shown);
+      });
     } finally {
       this.#walking = false;
     }
@@ -110,8 +114,8 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ document, view }) {
-  return { document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+function moment({ lesson, document, view }) {
+  return { lesson, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
 }
 
 /**

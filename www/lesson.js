@@ -59,7 +59,7 @@ export class Lesson {
 
   /** @param {boolean} open */
   #turn(open) {
-    this.#parts.store.update((state) => withView(state, { step: open ? state.view.step || this.#last : 0 }));
+    this.#parts.store.update((state) => state.lesson !== "mixer" ? state : withView(state, { step: open ? state.view.step || this.#last : 0 }));
   }
 
   /** @param {boolean} open */
@@ -83,7 +83,7 @@ export class Lesson {
       const [{ Panel }, { STEPS }, text] = await Promise.all([
         import("assur/lessons/panel.js"),
         import(`assur/lessons/${lesson}.js`),
-        Words.load(lang, ["panel", lesson]),
+        Words.load(lang, ["lessons/panel.*", `lessons/${lesson}.*`]),
       ]);
       if (this.#lang !== lang) return;
       this.#panel ??= new Panel(this.#place, STEPS, this.#parts, text);

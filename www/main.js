@@ -1,4 +1,5 @@
 // Starts the page: loads words and engine, puts the parts together, sets the time running.
+import { degrees } from "assur/angles.js";
 import { ChartCursor } from "assur/chart-cursor.js";
 import { ChartHands } from "assur/chart-hands.js";
 import { ChartView } from "assur/chart.js";
@@ -20,15 +21,18 @@ import { open, takeAddress, takeFile } from "assur/opening.js";
 import { played } from "assur/player.js";
 import { PlotBar } from "assur/plot-bar.js";
 import { ProblemView } from "assur/problems.js";
-import { Rail } from "assur/rail.js";
+import { Rail, Switches } from "assur/rail.js";
 import { ReadoutTable } from "assur/readouts.js";
 import { copyLink, filePicker, saveFile } from "assur/share.js";
-import { withView } from "assur/state.js";
+import { withMechanism, withView } from "assur/state.js";
 import { StatusLine } from "assur/status.js";
 import { Store } from "assur/store.js";
 import { Theme } from "assur/theme.js";
 import { Transport } from "assur/transport.js";
 import { LANGUAGES, Words, preferredLanguage } from "assur/words.js";
+
+/** @type {import("assur/opening.js").Failure[]} */
+const LOST = [{ kind: "part", problems: [{ code: "not_arrived" }] }];
 
 /** Numbers that change faster than this cannot be read; in seconds. */
 const WRITING_PERIOD = 0.2;
@@ -54,8 +58,10 @@ function run(engine, habits, opening, startWords) {
   const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
   const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
   const notices = new Notices(() => loop.request());
-  const take = (/** @type {import("assur/opening.js").Taken | null} */ taken) => {
+  const take = async (/** @type {Promise<import("assur/opening.js").Taken | null>} */ coming) => {
+    const taken = await coming;
     if (!taken) return;
+    await learn();
     notices.tell(taken.failure ? [taken.failure] : []);
     const { state } = taken;
     if (state) history.step(() => store.update(() => state));
@@ -63,14 +69,20 @@ function run(engine, habits, opening, startWords) {
   // The address that was entered: by now another may have been written over it.
   addEventListener("hashchange", ({ newURL }) => take(takeAddress(newURL, engine, habits)));
   const commands = Object.freeze({
-    ...makeCommands({ store, model, drafts, history, presets: engine.presets }),
+    ...makeCommands({ store, model, drafts, history, engine }),
     open: filePicker((text, name) => take(takeFile(text, name, engine, habits))),
     save: () => saveFile(model.good),
     copy: () => copyLink(model.good, () => notices.tell(["copied"])),
     export: async () => {
       const part = await import("assur/export/dialog.js").catch(() => null);
       if (part) part.openExport({ engine, model, mechanism, chart, words });
-      else notices.tell([{ kind: "export", problems: [] }]);
+      else notices.tell(LOST);
+    },
+    gallery: async () => {
+      const part = await import("assur/linkage/gallery.js").catch(() => null);
+      const grown = part && (await engine.grow().then(learn).catch(() => false));
+      if (grown) part.openGallery({ engine, words, store, choose });
+      else notices.tell(LOST);
     },
   });
   const header = new Header(history, commands);
@@ -78,6 +90,13 @@ function run(engine, habits, opening, startWords) {
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const lesson = new Lesson({ store, model, history, presets: engine.presets }, () => loop.request());
+  const choose = (/** @type {any} */ chosen, /** @type {any} */ document) => history.step(() => {
+    store.update((state) => withView(withMechanism(state, chosen, document), { plot: "angles" }));
+    mechanism.fit();
+    // The crank of another mechanism may not go where this one's stands.
+    model.follow(store.get());
+    if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+  });
   /** @type {{ render(snapshot: import("assur/model.js").Snapshot): void }[]} */
   const views = [
     mechanism,
@@ -85,15 +104,23 @@ function run(engine, habits, opening, startWords) {
     chart,
     cursor,
     new Transport(store, model, drafts, theme),
-    new Rail(store, engine, drafts),
     new PlotBar(store, engine, drafts),
-    new StatusLine(),
     new ReadoutTable(),
     new ProblemView(),
+    new Switches(store),
     lesson,
     header,
     notices,
   ];
+  /** @type {Record<string, { render(snapshot: any): void }[] | undefined>} what only one lesson has */
+  const special = { mixer: [new Rail(store, engine, drafts), new StatusLine()] };
+  const specialise = async () => {
+    special.linkage = [];
+    const { LinkageRail, LinkageStatus, LinkageTitle } = await import("assur/linkage/views.js");
+    special.linkage = [new LinkageRail(store, drafts, words), new LinkageStatus(words)];
+    views.push(new LinkageTitle(engine));
+    loop.request();
+  };
 
   listen({
     ...commands,
@@ -133,17 +160,30 @@ function run(engine, habits, opening, startWords) {
     model.follow(state);
     theme.project(state.view.projector);
     const snapshot = model.snapshot(state, words, legible);
+    setData(document.documentElement, "lesson", snapshot.lesson);
     for (const view of views) view.render(snapshot);
+    if (state.lesson !== snapshot.lesson) return;
+    const own = special[state.lesson];
+    if (!own) specialise().catch(() => notices.tell(LOST));
+    for (const view of own ?? []) view.render(snapshot);
   };
   const loop = new Loop(step, render);
   store.subscribe(() => loop.request());
   keep(store, () => model.sound);
 
-  chooseLanguage(store, (chosen) => {
+  const hear = (/** @type {Words} */ chosen) => {
     words = chosen;
     speak(words);
     loop.request();
-  });
+  };
+  // With linkages come their words.
+  const learn = async () => {
+    const { lang } = words;
+    const more = await Words.load(lang, engine.tables);
+    if (lang === words.lang) hear(more);
+    return true;
+  };
+  chooseLanguage(store, engine, hear);
   speak(words);
   notices.tell(opening.failures);
   byId("boot", HTMLElement).hidden = true;
@@ -159,9 +199,10 @@ function run(engine, habits, opening, startWords) {
 /**
  * The select of languages and the state's language are one; words come when they are loaded.
  * @param {Store<import("assur/state.js").State>} store
+ * @param {Engine} engine
  * @param {(words: Words) => void} changed
  */
-function chooseLanguage(store, changed) {
+function chooseLanguage(store, engine, changed) {
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
@@ -169,7 +210,7 @@ function chooseLanguage(store, changed) {
   store.subscribe(async ({ view: { lang } }, previous) => {
     if (lang === previous.view.lang) return;
     select.value = lang;
-    const words = await Words.load(lang).catch(() => null);
+    const words = await Words.load(lang, engine.tables).catch(() => null);
     // Another choice may have been made while these words were on their way.
     if (store.get().view.lang !== lang) return;
     if (words) changed(words);
@@ -200,8 +241,8 @@ try {
   const habits = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
   // Most often these words are those of the state, too.
   const [engine] = await Promise.all([Engine.load(), Words.load(lang)]);
-  const opening = open(engine, habits);
-  run(engine, habits, opening, await Words.load(opening.state.view.lang));
+  const opening = await open(engine, habits);
+  run(engine, habits, opening, await Words.load(opening.state.view.lang, engine.tables));
 } catch (thrown) {
   console.error(thrown);
   fail();

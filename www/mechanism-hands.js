@@ -84,7 +84,7 @@ export class MechanismHands {
 
   /** @param {{ state: State }} snapshot */
   render({ state }) {
-    const full = state.document.tracers.length >= LISTS.tracers.most;
+    const full = state.lesson !== "mixer" || state.document.tracers.length >= LISTS.tracers.most;
     if (this.#trace.disabled !== full) this.#trace.disabled = full;
   }
 

@@ -14,6 +14,7 @@ import { DRAWN } from "assur/state.js";
  *
  * @typedef {{
  *   state: State,
+ *   lesson: string,
  *   phiDeg: number,
  *   words: Words,
  *   summary: Summary,
@@ -28,7 +29,7 @@ import { DRAWN } from "assur/state.js";
  *   faded: boolean,
  *   legible: boolean,
  * }} Snapshot
- * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
+ * What the views draw. `lesson` is that of the mechanism that is drawn; `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
  * of the last drawing; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
@@ -49,6 +50,8 @@ export class Model {
   /** @type {State} */
   #good;
   #revision = 0;
+  /** @type {string} */
+  #lesson;
   /** @type {Summary} */
   #summary;
   /** @type {Float32Array} */
@@ -82,6 +85,7 @@ export class Model {
     this.#revision = 1;
     this.#asked = state;
     this.#good = state;
+    this.#lesson = state.lesson;
     this.#place(state);
   }
 
@@ -135,6 +139,7 @@ export class Model {
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
     return {
       state,
+      lesson: this.#lesson,
       phiDeg: ontoAxis(state.view.phi_deg, this.#summary.cycle),
       words,
       summary: this.#summary,
@@ -159,6 +164,7 @@ export class Model {
     this.#summary = taken.value.summary;
     this.#scene = taken.value.scene;
     this.#revision += 1;
+    this.#lesson = state.lesson;
   }
 
   /** @param {State} state */

@@ -1,6 +1,6 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file.
 import { fromAddress, fromFile } from "assur/carrier.js";
-import { attempt } from "assur/engine.js";
+import { Refusal, attempt } from "assur/engine.js";
 import { addressed, kept, putAside } from "assur/keeper.js";
 import { initialState } from "assur/state.js";
 import { LANGUAGES } from "assur/words.js";
@@ -9,7 +9,7 @@ import { LANGUAGES } from "assur/words.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "export", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "part", problems: readonly Problem[], name?: string }>} Failure
  * @typedef {Readonly<{ state: State, failure: null } | { state: null, failure: Failure }>} Taken
  * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
  * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.
@@ -20,23 +20,43 @@ import { LANGUAGES } from "assur/words.js";
  * @param {() => unknown} unwrap
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {Taken}
+ * @returns {Promise<Taken>}
  */
-function take(kind, unwrap, engine, { calm, lang }) {
-  const { value, problems } = attempt(() => engine.read(unwrap()));
+async function take(kind, unwrap, engine, { calm, lang }) {
+  const unwrapped = attempt(unwrap);
+  let { problems } = unwrapped;
+  /** @type {State | null} */
+  let value = null;
+  if (problems.length === 0) ({ value, problems } = await read(unwrapped.value, engine));
   if (!value) return { state: null, failure: { kind, problems } };
-  const { document, view } = value;
+  const { lesson, document, view } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
+  return { state: initialState(document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, lesson), failure: null };
+}
+
+/**
+ * Has the engine read a state; one with a linkage first brings what knows linkages.
+ * @param {unknown} value from outside
+ * @param {Engine} engine
+ * @returns {Promise<{ value: State | null, problems: readonly Problem[] }>}
+ */
+export async function read(value, engine) {
+  try {
+    if (/** @type {{ lesson?: unknown } | null} */ (value)?.lesson === "linkage") await engine.grow();
+  } catch (thrown) {
+    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
+    throw thrown;
+  }
+  return attempt(() => engine.read(value));
 }
 
 /**
  * @param {string} address
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {Taken | null} null where the address holds none
+ * @returns {Promise<Taken | null>} null where the address holds none
  */
-export function takeAddress(address, engine, habits) {
+export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
   return hash === "" ? null : take("address", () => fromAddress(hash), engine, habits);
 }
@@ -46,10 +66,10 @@ export function takeAddress(address, engine, habits) {
  * @param {string} name of the file
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {Taken}
+ * @returns {Promise<Taken>}
  */
-export function takeFile(text, name, engine, habits) {
-  const { state, failure } = take("file", () => fromFile(text), engine, habits);
+export async function takeFile(text, name, engine, habits) {
+  const { state, failure } = await take("file", () => fromFile(text), engine, habits);
   return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
 }
 
@@ -57,17 +77,17 @@ export function takeFile(text, name, engine, habits) {
  * The address, else what was kept, else the first preset; what could not be read is said.
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {{ state: State, failures: Failure[] }}
+ * @returns {Promise<{ state: State, failures: Failure[] }>}
  */
-export function open(engine, habits) {
+export async function open(engine, habits) {
   /** @type {Failure[]} */
   const failures = [];
-  const address = takeAddress(location.href, engine, habits);
+  const address = await takeAddress(location.href, engine, habits);
   if (address?.state) return { state: address.state, failures };
   if (address) failures.push(address.failure);
   const text = kept();
   if (text !== null) {
-    const { state, failure } = take("kept", () => fromFile(text), engine, habits);
+    const { state, failure } = await take("kept", () => fromFile(text), engine, habits);
     if (state) return { state, failures };
     putAside(text);
     failures.push(failure);

@@ -59,8 +59,10 @@ const LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ coupler: "2
 export function symbol(name, order, physical) {
   const [of, what] = name.split(".");
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
-  const index = what === "angle" ? subscript(LINKS[of] ?? of.replace(/\D/g, "")) : "";
-  return physical ? letters[order] + index : letters[0] + index + STROKES[order];
+  const numbered = of in LINKS || /^wheel\d+$/.test(of);
+  const index = what === "angle" && numbered ? subscript(LINKS[of] ?? of.replace(/\D/g, "")) : "";
+  const named = what === "angle" && !numbered ? ` ${of}` : "";
+  return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
 }
 
 /**

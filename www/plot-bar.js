@@ -55,13 +55,13 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, words, problems }) {
+  render({ state: { view }, lesson, words, problems }) {
     const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words);
+    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words, lesson);
     this.#shown = shown;
     this.#plot.value = plot;
     this.#axes.value = axes;
@@ -75,9 +75,20 @@ export class PlotBar {
   /**
    * @param {readonly string[]} points
    * @param {Words} words
+   * @param {string} lesson
    */
-  #offer(points, words) {
+  #offer(points, words, lesson) {
     this.#points = points;
+    if (lesson !== "mixer") {
+      const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
+        make("option", { value }, [words.text(key, { name })]);
+      this.#plot.replaceChildren(
+        option("angles", "plots.links", ""),
+        ...this.#engine.links.map((name) => option(`${name}.angle`, "plots.link", name)),
+        ...points.map((name) => option(name, "plots.point", subscript(name))),
+      );
+      return;
+    }
     const options = points.map((value) => {
       const kind = /^C\d/.test(value) ? "plots.centre" : value.startsWith("P") ? "plots.traced" : "plots.joint";
       return make("option", { value }, [words.text(kind, { name: subscript(value) })]);

@@ -12,6 +12,8 @@ import { LISTS } from "assur/state.js";
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
 const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
+/** The length of a link of a linkage. */
+const LENGTH = /^links\[(\d+)\]\.length$/;
 
 /**
  * @param {string} field
@@ -19,6 +21,8 @@ const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
  * @returns {string} its name, with the number of the wheel or point
  */
 function fieldName(field, words) {
+  const [, link] = LENGTH.exec(field) ?? [];
+  if (link) return words.text("field.links.length", { n: String(Number(link) + 1) });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);

@@ -32,6 +32,23 @@ const WHEELS = Object.freeze([
 const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
 const ASSEMBLIES = /** @type {const} */ ([1, 2]);
 
+/** What is to be shown beside the mechanism itself. */
+export class Switches {
+  #switches = SWITCHES.map((name) => ({ name, input: byId(name, HTMLInputElement) }));
+
+  /** @param {import("assur/store.js").Store<State>} store */
+  constructor(store) {
+    for (const { name, input } of this.#switches) {
+      input.addEventListener("change", () => store.update((state) => withView(state, { [name]: input.checked })));
+    }
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state: { view } }) {
+    for (const { name, input } of this.#switches) if (input.checked !== view[name]) input.checked = view[name];
+  }
+}
+
 export class Rail {
   /** @type {NumberRow[]} */
   #rows = [];
@@ -40,7 +57,6 @@ export class Rail {
   /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
   #choices = [];
   #lists;
-  #switches = SWITCHES.map((name) => ({ name, input: byId(name, HTMLInputElement) }));
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
@@ -75,16 +91,13 @@ export class Rail {
     }
     for (const mesh of MESHES) this.#choice("mesh", mesh, () => edit({ mesh }));
     for (const assembly of ASSEMBLIES) this.#choice("assembly", assembly, () => edit({ assembly }));
-    for (const { name, input } of this.#switches) {
-      input.addEventListener("change", () => store.update((state) => withView(state, { [name]: input.checked })));
-    }
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, ...SWITCHES.map((name) => state.view[name]), words, summary, ...wrong];
+    const shown = [state.document, words, summary, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words, wrong.has(row.field));
@@ -93,7 +106,6 @@ export class Rail {
       button.setAttribute("aria-pressed", String(contains(state.document, document)));
     }
     for (const { input, field, value } of this.#choices) input.checked = state.document[field] === value;
-    for (const { name, input } of this.#switches) input.checked = state.view[name];
   }
 
   /**

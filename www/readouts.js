@@ -39,6 +39,9 @@ export class ReadoutTable {
   #heads = STROKES.map(() => make("th", { scope: "col" }));
   /** @type {Cell[]} */
   #cells = [];
+  /** @type {Cell[]} of what is plotted of a linkage */
+  #others = [];
+  #named = "";
   /** @type {HTMLElement[]} what stands beside the names of plotted angles */
   #swatches = [];
   /** @type {HTMLTableRowElement[]} of the peripheral wheels there may be */
@@ -54,40 +57,47 @@ export class ReadoutTable {
       const key = n ? "name.wheels.z" : `readouts.${row.name}`;
       const element = this.#row(row, make("span", { "data-t": key, "data-n": n }));
       if (n) this.#wheels.push(element);
+      if (row.name !== "crank") element.classList.add("of-mixer");
       body.append(element);
     }
     for (const axis of AXES) {
       const point = make("span");
       const row = this.#row({ name: axis, role: axis, symbol: axis, value: axis, curve: true }, point);
+      row.classList.add("of-mixer");
       this.#coordinates.push({ row, point });
       body.append(row);
     }
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state, summary, readouts, phiDeg, words, stale, legible }) {
+  render({ state, lesson, summary, readouts, phiDeg, words, stale, legible }) {
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
     const { plot, axes } = state.view;
-    const ofPoint = plot !== "angles";
+    const mixer = lesson === "mixer";
+    const plotted = /** @type {{ plotted?: string[], roles?: Record<string, string> }} */ (/** @type {unknown} */ (summary));
+    const ofPoint = mixer && plot !== "angles";
+    if (!mixer) this.#name(plotted.plotted ?? [], plotted.roles ?? {});
     this.#heads.forEach((head, order) => {
-      const shown = ofPoint ? ["rocker.angle", "C1.x"] : ["rocker.angle"];
+      const lengths = plotted.plotted?.some((name) => !name.endsWith(".angle"));
+      const shown = ofPoint ? ["rocker.angle", "C1.x"] : [lengths ? "C1.x" : "rocker.angle"];
       const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
       write(head, symbols.join(", "));
     });
-    this.#wheels.forEach((row, index) => (row.hidden = index >= summary.wheels.length));
+    if (mixer) this.#wheels.forEach((row, index) => (row.hidden = index >= summary.wheels.length));
     for (const swatch of this.#swatches) swatch.classList.toggle("curve", !ofPoint);
     for (const { row, point } of this.#coordinates) {
       row.hidden = !ofPoint;
       write(point, subscript(plot));
     }
-    for (const { name, order, output } of this.#cells) {
+    for (const { name, order, output } of [...this.#cells, ...(mixer ? [] : this.#others)]) {
       const point = AXES.some((axis) => axis === name);
       if (point && !ofPoint) continue;
       const key = (point ? `${plot}.${name}` : name) + STROKES[order];
-      const angle = !point && order === 0;
-      const value = key === "phi1" ? phiDeg : readouts && (angle ? degrees(readouts[key]) : readouts[key]);
-      if (value === null || value === undefined) {
+      const angle = !point && order === 0 && !/\.[xy]$/.test(name);
+      const read = readouts?.[key];
+      const value = key === "phi1" ? phiDeg : angle && read !== undefined ? degrees(read) : read;
+      if (value === undefined) {
         write(output, NONE);
         output.removeAttribute("data-value");
         continue;
@@ -100,10 +110,32 @@ export class ReadoutTable {
   }
 
   /**
+   * Makes the rows of what is plotted of a linkage.
+   * @param {readonly string[]} plotted
+   * @param {Readonly<Record<string, string>>} roles of the links, by name
+   */
+  #name(plotted, roles) {
+    if (this.#named === plotted.join()) return;
+    this.#named = plotted.join();
+    for (const old of this.#table.querySelectorAll("tr.of-linkage")) old.remove();
+    this.#others = [];
+    for (const name of plotted) {
+      const [of, what] = [name.slice(0, name.lastIndexOf(".")), name.slice(name.lastIndexOf(".") + 1)];
+      const label = make("span", {}, [what === "angle" ? of : subscript(of)]);
+      const row = this.#row(
+        { name, role: what === "angle" ? (roles[of] ?? "coupler") : what, symbol: what === "angle" ? "φ" : what, value: name, curve: true }, label, this.#others,
+      );
+      row.className = "of-linkage";
+      this.#table.tBodies[0].append(row);
+    }
+  }
+
+  /**
    * @param {(typeof ROWS)[number]} row
    * @param {HTMLElement} label
+   * @param {Cell[]} [into]
    */
-  #row({ name, role, symbol, value, curve }, label) {
+  #row({ name, role, symbol, value, curve }, label, into = this.#cells) {
     const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
     const title = make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [
       swatch,
@@ -111,11 +143,11 @@ export class ReadoutTable {
       " ",
       label,
     ]);
-    if (curve && value.includes(".")) this.#swatches.push(swatch);
+    if (curve && into === this.#cells && value.includes(".")) this.#swatches.push(swatch);
     const cells = STROKES.map((_, order) => {
       if (order > 0 && BARE.includes(value)) return make("td");
       const output = make("td", { id: `out-${IDS[value] ?? "d".repeat(order) + name}` });
-      this.#cells.push({ name: value, order, output });
+      into.push({ name: value, order, output });
       return output;
     });
     return make("tr", {}, [title, ...cells]);

@@ -55,7 +55,7 @@ export class Spoken {
 
   /** @param {Snapshot} snapshot */
   #tell(snapshot) {
-    const { state, words, revision, problems, phiDeg, summary } = snapshot;
+    const { state, lesson, words, revision, problems, phiDeg, summary } = snapshot;
     write(this.#plots, plots(summary, this.#chart.panels, words));
     if (state.view.playing) return;
     // Problems are told as they arise, by an element of their own.
@@ -64,7 +64,7 @@ export class Spoken {
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
     const told = [phiDeg, revision];
     if (this.#asked && !failed && told.some((part, i) => part !== this.#told[i])) {
-      write(this.#now, [words.text("told.now", angles(snapshot)), ...here].join(" "));
+      write(this.#now, [lesson === "mixer" ? words.text("told.now", angles(snapshot)) : linkage(snapshot, "told.linkage_now"), ...here].join(" "));
     }
     this.#told = told;
     this.#asked = true;
@@ -100,12 +100,27 @@ function angles({ readouts, summary, phiDeg, words }) {
 
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
-  const { summary, state, words } = snapshot;
+  const { lesson, summary, state, words } = snapshot;
+  if (lesson !== "mixer") return linkage(snapshot, "told.linkage");
   return words.text("told.drawing", {
     ...angles(snapshot),
     type: words.text(`grashof.${summary.grashof}`),
     assembly: words.numbers.exact(state.document.assembly),
   });
+}
+
+/**
+ * @param {Snapshot} snapshot of a linkage
+ * @param {string} key
+ */
+function linkage({ summary, readouts, phiDeg, words }, key) {
+  const { formula, plotted } = /** @type {import("assur/engine.js").LinkageSummary} */ (/** @type {unknown} */ (summary));
+  const value = (/** @type {string} */ name) => {
+    if (!readouts) return "—";
+    return name.endsWith(".angle") ? angleText(readouts[name], words) : words.numbers.fixed(readouts[name], 3);
+  };
+  const values = plotted.map((name) => `${quantityName(name, words)} ${value(name)}`).join(", ");
+  return words.text(key, { formula, crank: angleText(radians(phiDeg), words), values });
 }
 
 /**
@@ -115,9 +130,9 @@ function drawing(snapshot) {
  * @param {Words} words
  * @returns {string[]}
  */
-function positions({ limits, dead_points: dead, change_points: change }, crank, words) {
+function positions({ limits = [], dead_points: dead, change_points: change }, crank, words) {
   /** @type {[string, number[]][]} */
-  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead], ["change", change]];
+  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead.map((/** @type {any} */ one) => one.phi ?? one)], ["change", change]];
   return kinds.flatMap(([kind, places]) => {
     const phi = places.find((place) => Math.abs(Math.sin((place - crank) / 2)) < NEAR / 2);
     return phi === undefined ? [] : [words.text(`told.${kind}`, { angle: angleText(phi, words) })];
@@ -172,5 +187,6 @@ function quantityName(name, words) {
  * @param {Words} words
  */
 function linkName(link, words) {
+  if (link !== "rocker" && !/^wheel\d+$/.test(link)) return link;
   return link === "rocker" ? words.text("readouts.rocker") : words.text("name.wheels.z", { n: link.replace(/\D/g, "") });
 }

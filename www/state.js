@@ -20,7 +20,15 @@
  *   projector: boolean,
  * }>} View
  *
- * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State
+ * @typedef {Readonly<{ crank?: string, base?: string, slide?: number, range?: readonly number[] }>} Driver
+ * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: unknown, fixed_to?: string | null }>} LinkEntry
+ * @typedef {Readonly<{
+ *   title?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
+ *   links: readonly LinkEntry[], drivers: readonly Driver[], assembly?: number | null,
+ * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
+ *
+ * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State of the mixer
+ * @typedef {Readonly<{ format: 1, lesson: "linkage", document: LinkageDocument, view: View }>} LinkageState
  */
 
 /** What can be laid over the drawing. */
@@ -59,13 +67,14 @@ export function wheelLink(index) {
 /**
  * @param {Omit<MixerDocument, "tracers">} document
  * @param {Partial<View>} view
+ * @param {any} [lesson]
  * @returns {State}
  */
-export function initialState(document, view) {
+export function initialState(document, view, lesson = "mixer") {
   return Object.freeze({
     format: 1,
-    lesson: "mixer",
-    document: Object.freeze({ tracers: [], ...document }),
+    lesson,
+    document: Object.freeze(lesson === "mixer" ? { tracers: [], ...document } : /** @type {any} */ (document)),
     view: Object.freeze({
       phi_deg: 62,
       playing: true,
@@ -92,6 +101,29 @@ export function initialState(document, view) {
 }
 
 /**
+ * Another mechanism instead of the one there is, in one state: drawing, plots, saving and undo go on alike.
+ * @param {State} state
+ * @param {any} lesson
+ * @param {any} document
+ * @returns {State}
+ */
+export function withMechanism(state, lesson, document) {
+  const { plot, step } = state.view;
+  const other = state.lesson !== lesson;
+  const kept = lesson === "mixer" ? !other : plotsOf(document).includes(plot);
+  const changed = /** @type {State} */ (Object.freeze({ ...state, lesson, document }));
+  return withView(changed, { plot: kept ? plot : "angles", step: lesson === "mixer" ? step : 0 });
+}
+
+/**
+ * @param {LinkageDocument} document
+ * @returns {string[]} what can be plotted of a linkage
+ */
+export function plotsOf({ links, points }) {
+  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...points.map(({ name }) => name)];
+}
+
+/**
  * @param {State} state
  * @param {Partial<MixerDocument>} change
  * @returns {State} the same state where nothing changes
@@ -99,6 +131,7 @@ export function initialState(document, view) {
 export function withDocument(state, change) {
   let document = merged(state.document, change);
   if (document === state.document) return state;
+  if (state.lesson !== "mixer") return withMechanism(state, state.lesson, document);
   // With a wheel goes what was traced of it.
   const tracers = document.tracers.filter(({ link }) => wheelOf(link) < document.wheels.length);
   if (tracers.length < document.tracers.length) document = Object.freeze({ ...document, tracers });

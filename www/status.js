@@ -51,7 +51,7 @@ export class StatusLine {
       const output = make("dd", { id: `out-${name}` });
       const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
       const title = make("dt", { "data-t": wheel ? "name.wheels.z" : `status.${name}`, "data-n": wheel ?? "" });
-      const entry = make("div", { class: name === "overlaps" ? "entry warning" : "entry" }, [title, " ", output, " "]);
+      const entry = make("div", { class: name === "overlaps" ? "entry of-mixer warning" : "entry of-mixer" }, [title, " ", output, " "]);
       this.#list.append(entry);
       this.#entries.push({ name, entry, output });
     }

@@ -36,11 +36,11 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [lessons] further tables, of lang/lessons; without, it is the page's own
+   * @param {readonly string[]} [places] of the tables, the language standing for *
    * @returns {Promise<Words>}
    */
-  static async load(lang, lessons) {
-    const names = lessons?.map((name) => `lessons/${name}.${lang}`) ?? [lang];
+  static async load(lang, places = ["*"]) {
+    const names = places.map((place) => place.replace("*", lang));
     const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
     return new Words(lang, new Map(entries));
   }

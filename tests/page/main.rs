@@ -9,6 +9,7 @@ mod bundle;
 mod damage;
 mod device;
 mod export;
+mod gallery;
 mod hands;
 mod keyboard;
 mod keys;

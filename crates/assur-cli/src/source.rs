@@ -16,28 +16,24 @@ pub(crate) struct Moved {
     pub(crate) motion: Motion,
 }
 
-/// The motion of a name in an assembly, counted from 1; none: the drawn one.
+/// The motion of a name in an assembly, counted from 1; none: the one that the
+/// document says, or else the drawn one.
 ///
 /// # Errors
 /// No such name or file; every reason why it is no mechanism; no such assembly.
 pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failure> {
-    let document = document(name)?;
-    let mechanism = document
-        .mechanism()
-        .map_err(|problems| refused(name, &problems))?;
-    let count = mechanism.assemblies();
-    let assembly = match assembly {
-        None => mechanism.drawn_assembly(),
-        Some(number) if (1..=count).contains(&number) => number - 1,
-        Some(number) => {
+    let mut document = document(name)?;
+    let refuse = |problems: Vec<Problem>| refused(name, &problems);
+    if let Some(number) = assembly {
+        let count = document.mechanism().map_err(refuse)?.assemblies();
+        if !(1..=count).contains(&number) {
             let said = format!("{name}: there is no assembly {number}, only 1 to {count}");
             return Err(Failure::Input(said));
         }
-    };
-    Ok(Moved {
-        motion: Motion::new(&mechanism, assembly),
-        document,
-    })
+        document.assembly = Some(number);
+    }
+    let motion = document.motion().map_err(refuse)?;
+    Ok(Moved { document, motion })
 }
 
 fn document(name: &str) -> Result<LinkageDocument, Failure> {

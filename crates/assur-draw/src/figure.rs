@@ -9,9 +9,10 @@ use std::f64::consts::PI;
 
 use assur::mechanism::{Draft, Mechanism, Pose, Unsolved};
 use assur::motion::Motion;
-use assur::{Point, Vector};
+use assur::{JetPoint, Point, Vector};
 
 use crate::list::{List, Look, Role};
+use crate::overlays::Scales;
 use crate::{overlays, parts};
 use layout::Layout;
 use slides::Guide;
@@ -19,6 +20,8 @@ use wheels::Gearing;
 
 /// Samples of an arc of the motion.
 const SAMPLES: usize = 360;
+/// Samples of an arc for the lengths of vectors.
+const VECTORS: u32 = 180;
 /// Half the width of a link's bar, in units.
 const BAR: f64 = 1.15;
 /// Room around the drawing, beside its size.
@@ -36,6 +39,7 @@ pub struct Figure {
     bounds: [f64; 4],
     unit: f64,
     rigid: List,
+    vectors: Option<Scales>,
 }
 
 impl Figure {
@@ -73,9 +77,46 @@ impl Figure {
             layout,
             gearing,
             rigid: List::default(),
+            vectors: None,
         };
         figure.draw(&home, &guides, &figure.paths(&samples, traces));
         Ok(figure)
+    }
+
+    /// With the first and second derivatives of every moving point as arrows, and
+    /// room for them.
+    #[must_use]
+    pub fn with_vectors(mut self) -> Self {
+        let [left, bottom, right, top] = self.bounds;
+        let size = (right - left).hypot(top - bottom);
+        let cycle = self.motion.cycle();
+        let inputs = cycle.arcs().iter().flat_map(|[from, to]| {
+            (0..VECTORS)
+                .map(move |i| from + (to - from) * (f64::from(i) + 0.5) / f64::from(VECTORS))
+        });
+        let poses = inputs.filter_map(|input| self.motion.pose::<3>(input).ok());
+        let points: Vec<JetPoint<3>> = poses.flat_map(|pose| self.moving(&pose)).collect();
+        let scales = Scales::of(&points, f64::MIN_POSITIVE, size);
+        let corners = [Point::new(left, bottom), Point::new(right, top)];
+        let tips = scales.tips(&points, size).into_iter();
+        self.bounds = within(corners.into_iter().chain(tips));
+        self.vectors = Some(scales);
+        self
+    }
+
+    /// Whether a point is drawn by itself: a joint, a traced point, a centre of mass.
+    pub fn is_drawn(&self, point: usize) -> bool {
+        self.layout.is_drawn(point)
+    }
+
+    /// The points that are drawn and move, in a pose.
+    fn moving(&self, pose: &Pose<3>) -> Vec<JetPoint<3>> {
+        let points = 0..self.names.len();
+        let moving =
+            points.filter(|point| self.layout.is_drawn(*point) && self.layout.moves(*point));
+        moving
+            .map(|point| self.motion.mechanism().place(pose, point))
+            .collect()
     }
 
     /// The display list of what is rigid.
@@ -113,6 +154,12 @@ impl Figure {
         }
         poses.extend(self.gearing.idlers(mechanism, &pose));
         let mut list = List::default();
+        // Next to a dead point there are no derivatives.
+        if let Some((scales, pose)) = self.vectors.zip(self.motion.pose(input).ok()) {
+            for point in self.moving(&pose) {
+                overlays::arrows(&mut list, &point, scales, self.unit);
+            }
+        }
         self.label(&mut list, mechanism, &pose);
         let count = [poses.len() as f32];
         let poses = poses.iter().flat_map(|(at, angle)| [at.x, at.y, *angle]);
@@ -244,14 +291,21 @@ fn sampled(motion: &Motion) -> Vec<Vec<Pose<1>>> {
 
 /// The rectangle around places, with room.
 fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
+    let [left, bottom, right, top] = within(places);
+    if left > right {
+        return [-1.0, -1.0, 1.0, 1.0];
+    }
+    let size = (right - left).hypot(top - bottom);
+    let room = ROOM * size.max(f64::MIN_POSITIVE);
+    [left - room, bottom - room, right + room, top + room]
+}
+
+/// The rectangle that just holds places; of none, its left is beyond its right.
+fn within(places: impl Iterator<Item = Point>) -> [f64; 4] {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
         low = low.inf(&place.coords);
         high = high.sup(&place.coords);
     }
-    if low.x > high.x {
-        return [-1.0, -1.0, 1.0, 1.0];
-    }
-    let room = ROOM * (high - low).norm().max(f64::MIN_POSITIVE);
-    [low.x - room, low.y - room, high.x + room, high.y + room]
+    [low.x, low.y, high.x, high.y]
 }

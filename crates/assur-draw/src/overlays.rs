@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur::catalog::mixer::Mixer;
-use assur::{Link, Offset, Point, Pose, Vector};
+use assur::{JetPoint, Link, Offset, Point, Pose, Vector};
 
 use crate::list::{Label, List, Look, Role};
 use crate::parts;
@@ -42,31 +42,42 @@ impl Scales {
     /// dead points C's vectors grow without bounds, so the longest tenth of them
     /// does not count. With them the tips for which there must be room.
     pub(crate) fn new(mixer: &Mixer, size: f64) -> (Self, Vec<Point>) {
-        let mut joints = Vec::new();
+        let (mut all, mut of_c) = (Vec::new(), Vec::new());
         for [from, to] in mixer.linkage.cycle().arcs() {
             for i in 0..Self::SAMPLES {
                 let share = (f64::from(i) + 0.5) / f64::from(Self::SAMPLES);
                 let crank = from + (to - from) * share;
                 if let Ok(pose) = mixer.linkage.pose::<3>(mixer.assembly, crank) {
                     let [_, b, c, _] = mixer.linkage.joints(&pose);
-                    joints.push([b, c]);
+                    of_c.push(c);
+                    all.extend([b, c]);
                 }
             }
         }
-        let l1 = mixer.linkage.length(Link::Crank);
-        let scales = Self([1, 2].map(|order| {
-            let of_c = joints.iter().map(|[_, c]| c.derivative(order).norm());
-            let mut lengths: Vec<f64> = of_c.collect();
+        let scales = Self::of(&of_c, mixer.linkage.length(Link::Crank), size);
+        let tips = scales.tips(&all, size);
+        (scales, tips)
+    }
+
+    /// The scales by which nine tenths of the vectors of these points, and one of
+    /// the length `least`, have room.
+    pub(crate) fn of(points: &[JetPoint<3>], least: f64, size: f64) -> Self {
+        Self([1, 2].map(|order| {
+            let norms = points.iter().map(|point| point.derivative(order).norm());
+            let mut lengths: Vec<f64> = norms.collect();
             lengths.sort_unstable_by(f64::total_cmp);
             let usual = lengths.get(lengths.len() * 9 / 10).copied();
-            Self::LONGEST * size / usual.unwrap_or(l1).max(l1)
-        }));
-        let tips = joints.iter().flatten().flat_map(|joint| {
-            [1, 2].map(|order| (joint.place(), joint.derivative(order) * scales.0[order - 1]))
+            Self::LONGEST * size / usual.unwrap_or(least).max(least)
+        }))
+    }
+
+    /// The tips for which there must be room.
+    pub(crate) fn tips(self, points: &[JetPoint<3>], size: f64) -> Vec<Point> {
+        let tips = points.iter().flat_map(|joint| {
+            [1, 2].map(|order| (joint.place(), joint.derivative(order) * self.0[order - 1]))
         });
         let near = tips.filter(|(_, vector)| vector.norm() <= Self::ROOM * size);
-        let tips = near.map(|(place, vector)| place + vector).collect();
-        (scales, tips)
+        near.map(|(place, vector)| place + vector).collect()
     }
 }
 
@@ -98,19 +109,33 @@ pub(crate) fn analogues(list: &mut List, mixer: &Mixer, pose: &Pose<3>, scales: 
         (b, [Label::BVelocity, Label::BAcceleration]),
         (c, [Label::CVelocity, Label::CAcceleration]),
     ] {
-        let kinds = [(Role::Velocity, 1), (Role::Acceleration, 2)];
-        for (((role, order), label), scale) in kinds.into_iter().zip(labels).zip(scales.0) {
-            let vector = point.derivative(order) * scale;
-            let length = vector.norm();
-            if length > 1000.0 * unit || length < 0.2 * unit {
-                continue;
+        let tips = arrows(list, &point, scales, unit);
+        for ((role, tip), label) in tips.into_iter().zip(labels) {
+            if let Some(tip) = tip {
+                let off = (tip - point.place()).normalize() * 0.95;
+                list.label(role, label, tip, [off.x, off.y]);
             }
-            let tip = point.place() + vector;
-            parts::arrow(list, role, point.place(), tip, unit);
-            let off = vector * (0.95 / length);
-            list.label(role, label, tip, [off.x, off.y]);
         }
     }
+}
+
+/// The derivatives of a point as arrows; the tip of each that is drawn.
+pub(crate) fn arrows(
+    list: &mut List,
+    point: &JetPoint<3>,
+    scales: Scales,
+    unit: f64,
+) -> [(Role, Option<Point>); 2] {
+    [(Role::Velocity, 1), (Role::Acceleration, 2)].map(|(role, order)| {
+        let vector = point.derivative(order) * scales.0[order - 1];
+        let length = vector.norm();
+        if length > 1000.0 * unit || length < 0.2 * unit {
+            return (role, None);
+        }
+        let tip = point.place() + vector;
+        parts::arrow(list, role, point.place(), tip, unit);
+        (role, Some(tip))
+    })
 }
 
 /// l₁ + l₂ = l₄ + l₃, and l₅ from B to D.

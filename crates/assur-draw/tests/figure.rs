@@ -1,9 +1,10 @@
 //! Drawings of any linkage: whole lists, bodies where the engine has them.
 #![allow(clippy::panic, reason = "that is how a test fails")]
 
+use assur::Point;
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
-use assur_draw::Figure;
+use assur_draw::{Figure, Role};
 
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.
@@ -119,4 +120,46 @@ fn beyond_dead_points_nothing_is_drawn() {
     let figure = Figure::new(&draft, &motion, &[2]).unwrap();
     assert!(figure.frame(mechanism.home()).is_ok());
     assert!(figure.frame(3.0).is_err());
+}
+
+/// The arrows lie along the derivatives and keep one scale for each order.
+#[test]
+fn vectors_are_derivatives_to_scale() {
+    let draft = draft();
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let figure = Figure::new(&draft, &motion, &[]).unwrap().with_vectors();
+    let mut scales = [Vec::new(), Vec::new()];
+    for k in 0..24 {
+        let input = 0.26 * f64::from(k);
+        let frame = figure.frame(input).unwrap();
+        let pose = motion.pose::<3>(input).unwrap();
+        let lines = records(&frame[1 + 3 * (1 + draft.links.len())..]);
+        for (role, order) in [(Role::Velocity, 1), (Role::Acceleration, 2)] {
+            let of = |kind: f32| {
+                let lines = lines.iter();
+                lines.filter(move |line| line[0] == kind && line[1] == f32::from(role as u8))
+            };
+            // The shaft begins at the point, the head with the tip.
+            for (shaft, head) in of(2.0).zip(of(1.0)) {
+                let [x, y] = [shaft[4], shaft[5]].map(f64::from);
+                let tip = [head[5], head[6]].map(f64::from);
+                let ends = (0..8).map(|point| mechanism.place(&pose, point));
+                let mut from = ends.filter(|end| (end.place() - Point::new(x, y)).norm() < 1e-5);
+                let vector = from.next().unwrap().derivative(order);
+                let drawn = Point::new(tip[0], tip[1]) - Point::new(x, y);
+                assert!(drawn.perp(&vector).abs() < 1e-5 * vector.norm(), "{k}");
+                scales[order - 1].push(drawn.dot(&vector) / vector.norm_squared());
+            }
+        }
+    }
+    for found in scales {
+        // B, C, M and E move; C and M stop now and then.
+        assert!(found.len() > 24 * 3, "{}", found.len());
+        assert!(
+            found
+                .iter()
+                .all(|scale| (scale / found[0] - 1.0).abs() < 1e-4)
+        );
+    }
 }

@@ -48,10 +48,15 @@ const FILES: &[(&str, &str)] = &[
     catalogued!("class5"),
 ];
 
+/// The names of the linkages of the catalogue, without the mixers.
+pub fn gallery() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|(name, _)| *name)
+}
+
 /// The names of the catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static str> {
     let mixers = MIXERS.iter().map(|(name, _)| *name);
-    mixers.chain(FILES.iter().map(|(name, _)| *name))
+    mixers.chain(gallery())
 }
 
 /// The linkage of a name of the catalogue; none where there is no such name.

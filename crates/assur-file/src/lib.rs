@@ -11,7 +11,7 @@ mod problem;
 mod state;
 
 #[cfg(feature = "linkages")]
-pub use catalogue::{catalogue, from_catalogue, from_text};
+pub use catalogue::{catalogue, from_catalogue, from_text, gallery};
 #[cfg(feature = "linkages")]
 pub use linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,

@@ -8,8 +8,9 @@ use assur::Point;
 use assur::catalog::mixer::Mixer;
 use assur::gears::Mesh;
 use assur::mechanism::{
-    Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism,
+    Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism, Quantity,
 };
+use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use crate::Problem;
@@ -46,6 +47,9 @@ pub struct LinkageDocument {
     /// The points whose paths are drawn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub traces: Vec<String>,
+    /// Which of its assemblies moves, from 1; without it the drawn one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub assembly: Option<usize>,
 }
 
 /// A point.
@@ -281,6 +285,50 @@ impl LinkageDocument {
             let problems = defects.into_iter().map(LinkageProblem::from);
             problems.map(Problem::from).collect()
         })
+    }
+}
+
+impl LinkageDocument {
+    /// The motion of the mechanism from the assembly that is chosen.
+    ///
+    /// # Errors
+    /// As of [`Self::mechanism`]; an assembly that there is not.
+    pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        let mechanism = self.mechanism()?;
+        let count = mechanism.assemblies();
+        match self.assembly {
+            None => Ok(Motion::new(&mechanism, mechanism.drawn_assembly())),
+            Some(number) if (1..=count).contains(&number) => {
+                Ok(Motion::new(&mechanism, number - 1))
+            }
+            Some(number) => Err(vec![Problem::OutOfRange {
+                field: "assembly".into(),
+                value: number as f64,
+                min: 1.0,
+                max: count as f64,
+            }]),
+        }
+    }
+
+    /// The quantities, of one kind, that a choice of the page names: `angles` those
+    /// the document asks for, else all angles; `LINK.angle`; a point, both of its
+    /// coordinates. None where there is nothing of the name.
+    pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
+        if choice == "angles" {
+            let asked = self.plots.iter();
+            let mut asked: Vec<Quantity> = asked
+                .filter_map(|name| Quantity::named(mechanism, name))
+                .collect();
+            match asked.first().map(|one| one.is_angle()) {
+                Some(kind) => asked.retain(|one| one.is_angle() == kind),
+                None => asked = (0..mechanism.links().len()).map(Quantity::Angle).collect(),
+            }
+            return Some(asked);
+        }
+        if let Some(point) = mechanism.points().position(|name| name == choice) {
+            return Some(vec![Quantity::X(point), Quantity::Y(point)]);
+        }
+        Quantity::named(mechanism, choice).map(|one| vec![one])
     }
 }
 

@@ -378,3 +378,53 @@ fn damaged_linkages_are_refused_or_move() {
         "{refused} of {tried}"
     );
 }
+
+/// What the page plots of a linkage, by its choices.
+#[test]
+fn plots_are_of_one_kind() {
+    let document = from_catalogue("whitworth").unwrap().unwrap();
+    let motion = document.motion().unwrap();
+    let mechanism = motion.mechanism();
+    let names = |choice: &str| -> Option<Vec<String>> {
+        let plotted = document.plotted(mechanism, choice)?;
+        Some(plotted.iter().map(|one| one.name(mechanism, 0)).collect())
+    };
+    // Of what the document asks for, a length and an angle, those like the first.
+    assert_eq!(document.plots, ["F.x", "lever.angle"]);
+    assert_eq!(names("angles").unwrap(), ["F.x"]);
+    assert_eq!(names("lever.angle").unwrap(), ["lever.angle"]);
+    assert_eq!(names("E").unwrap(), ["E.x", "E.y"]);
+    assert_eq!(names("Z"), None);
+    let silent = LinkageDocument {
+        plots: Vec::new(),
+        ..document.clone()
+    };
+    let all = silent.plotted(mechanism, "angles").unwrap();
+    assert_eq!(all.len(), mechanism.links().len());
+}
+
+/// An assembly is one of those there are, counted from 1; without one it is the drawn.
+#[test]
+fn an_assembly_is_chosen() {
+    let mut document = from_catalogue("jansen").unwrap().unwrap();
+    let drawn = document.motion().unwrap();
+    let count = drawn.mechanism().assemblies();
+    let place = |document: &LinkageDocument| {
+        let motion = document.motion().unwrap();
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<1>(mechanism.home()).unwrap();
+        mechanism.place(&pose, mechanism.points().len() - 1).place()
+    };
+    let usual = place(&document);
+    document.assembly = Some(drawn.mechanism().drawn_assembly() + 1);
+    assert_eq!(place(&document), usual);
+    document.assembly = Some(drawn.mechanism().drawn_assembly() % count + 1);
+    assert_ne!(place(&document), usual);
+    for wrong in [0, count + 1] {
+        document.assembly = Some(wrong);
+        let problems = document.motion().unwrap_err();
+        assert!(
+            matches!(&problems[..], [Problem::OutOfRange { field, .. }] if field == "assembly")
+        );
+    }
+}

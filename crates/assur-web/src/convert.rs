@@ -2,8 +2,12 @@
 
 use assur::Assembly;
 use assur::catalog::mixer::{Dragged, Joint, Tracer};
+#[cfg(feature = "linkages")]
+use assur::mechanism::Draft;
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
+#[cfg(feature = "linkages")]
+use assur_file::{LinkDocument, LinkageDocument, PointDocument};
 use assur_file::{Problem, TracerDocument};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
@@ -12,7 +16,7 @@ use wasm_bindgen::JsValue;
 /// Any value of ours as a plain JavaScript object.
 pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
     let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    // Only maps with odd keys fail, and nothing here holds a map.
+    // Only maps with keys that are not text fail, and nothing here holds one.
     value.serialize(&plain).unwrap_or(JsValue::NULL)
 }
 
@@ -28,10 +32,35 @@ pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> 
 pub(crate) enum Change {
     Phi(f64),
     Document(Edit),
+    #[cfg(feature = "linkages")]
+    #[serde(rename = "document")]
+    Redrawn(Redrawn),
     #[serde(rename = "document")]
     Traced {
         tracers: Vec<TracerDocument>,
     },
+}
+
+/// The fields of a linkage that a dragged point changes: it is drawn anew in the
+/// assembly that moves.
+#[cfg(feature = "linkages")]
+#[derive(Serialize)]
+pub(crate) struct Redrawn {
+    points: Vec<PointDocument>,
+    links: Vec<LinkDocument>,
+    assembly: Option<usize>,
+}
+
+#[cfg(feature = "linkages")]
+impl Redrawn {
+    pub(crate) fn new(draft: &Draft) -> Self {
+        let LinkageDocument { points, links, .. } = LinkageDocument::new(draft);
+        Self {
+            points,
+            links,
+            assembly: None,
+        }
+    }
 }
 
 /// The fields of the document that a dragged joint changes.

@@ -3,9 +3,15 @@
 
 mod canvas;
 mod convert;
+#[cfg(feature = "linkages")]
+mod linkage;
+mod mixer;
+mod shown;
 mod simulator;
 mod summary;
 mod table;
 mod thin;
 
-pub use simulator::{Simulator, label_names, presets, read_state, role_names, version};
+#[cfg(feature = "linkages")]
+pub use linkage::gallery;
+pub use simulator::{Simulator, presets, read_state, role_names, version};

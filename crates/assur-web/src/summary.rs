@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur::catalog::mixer::Mixer;
 use assur::gears::GearPair;
-use assur::{Grashof, Swing};
+use assur::{Cycle, Grashof, Swing};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -35,7 +35,7 @@ struct CountsSummary {
 }
 
 #[derive(Serialize)]
-struct CycleSummary {
+pub(crate) struct CycleSummary {
     start: f64,
     end: f64,
     full: bool,
@@ -75,7 +75,6 @@ impl Summary {
         let graph = mixer.graph();
         let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
         let cycle = linkage.cycle();
-        let [start, end] = cycle.axis();
         let swings = linkage.swings(assembly);
         let travels = linkage.travels(assembly);
         let wheel = |pair: &GearPair| {
@@ -113,12 +112,19 @@ impl Summary {
             dead_points: linkage.dead_points(),
             change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
             bounds,
-            cycle: CycleSummary {
-                start,
-                end,
-                full: cycle.is_full(),
-                arcs: cycle.arcs().to_vec(),
-            },
+            cycle: CycleSummary::new(&cycle),
+        }
+    }
+}
+
+impl CycleSummary {
+    pub(crate) fn new(cycle: &Cycle) -> Self {
+        let [start, end] = cycle.axis();
+        Self {
+            start,
+            end,
+            full: cycle.is_full(),
+            arcs: cycle.arcs().to_vec(),
         }
     }
 }

@@ -8,15 +8,15 @@ use serde::Serialize;
 /// What a table file holds.
 #[derive(Serialize)]
 pub(crate) struct SweepTable {
-    columns: Vec<String>,
-    rows: Vec<SweepRow>,
+    pub(crate) columns: Vec<String>,
+    pub(crate) rows: Vec<SweepRow>,
 }
 
 #[derive(Serialize)]
-struct SweepRow {
-    phi_deg: f64,
-    values: Vec<Option<f64>>,
-    reason: Option<Problem>,
+pub(crate) struct SweepRow {
+    pub(crate) phi_deg: f64,
+    pub(crate) values: Vec<Option<f64>>,
+    pub(crate) reason: Option<Problem>,
 }
 
 impl SweepTable {

@@ -29,22 +29,18 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let (site, fresh) = (workspace.site(), workspace.target().join("site.new"));
     announce("page", "building the release");
-    let wasm = compile(workspace)?;
-
     remove(&fresh)?;
     let root = workspace.root();
     copy(&root.join("www"), &fresh)?;
     copy(&root.join("lang"), &fresh.join("lang"))?;
     fill_words(&fresh)?;
-    // The names of functions only make the file longer.
-    let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
-    bindgen
-        .args(["--target", "web", "--no-typescript"])
-        .args(["--remove-name-section", "--remove-producers-section"])
-        .arg("--out-dir")
-        .arg(fresh.join("pkg"))
-        .arg(wasm);
-    run(&mut bindgen, "writing the bindings")?;
+    let engines = fresh.join("pkg");
+    for (place, features) in [
+        (engines.clone(), &["--no-default-features"][..]),
+        (engines.join("linkages"), &[]),
+    ] {
+        bind(workspace, &compile(workspace, features)?, &place)?;
+    }
     minify_all(&fresh)?;
 
     remove(&site)?;
@@ -54,8 +50,21 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
+/// Writes the module that JavaScript imports.
+fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
+    // The names of functions only make the file longer.
+    let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
+    bindgen
+        .args(["--target", "web", "--no-typescript"])
+        .args(["--remove-name-section", "--remove-producers-section"])
+        .arg("--out-dir")
+        .arg(place)
+        .arg(wasm);
+    run(&mut bindgen, "writing the bindings")
+}
+
 /// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.
-fn compile(workspace: &Workspace) -> Result<PathBuf> {
+fn compile(workspace: &Workspace, features: &[&str]) -> Result<PathBuf> {
     // In a file of their own, the flags add to those of the user and the command stays short.
     let flags = workspace.target().join("wasm-flags.toml");
     let mut list = path_remapping(workspace);
@@ -65,6 +74,7 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
         .with_context(|| format!("{} cannot be written", flags.display()))?;
 
     let mut cargo = workspace.cargo(["build", "--profile", "page", "--package", "assur-web"]);
+    cargo.args(features);
     cargo.args(["--target", WASM, "--config"]).arg(flags);
     run(&mut cargo, "building the wasm side")?;
     Ok(workspace

@@ -1,0 +1,155 @@
+//! Linkages through the border, in a real browser: the gallery, what is said of a
+//! motion, dragged points; what is no mechanism names links and points.
+#![cfg(target_family = "wasm")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use assur_web::{Simulator, gallery, read_state};
+use js_sys::{Array, JSON};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank.json");
+const SCOTCH_YOKE: &str = include_str!("../../assur-file/catalogue/scotch-yoke.json");
+
+/// The state of a linkage's document, as JSON.
+fn state(document: &str) -> JsValue {
+    let text = format!(
+        r#"{{"format":1,"lesson":"linkage","document":{document},
+        "view":{{"phi_deg":60,"playing":false,"direction":1,"speed":1,"traces":true,"lang":"en"}}}}"#
+    );
+    JSON::parse(&text).unwrap()
+}
+
+fn json(value: &JsValue) -> String {
+    JSON::stringify(value).unwrap().into()
+}
+
+/// A file with one part of its text replaced by another.
+fn changed(file: &str, from: &str, to: &str) -> String {
+    assert_eq!(file.matches(from).count(), 1, "{from}");
+    file.replace(from, to)
+}
+
+#[wasm_bindgen_test]
+fn every_mechanism_of_the_gallery_is_taken() {
+    let names: Vec<&str> = assur_file::gallery().collect();
+    let gallery: Array = gallery().unchecked_into();
+    assert_eq!(gallery.length() as usize, names.len());
+    for (entry, name) in gallery.iter().zip(names) {
+        let text = json(&entry);
+        let (head, document) = text.split_once(r#","document":"#).unwrap();
+        assert_eq!(head, format!(r#"{{"id":"{name}""#));
+        let mut simulator = Simulator::new();
+        simulator
+            .set(state(&document[..document.len() - 1]))
+            .unwrap();
+        assert!(!simulator.scene().unwrap().is_empty(), "{name}");
+    }
+}
+
+/// Each defect is a code with the names of what is at fault.
+#[wasm_bindgen_test]
+fn what_is_no_mechanism_names_links_and_points() {
+    let brace =
+        r#"{ "name": "slider", "points": ["C"] }, { "name": "brace", "points": ["G", "B"] }"#;
+    let slide = r#"{ "link": "slider", "point": "C", "on": "frame", "line": ["A", "G"] }"#;
+    let flat = changed(SCOTCH_YOKE, r#", "shape": [[0, 0], [3, 0], [1.5, 0]]"#, "");
+    let flat = changed(
+        &flat,
+        "[0.5000000000000001, 1.5]",
+        "[2, 0.8660254037844386]",
+    );
+    let flat = changed(
+        &flat,
+        "[0.5000000000000001, -1.5]",
+        "[-1, 0.8660254037844386]",
+    );
+    let rod = r#""points": ["B", "C"], "length": 3"#;
+    let coincident = changed(SLIDER_CRANK, rod, r#""points": ["B", "C"]"#);
+    let coincident = changed(
+        &coincident,
+        "[3.3722813232690143, 0]",
+        "[0.5000000000000001, 0.8660254037844386]",
+    );
+    for (document, said) in [
+        (
+            changed(
+                SLIDER_CRANK,
+                r#"{ "name": "slider", "points": ["C"] }"#,
+                brace,
+            ),
+            r#"[{"code":"locked","mobility":0,"links":["frame","crank","brace"]}]"#,
+        ),
+        (
+            changed(SLIDER_CRANK, slide, ""),
+            r#"[{"code":"underdriven","mobility":3,"links":["rod","slider"]}]"#,
+        ),
+        (
+            changed(SLIDER_CRANK, r#"{ "crank": "crank" }"#, ""),
+            r#"[{"code":"no_driver"}]"#,
+        ),
+        (
+            coincident,
+            r#"[{"code":"coincident","link":"rod","points":["B","C"]}]"#,
+        ),
+        (
+            changed(SLIDER_CRANK, r#""length": 3"#, r#""length": 0"#),
+            r#"[{"code":"bad_length","path":"links[1].length","value":0}]"#,
+        ),
+        (
+            flat,
+            r#"[{"code":"parallel_guides","links":["block","yoke"]}]"#,
+        ),
+        (
+            changed(SLIDER_CRANK, r#""length": 3"#, r#""length": 0.5"#),
+            r#"[{"code":"open","links":["rod","slider"],"by":0.366"#,
+        ),
+    ] {
+        let mut simulator = Simulator::new();
+        simulator.set(state(SLIDER_CRANK)).unwrap();
+        let before = simulator.readouts(1.0).unwrap();
+        for thrown in [
+            simulator.set(state(&document)),
+            read_state(state(&document)),
+        ] {
+            let thrown = json(&thrown.unwrap_err());
+            assert!(thrown.starts_with(said), "{thrown}");
+        }
+        assert_eq!(simulator.readouts(1.0).unwrap(), before, "{said}");
+    }
+}
+
+/// A dragged crank turns; any other point is put where it was dragged, and the
+/// others stay.
+#[wasm_bindgen_test]
+fn points_are_dragged() {
+    let mut simulator = Simulator::new();
+    simulator.set(state(SLIDER_CRANK)).unwrap();
+    let phi = simulator.drag("B", 1.0, 0.0, 5.0).unwrap();
+    assert_eq!(
+        json(&phi),
+        format!(r#"{{"phi":{}}}"#, std::f64::consts::FRAC_PI_2)
+    );
+    let change = json(&simulator.drag("C", 1.0, 3.5, -0.4).unwrap());
+    assert!(
+        change.contains(r#"{"name":"C","at":[3.5,-0.4]}"#),
+        "{change}"
+    );
+    assert!(
+        change.contains(r#"{"name":"crank","points":["A","B"],"length":1}"#),
+        "{change}"
+    );
+    assert!(
+        change.contains(r#"{"name":"rod","points":["B","C"]}"#),
+        "{change}"
+    );
+    for (point, x) in [("Q", 1.0), ("C", f64::NAN)] {
+        assert!(simulator.drag(point, 1.0, x, 0.0).is_err());
+    }
+}

@@ -1,0 +1,416 @@
+//! Mechanisms of the gallery on the page: opened by mouse and by keys, drawn,
+//! plotted, driven, edited, undone, saved in the address; what is broken is said.
+
+use std::collections::BTreeMap;
+
+use assur::mechanism::Quantity;
+use assur::{Point, Vector};
+use assur_draw::Figure;
+use assur_file::{LinkageDocument, from_catalogue, gallery};
+use thirtyfour::prelude::*;
+
+use crate::browser::{Page, setting};
+
+/// Of some the structural formula as they are driven.
+const FORMULAS: [(&str, &str); 2] = [
+    ("slider-crank", "I(frame,crank) → II₂(rod,slider)"),
+    (
+        "watt-1",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(EG,FG)",
+    ),
+];
+
+fn document(name: &str) -> LinkageDocument {
+    from_catalogue(name).unwrap().unwrap()
+}
+
+/// What the gallery calls a mechanism.
+fn called(name: &str) -> String {
+    let words = include_str!("../../lang/linkages/en.json");
+    let words: BTreeMap<String, String> = serde_json::from_str(words).unwrap();
+    words[&format!("gallery.{name}")].clone()
+}
+
+/// Whether this mechanism of the gallery is on the page, its structure said.
+async fn shows(page: &Page, name: &str) -> bool {
+    page.text("linkage-name").await == called(name)
+        && page.count("#out-formula").await > 0
+        && page.text("out-formula").await != ""
+}
+
+async fn open(page: &Page, name: &str) {
+    page.click("gallery").await;
+    page.until("the gallery", async || {
+        page.count(&format!("#gallery-{name}")).await == 1
+    })
+    .await;
+    page.click(&format!("gallery-{name}")).await;
+    page.until("the mechanism to open", async || shows(page, name).await)
+        .await;
+    page.settle().await;
+}
+
+/// What the page reads out of a quantity is what the engine says, with both
+/// derivatives.
+async fn agrees(page: &Page, document: &LinkageDocument, name: &str) {
+    let motion = document.motion().unwrap();
+    let mechanism = motion.mechanism();
+    let phi = page.value("out-phi1").await;
+    let pose = motion.pose::<3>(phi.to_radians()).unwrap();
+    let quantity = Quantity::named(mechanism, name).unwrap();
+    let jet = quantity.of(mechanism, &pose);
+    for (order, id) in ["out-", "out-d", "out-dd"].iter().enumerate() {
+        let unit = if quantity.is_angle() && order == 0 {
+            1f64.to_degrees()
+        } else {
+            1.0
+        };
+        let shown = page.value(&format!("{id}{name}")).await;
+        let expected = jet.derivative(order) * unit;
+        let off = (shown - expected).abs();
+        assert!(
+            off <= 1e-9 * expected.abs().max(1.0),
+            "{name} {order}: {shown} {expected}"
+        );
+    }
+}
+
+/// How many pixels of the drawing have some colour of a link.
+async fn coloured(page: &Page) -> f64 {
+    let count = page
+        .ask(
+            "const canvas = document.getElementById('mechanism');
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
+        copy.drawImage(canvas, 0, 0);
+        const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) {
+            const [r, g, b] = data.subarray(i, i + 3);
+            if (Math.max(r, g, b) - Math.min(r, g, b) > 90) count += 1;
+        }
+        return count;",
+        )
+        .await;
+    count.as_f64().unwrap()
+}
+
+#[tokio::test]
+async fn mechanisms_of_the_gallery_open() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    for name in gallery() {
+        open(&page, name).await;
+        let document = document(name);
+        let motion = document.motion().unwrap();
+        let mechanism = motion.mechanism();
+        let said = mechanism
+            .structure()
+            .formula(|link| mechanism.body_name(link).to_owned());
+        assert_eq!(page.text("out-formula").await, said);
+        if let Some((_, formula)) = FORMULAS.iter().find(|(one, _)| *one == name) {
+            assert_eq!(said, *formula);
+        }
+        assert_eq!(page.text("out-mobility").await, "1");
+        assert_eq!(page.text("problem").await, "", "{name}");
+        for quantity in document.plotted(mechanism, "angles").unwrap() {
+            agrees(&page, &document, &quantity.name(mechanism, 0)).await;
+        }
+        assert!(coloured(&page).await > 400.0, "{name}");
+        // Any angle and any point is plotted.
+        let link = mechanism.links().last().unwrap();
+        page.choose("plot", &format!("{link}.angle")).await;
+        page.settle().await;
+        agrees(&page, &document, &format!("{link}.angle")).await;
+        let point = mechanism.points().nth(1).unwrap().to_owned();
+        page.choose("plot", &point).await;
+        page.settle().await;
+        agrees(&page, &document, &format!("{point}.x")).await;
+        agrees(&page, &document, &format!("{point}.y")).await;
+    }
+    // What belongs to the mixer alone is away, and comes back with it.
+    let shown = async |id: &str| page.element(id).await.is_displayed().await.unwrap();
+    for id in [
+        "presets",
+        "tab-lesson",
+        "mesh-external",
+        "out-grashof",
+        "trace",
+    ] {
+        assert!(!shown(id).await, "{id}");
+    }
+    page.click("gallery").await;
+    page.until("the gallery", async || {
+        page.count("#gallery-mixer").await == 1
+    })
+    .await;
+    page.click("gallery-mixer").await;
+    page.settle().await;
+    for id in [
+        "presets",
+        "tab-lesson",
+        "mesh-external",
+        "out-grashof",
+        "trace",
+    ] {
+        assert!(shown(id).await, "{id}");
+    }
+    assert!(!shown("driver").await && !shown("out-formula").await);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_mechanism_opens_by_keys_and_is_undone() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let rocker = page.value("out-rocker").await;
+    page.focus("gallery").await;
+    page.keys(Key::Enter + "").await;
+    page.until("the gallery with the focus in it", async || {
+        page.focused().await.as_deref() == Some("gallery-mixer")
+    })
+    .await;
+    page.keys(Key::Tab + "").await;
+    page.keys(Key::Enter + "").await;
+    page.until("the next mechanism", async || {
+        shows(&page, "slider-crank").await
+    })
+    .await;
+    page.focus("step-forward").await;
+    page.keys(Key::Enter + "").await;
+    page.settle().await;
+    assert_eq!(page.value("out-phi1").await, 76.0);
+    agrees(&page, &document("slider-crank"), "C.x").await;
+    page.chord(&[Key::Control], 'z').await;
+    page.settle().await;
+    assert!(
+        !page
+            .element("linkage-name")
+            .await
+            .is_displayed()
+            .await
+            .unwrap()
+    );
+    page.stop_at("75").await;
+    assert_eq!(page.value("out-rocker").await, rocker);
+    page.click("redo").await;
+    page.settle().await;
+    assert!(shows(&page, "slider-crank").await);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn another_driver_is_another_structure() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "watt-1").await;
+    let before = page.text("out-formula").await;
+    page.choose("driver", "rocker").await;
+    page.settle().await;
+    let after = page.text("out-formula").await;
+    assert!(
+        after.starts_with("I(frame,rocker)") && after != before,
+        "{after}"
+    );
+    // Driven by the rocker it swings between dead points, whose kinds are said.
+    assert!(page.text("out-linkage-dead").await.contains("folded"));
+    assert!(page.text("out-linkage-range").await.contains('…'));
+    page.click("undo").await;
+    page.settle().await;
+    assert_eq!(page.text("out-formula").await, before);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn lengths_and_the_crank_are_taken_in_hand() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "slider-crank").await;
+    page.write("field-length-1", "2.5").await;
+    page.settle().await;
+    let mut longer = document("slider-crank");
+    longer.links[1].length = Some(2.5);
+    agrees(&page, &longer, "C.x").await;
+    // It stays drawn where the lengths make no mechanism, and the reason is said.
+    page.write("field-length-1", "-1").await;
+    assert!(page.text("problem").await.contains("greater than zero"));
+    agrees(&page, &longer, "C.x").await;
+    page.write("field-length-1", "2.5").await;
+    assert_eq!(page.text("problem").await, "");
+    let phi = page.value("out-phi1").await;
+    page.drag("slider-length-0", 0.5, 0.4).await;
+    page.settle().await;
+    assert_eq!(page.value("out-phi1").await, phi);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "whitworth").await;
+    page.choose("plot", "lever.angle").await;
+    page.stop_at("33").await;
+    page.until("the address to follow", async || {
+        let address = page.address().await;
+        address.contains("lesson=linkage") && address.contains("v.phi_deg=33&")
+    })
+    .await;
+    let link = page.address().await;
+    page.anew(&link).await;
+    page.until("the linkage, by its name", async || {
+        shows(&page, "whitworth").await
+    })
+    .await;
+    page.settle().await;
+    assert_eq!(page.value("out-phi1").await, 33.0);
+    agrees(&page, &document("whitworth"), "lever.angle").await;
+
+    let broken = link.replace("%22crank%22", "%22crunk%22");
+    assert_ne!(broken, link);
+    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(&broken).await;
+    assert!(
+        page.text("notice-text")
+            .await
+            .contains("could not be opened")
+    );
+    page.close().await;
+}
+
+/// Where the fitted drawing has a place of a linkage.
+async fn on_screen(page: &Page, document: &LinkageDocument, places: &[Point]) -> Vec<(f64, f64)> {
+    let area = page.element("mechanism").await.rect().await.unwrap();
+    let figure = Figure::new(&document.draft(), &document.motion().unwrap(), &[]).unwrap();
+    let [left, bottom, right, top] = figure.bounds();
+    let scale = ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
+    let at = |p: &Point| {
+        (
+            0.5 * area.width + scale * (p.x - 0.5 * (left + right)),
+            0.5 * area.height - scale * (p.y - 0.5 * (bottom + top)),
+        )
+    };
+    places.iter().map(at).collect()
+}
+
+#[tokio::test]
+async fn points_of_a_linkage_are_dragged_and_undone() {
+    let page = Page::open().await;
+    page.stop_at("60").await;
+    open(&page, "watt-1").await;
+    let document = document("watt-1");
+    let motion = document.motion().unwrap();
+    let mechanism = motion.mechanism();
+    let pose = motion.pose::<1>(60f64.to_radians()).unwrap();
+    let place = |name: &str| {
+        let point = mechanism.points().position(|point| point == name);
+        mechanism.place(&pose, point.unwrap()).place()
+    };
+    page.choose("plot", "G").await;
+    page.settle().await;
+    agrees(&page, &document, "G.x").await;
+    // The end of the crank drives it.
+    let [a, b] = ["A", "B"].map(place);
+    let to = a + Vector::new(-0.7, 0.7);
+    let way = on_screen(&page, &document, &[b, a + Vector::new(0.0, 1.0), to]).await;
+    page.drag_along("mechanism", &way).await;
+    let turned = page.value("out-phi1").await;
+    assert!((turned - 135.0).abs() < 1.0, "{turned}");
+    agrees(&page, &document, "G.x").await;
+    page.stop_at("60").await;
+    // Any other point makes the links that list it others.
+    let g = place("G");
+    let to = g + Vector::new(0.6, 0.4);
+    let way = on_screen(&page, &document, &[g, g + Vector::new(0.2, 0.3), to]).await;
+    page.drag_along("mechanism", &way).await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    assert!((page.value("out-G.x").await - to.x).abs() < 0.05);
+    assert!((page.value("out-G.y").await - to.y).abs() < 0.05);
+    assert_eq!(page.value("out-phi1").await, 60.0);
+    page.click("undo").await;
+    page.settle().await;
+    agrees(&page, &document, "G.x").await;
+    // Arrows of velocity and acceleration are laid over it.
+    let plain = coloured(&page).await;
+    page.click("vectors").await;
+    page.settle().await;
+    assert!(coloured(&page).await > plain + 200.0);
+    page.close().await;
+}
+
+/// A file that holds no mechanism: the sentence names links and points, and what is
+/// on the page stays.
+#[tokio::test]
+async fn what_is_no_mechanism_names_links_and_points() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "whitworth").await;
+    let whole = document("slider-crank");
+    let broken = |change: fn(&mut LinkageDocument)| {
+        let mut document = whole.clone();
+        change(&mut document);
+        document
+    };
+    let guides = || {
+        let mut yoke = document("scotch-yoke");
+        yoke.links[2].shape = None;
+        for (name, x) in [("S", 2.0), ("T", -1.0)] {
+            let point = yoke.points.iter_mut().find(|point| point.name == name);
+            point.unwrap().at = [x, 0.8660254037844386];
+        }
+        yoke
+    };
+    let folder = std::env::temp_dir().join(format!("assur-broken-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    for (number, (document, sentence)) in [
+        (
+            broken(|one| {
+                let mut brace = one.links[1].clone();
+                (brace.name, brace.length) = ("brace".to_owned(), None);
+                brace.points = ["G", "B"].map(str::to_owned).to_vec();
+                one.links.push(brace);
+            }),
+            "There are too many pairs or drivers (W = 0); these links are locked: frame, crank, brace.",
+        ),
+        (
+            broken(|one| one.slides.clear()),
+            "There are fewer drivers than degrees of freedom (W = 3); these links stay free: rod, slider.",
+        ),
+        (
+            broken(|one| {
+                one.links[1].length = None;
+                one.points[2].at = one.points[1].at;
+            }),
+            "Link rod: its points B, C are at one place, its length is zero.",
+        ),
+        (
+            broken(|one| one.links[1].length = Some(0.0)),
+            "links[1].length: 0 will not do, a length must be greater than zero.",
+        ),
+        (
+            guides(),
+            "The guides of block, yoke are parallel; they must cross.",
+        ),
+        (
+            broken(|one| one.links[1].length = Some(0.5)),
+            "As drawn, rod, slider cannot be joined: they miss each other by 0.366.",
+        ),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let state = serde_json::json!({
+            "format": 1, "lesson": "linkage", "document": document,
+        });
+        let path = folder.join(format!("{number}.json"));
+        std::fs::write(&path, state.to_string()).unwrap();
+        page.choose_file("file", &path).await;
+        page.until("the sentence", async || {
+            page.text("notice-text").await.contains(sentence)
+        })
+        .await;
+        assert!(shows(&page, "whitworth").await);
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+    page.close().await;
+}

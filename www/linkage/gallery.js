@@ -1,0 +1,41 @@
+// The gallery: the mixer and the linkages of the catalogue, one to be chosen. Loaded when it is asked for.
+import { byId, make } from "assur/dom.js";
+
+/**
+ * @typedef {{
+ *   engine: import("assur/engine.js").Engine,
+ *   words: import("assur/words.js").Words,
+ *   store: import("assur/store.js").Store<import("assur/state.js").State>,
+ *   choose: (lesson: string, document: object) => void,
+ * }} Parts
+ */
+
+/**
+ * Shows the dialog in the language of the words.
+ * @param {Parts} parts
+ */
+export function openGallery({ engine, words, store, choose }) {
+  document.getElementById("gallery-dialog")?.remove();
+  const { lesson, document: shown } = store.get();
+  const current = lesson === "mixer" ? "mixer" : engine.original(shown)?.id;
+  const entry = (/** @type {string} */ id, /** @type {string} */ key, /** @type {() => void} */ open) => {
+    const button = make("button", { id: `gallery-${id}`, class: "segment", "aria-pressed": String(id === current), "data-t": key });
+    button.addEventListener("click", open);
+    return button;
+  };
+  const [{ document: mixer }] = engine.presets;
+  const dialog = make("dialog", { id: "gallery-dialog", class: "dialog", "aria-labelledby": "gallery-title" }, [
+    make("form", { method: "dialog" }, [
+      make("h2", { id: "gallery-title", "data-t": "gallery.heading" }),
+      make("div", { class: "gallery" }, [
+        entry("mixer", "lesson.mixer", () => choose("mixer", { tracers: [], ...mixer })),
+        ...engine.gallery.map(({ id, document: linkage }) => entry(id, `gallery.${id}`, () => choose("linkage", linkage))),
+      ]),
+      make("button", { id: "gallery-close", class: "control", "data-t": "dialog.close" }),
+    ]),
+  ]);
+  words.fill(dialog);
+  byId("app", HTMLElement).append(dialog);
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.showModal();
+}
