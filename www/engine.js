@@ -112,7 +112,7 @@ export class Engine {
   }
 
   /**
-   * Brings what knows any linkage: larger than what knows the mixer, it comes when one is first opened.
+   * Brings what knows any linkage, and writes tables: larger than what the first view needs, it comes when asked for.
    * @returns {Promise<void>} refused where it does not arrive
    */
   async grow() {

@@ -74,7 +74,8 @@ function run(engine, habits, opening, startWords) {
     save: () => saveFile(model.good),
     copy: () => copyLink(model.good, () => notices.tell(["copied"])),
     export: async () => {
-      const part = await import("assur/export/dialog.js").catch(() => null);
+      // The table comes of the larger engine.
+      const [part] = await Promise.all([import("assur/export/dialog.js"), engine.grow()]).catch(() => []);
       if (part) part.openExport({ engine, model, mechanism, chart, words });
       else notices.tell(LOST);
     },

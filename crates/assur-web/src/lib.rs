@@ -9,6 +9,7 @@ mod mixer;
 mod shown;
 mod simulator;
 mod summary;
+#[cfg(feature = "linkages")]
 mod table;
 mod thin;
 

@@ -8,6 +8,7 @@ use assur_file::{Axes, Problem, View};
 use wasm_bindgen::prelude::JsValue;
 
 use crate::convert::Change;
+#[cfg(feature = "linkages")]
 use crate::table::SweepTable;
 
 /// A mechanism with all that is drawn of it. [`crate::Simulator`] says what each
@@ -25,6 +26,7 @@ pub(crate) trait Shown {
     fn trace(&self, phi: f64, place: Point) -> Result<Change, Problem>;
     fn cycle(&self) -> &Cycle;
     fn chart(&self) -> &Chart;
+    #[cfg(feature = "linkages")]
     fn table(&self, steps: u32) -> SweepTable;
 }
 

@@ -180,6 +180,7 @@ impl Simulator {
     ///
     /// # Errors
     /// Before the first `set`.
+    #[cfg(feature = "linkages")]
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.shown()?.table(steps)))
     }
