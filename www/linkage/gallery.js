@@ -20,6 +20,7 @@ export function openGallery({ engine, words, store, choose }) {
   const current = lesson === "mixer" ? "mixer" : engine.original(shown)?.id;
   const entry = (/** @type {string} */ id, /** @type {string} */ key, /** @type {() => void} */ open) => {
     const button = make("button", { id: `gallery-${id}`, class: "segment", "aria-pressed": String(id === current), "data-t": key });
+    if (id === current) button.autofocus = true;
     button.addEventListener("click", open);
     return button;
   };
