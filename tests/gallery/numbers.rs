@@ -4,6 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use assur::motion::DeadPointKind;
 use assur::{Assembly, FourBar};
+use assur_draw::Figure;
+use assur_file::from_catalogue;
 use assur_tests::{angle_between, assert_near};
 
 use super::{at, moved, quantity, range, stroke, strokes, time_ratio};
@@ -189,6 +191,17 @@ fn peaucellier() {
         heights = [heights[0].min(height), heights[1].max(height)];
     }
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
+    // As drawn it is straight to its very ends, where B and D fall into one.
+    let draft = from_catalogue("peaucellier").unwrap().unwrap().draft();
+    let e = draft.points.iter().position(|point| point.name == "E");
+    let figure = Figure::new(&draft, &motion, &[e.unwrap()]).unwrap();
+    let [kind, _, _, count, path @ ..] = figure.rigid().numbers() else {
+        panic!("an empty drawing");
+    };
+    assert_eq!((*kind, *count), (2.0, 361.0));
+    for place in path[..2 * 361].chunks(2) {
+        assert!((f64::from(place[0]) - x).abs() < 1e-5, "{place:?}");
+    }
 }
 
 /// Stride and step height of the foot, computed apart from this program.

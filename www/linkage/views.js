@@ -44,7 +44,7 @@ export class LinkageRail {
       section("lengths.links", this.#lengths),
       section("field.assembly", this.#assembly),
     ];
-    byId("shown", HTMLElement).before(...sections);
+    byId("overlays", HTMLElement).before(...sections);
     for (const one of sections) words.fill(one);
   }
 

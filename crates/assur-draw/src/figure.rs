@@ -24,6 +24,9 @@ const SAMPLES: usize = 360;
 const VECTORS: u32 = 180;
 /// Half the width of a link's bar, in units.
 const BAR: f64 = 1.15;
+/// By so much of an arc what is drawn keeps off its ends: where points fall into one
+/// there, rounding alone decides how links turn about it.
+const OFF: f64 = 1e-9;
 /// Room around the drawing, beside its size.
 const ROOM: f64 = 0.07;
 
@@ -279,7 +282,7 @@ fn sampled(motion: &Motion) -> Vec<Vec<Pose<1>>> {
         if cycle.is_full() {
             t
         } else {
-            0.5 - 0.5 * (PI * t).cos()
+            (0.5 - 0.5 * (PI * t).cos()).clamp(OFF, 1.0 - OFF)
         }
     };
     let runs = cycle.arcs().iter().map(|[from, to]| {

@@ -418,7 +418,7 @@ fn an_assembly_is_chosen() {
     let usual = place(&document);
     document.assembly = Some(drawn.mechanism().drawn_assembly() + 1);
     assert_eq!(place(&document), usual);
-    document.assembly = Some(drawn.mechanism().drawn_assembly() % count + 1);
+    document.assembly = Some((drawn.mechanism().drawn_assembly() + 1) % count + 1);
     assert_ne!(place(&document), usual);
     for wrong in [0, count + 1] {
         document.assembly = Some(wrong);

@@ -4,7 +4,7 @@ use assur::Jet;
 use assur::mechanism::Quantity;
 use assur::motion::{DeadPointKind, features};
 
-use super::Figure;
+use super::{Figure, OFF};
 use crate::chart::{Chart, Kind, Sample, Series, Settings};
 use crate::list::Role;
 
@@ -48,7 +48,13 @@ impl Figure {
             .collect();
         let [from, to] = motion.cycle().arcs()[0];
         let sample = |input: f64| {
-            let pose = motion.pose::<3>(input).ok()?;
+            let kept = if ends.is_empty() {
+                input
+            } else {
+                let off = OFF * (to - from);
+                input.clamp(from + off, to - off)
+            };
+            let pose = motion.pose::<3>(kept).ok()?;
             let off = |end: &f64| (input - end).abs() > CLEAR * (to - from);
             Some(Sample {
                 jets: quantities.iter().map(|q| q.of(mechanism, &pose)).collect(),
