@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 23] = [
+const BUILT: [(&str, &[&str]); 24] = [
     ("assembly.", &["www/rail.js"]),
     (
         "field.",
@@ -29,17 +29,27 @@ const BUILT: [(&str, &[&str]); 23] = [
             "www/rail.js",
             "www/rail-lists.js",
             "www/linkage/views.js",
+            "www/linkage/course.js",
         ],
     ),
     ("field.tracers.", &["www/rail-lists.js"]),
     ("dead.", &["crates/assur-web/src/linkage.rs"]),
+    (
+        "dwell.",
+        &["crates/assur-web/src/course.rs", "www/linkage/course.js"],
+    ),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),
     ("lang.", &["www/words.js"]),
     ("mesh.", &["www/rail.js"]),
     (
         "name.",
-        &["www/rail.js", "www/rail-lists.js", "www/linkage/views.js"],
+        &[
+            "www/rail.js",
+            "www/rail-lists.js",
+            "www/linkage/course.js",
+            "www/linkage/views.js",
+        ],
     ),
     ("name.tracers.", &["www/rail-lists.js"]),
     ("notice.", &["www/opening.js"]),

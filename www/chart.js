@@ -10,6 +10,7 @@ import { Surface } from "assur/surface.js";
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {(context: import("assur/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => void} Overlay
  */
 
 export class ChartView {
@@ -23,6 +24,8 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
+  /** @type {Overlay | null} */
+  #overlay = null;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -55,6 +58,12 @@ export class ChartView {
     this.#redrawn();
   }
 
+  /** @param {Overlay} overlay what is painted over the curves from now on */
+  lay(overlay) {
+    this.#overlay = overlay;
+    this.#draw();
+  }
+
   /** @returns {import("assur/figure.js").Size} */
   get size() {
     return this.#surface;
@@ -76,13 +85,15 @@ export class ChartView {
    * @param {boolean} whole whether the curves go through all their points
    * @returns {readonly Panel[]} where the plots are
    */
-  #paint({ context, ratio }, { words }, theme, whole) {
+  #paint({ context, ratio }, snapshot, theme, whole) {
+    const { words } = snapshot;
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     // Not as the text that was written last left it.
     context.lineJoin = "round";
     const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole }));
     const panels = drawn.value?.panels ?? [];
+    this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, words, theme);
     panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));
     return panels;

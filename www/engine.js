@@ -28,10 +28,18 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * }} Summary
  * @typedef {{
  *   cycle: Cycle, home: number, bounds: [number, number, number, number],
- *   mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
+ *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
  *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
+ *   course: Course | null,
  * }} LinkageSummary
+ * @typedef {{
+ *   width: number, stroke: number | null,
+ *   dwell: { arc: [number, number], band: [number, number] } | null,
+ *   phases: { kind: "rise" | "dwell" | "return", arc: [number, number] }[],
+ * }} Course
+ * What the first plotted output does: its stroke; the longest arc on which it stays within a band, `width` (degrees, or in the
+ * unit of lengths) wide, with the values it has there; its phases.
  * @typedef {{
  *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
  *   left: number, top: number, width: number, height: number,

@@ -1,5 +1,5 @@
 // The lesson beside the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
-import { byId, write } from "assur/dom.js";
+import { byId, setData, write } from "assur/dom.js";
 import { withView } from "assur/state.js";
 import { Words } from "assur/words.js";
 
@@ -9,6 +9,9 @@ import { Words } from "assur/words.js";
  * @typedef {import("assur/lessons/panel.js").Parts} Parts
  */
 
+/** The linkages of the gallery that have a lesson. */
+const LINKAGES = Object.freeze(["class4-dwell"]);
+
 export class Lesson {
   #settings = byId("rail", HTMLElement);
   #place = byId("lesson", HTMLElement);
@@ -17,8 +20,11 @@ export class Lesson {
   #changed;
   /** @type {Panel | null} */
   #panel = null;
-  /** The language it has, or is waiting for. */
-  #lang = "";
+  #engine;
+  /** Lesson and language it has, or is waiting for. */
+  #wanted = "";
+  /** The lesson of the panel. */
+  #shown = "";
   #open = false;
   /** The step to come back to. */
   #last = 1;
@@ -26,11 +32,13 @@ export class Lesson {
   #called = false;
 
   /**
-   * @param {Parts} parts
+   * @param {Omit<Parts, "presets">} parts
+   * @param {import("assur/engine.js").Engine} engine
    * @param {() => void} changed
    */
-  constructor(parts, changed) {
+  constructor(parts, engine, changed) {
     this.#parts = parts;
+    this.#engine = engine;
     this.#changed = changed;
     this.#tabs.forEach((tab, i) => tab.addEventListener("click", () => this.#turn(i === 1)));
   }
@@ -45,11 +53,13 @@ export class Lesson {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, words } = snapshot;
-    const open = state.view.step > 0;
+    const lesson = this.#of(state);
+    setData(document.documentElement, "taught", String(lesson !== ""));
+    const open = state.view.step > 0 && lesson !== "";
     if (open !== this.#open) this.#reveal(open);
     if (!open) return;
     this.#last = state.view.step;
-    if (this.#lang !== words.lang) this.#load(state.lesson, words);
+    if (this.#wanted !== `${lesson} ${words.lang}`) this.#load(lesson, words);
     this.#panel?.render(snapshot);
     if (this.#panel && this.#called) {
       this.#called = false;
@@ -57,9 +67,19 @@ export class Lesson {
     }
   }
 
+  /**
+   * @param {import("assur/state.js").State} state
+   * @returns {string} the lesson about its mechanism; empty where there is none
+   */
+  #of(state) {
+    if (state.lesson === "mixer") return "mixer";
+    const id = this.#engine.original(state.document)?.id ?? "";
+    return LINKAGES.includes(id) ? id : "";
+  }
+
   /** @param {boolean} open */
   #turn(open) {
-    this.#parts.store.update((state) => state.lesson !== "mixer" ? state : withView(state, { step: open ? state.view.step || this.#last : 0 }));
+    this.#parts.store.update((state) => withView(state, { step: open && this.#of(state) ? state.view.step || this.#last : 0 }));
   }
 
   /** @param {boolean} open */
@@ -69,7 +89,7 @@ export class Lesson {
     this.#place.hidden = !open;
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
     // What did not arrive is asked for again.
-    if (!this.#panel) this.#lang = "";
+    if (!this.#panel) this.#wanted = "";
   }
 
   /**
@@ -78,16 +98,21 @@ export class Lesson {
    */
   async #load(lesson, words) {
     const { lang } = words;
-    this.#lang = lang;
+    const wanted = `${lesson} ${lang}`;
+    this.#wanted = wanted;
     try {
       const [{ Panel }, { STEPS }, text] = await Promise.all([
         import("assur/lessons/panel.js"),
         import(`assur/lessons/${lesson}.js`),
         Words.load(lang, ["lessons/panel.*", `lessons/${lesson}.*`]),
       ]);
-      if (this.#lang !== lang) return;
-      this.#panel ??= new Panel(this.#place, STEPS, this.#parts, text);
-      this.#panel.speak(text);
+      if (this.#wanted !== wanted) return;
+      if (this.#shown !== lesson) {
+        this.#shown = lesson;
+        const presets = lesson === "mixer" ? this.#engine.presets : this.#engine.gallery;
+        this.#panel = new Panel(this.#place, STEPS, { ...this.#parts, presets }, text);
+      }
+      this.#panel?.speak(text);
       this.#changed();
     } catch {
       if (!this.#panel) write(this.#place, words.text("lesson.failed"));

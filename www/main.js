@@ -90,7 +90,7 @@ function run(engine, habits, opening, startWords) {
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
-  const lesson = new Lesson({ store, model, history, presets: engine.presets }, () => loop.request());
+  const lesson = new Lesson({ store, model, history }, engine, () => loop.request());
   const choose = (/** @type {any} */ chosen, /** @type {any} */ document) => history.step(() => {
     store.update((state) => withView(withMechanism(state, chosen, document), { plot: "angles" }));
     mechanism.fit();
@@ -117,8 +117,12 @@ function run(engine, habits, opening, startWords) {
   const special = { mixer: [new Rail(store, engine, drafts), new StatusLine()] };
   const specialise = async () => {
     special.linkage = [];
-    const { LinkageRail, LinkageStatus, LinkageTitle } = await import("assur/linkage/views.js");
-    special.linkage = [new LinkageRail(store, drafts, words), new LinkageStatus(words)];
+    const [{ LinkageRail, LinkageStatus, LinkageTitle }, { CourseView, paintCourse }] = await Promise.all([
+      import("assur/linkage/views.js"),
+      import("assur/linkage/course.js"),
+    ]);
+    special.linkage = [new LinkageRail(store, drafts, words), new CourseView(store, drafts, words), new LinkageStatus(words)];
+    chart.lay(paintCourse);
     views.push(new LinkageTitle(engine));
     loop.request();
   };

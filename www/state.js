@@ -112,7 +112,7 @@ export function withMechanism(state, lesson, document) {
   const other = state.lesson !== lesson;
   const kept = lesson === "mixer" ? !other : plotsOf(document).includes(plot);
   const changed = /** @type {State} */ (Object.freeze({ ...state, lesson, document }));
-  return withView(changed, { plot: kept ? plot : "angles", step: lesson === "mixer" ? step : 0 });
+  return withView(changed, { plot: kept ? plot : "angles", step: other ? 0 : step });
 }
 
 /**

@@ -11,16 +11,16 @@ import { SWITCHES, withDocument, withView } from "assur/state.js";
  * @typedef {import("assur/words.js").Words} Words
  *
  * @typedef {Readonly<{
- *   name?: string, preset: string, play?: boolean, overlays?: readonly string[],
- *   at?: (summary: Summary) => number | undefined,
+ *   name?: string, preset: string, change?: (document: any) => object, play?: boolean, overlays?: readonly string[],
+ *   at?: (summary: any) => number | undefined,
  * }>} Show
- * What a button sets: a preset, the crank's angle in it or its motion, and what is laid over the drawing. The words of the
+ * What a button sets: a preset, or a change of it, the crank's angle in it or its motion, and what is laid over the drawing. The words of the
  * button are `ID.show.NAME`, or "Show it".
  *
  * @typedef {Readonly<{
- *   answer: (summary: Summary) => number | string | undefined,
+ *   answer: (summary: any) => number | string | undefined,
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
- *   places?: (summary: Summary) => Readonly<Record<string, number>>,
+ *   places?: (summary: any) => Readonly<Record<string, number>>,
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
@@ -184,14 +184,14 @@ export class Panel {
   }
 
   /** @param {Show} show */
-  #show({ preset, play = false, overlays = ["traces"], at }) {
+  #show({ preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
     const { store, model, history, presets } = this.#parts;
     const { document = {} } = presets.find(({ id }) => id === preset) ?? {};
     const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
     /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
     const plots = { plot: "angles", axes: "analogues" };
     history.step(() => {
-      store.update((state) => withDocument(state, document));
+      store.update((state) => withDocument(state, change(document)));
       // Where the crank goes is known once the engine has taken the mechanism.
       model.follow(store.get());
       const phi = at?.(model.summary);

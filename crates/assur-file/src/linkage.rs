@@ -47,6 +47,10 @@ pub struct LinkageDocument {
     /// The points whose paths are drawn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub traces: Vec<String>,
+    /// The full width of the band within which the first quantity that is plotted
+    /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band: Option<f64>,
     /// Which of its assemblies moves, from 1; without it the drawn one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,

@@ -4,6 +4,8 @@
 mod canvas;
 mod convert;
 #[cfg(feature = "linkages")]
+mod course;
+#[cfg(feature = "linkages")]
 mod linkage;
 mod mixer;
 mod shown;

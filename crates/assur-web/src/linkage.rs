@@ -14,6 +14,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::convert::{Change, Redrawn, to_js};
+use crate::course::CourseSummary;
 use crate::shown::{Shown, rates, settings, strokes, unknown};
 use crate::summary::CycleSummary;
 use crate::table::{SweepRow, SweepTable};
@@ -28,6 +29,8 @@ pub(crate) struct Linkage {
     /// The points that can be dragged.
     handles: Vec<usize>,
     assembly: usize,
+    /// The width of the band of a dwell, degrees or in the unit of the lengths.
+    band: Option<f64>,
     figure: Figure,
     chart: Chart,
 }
@@ -43,6 +46,7 @@ struct LinkageSummary<'a> {
     cycle: CycleSummary,
     home: f64,
     bounds: [f64; 4],
+    counts: Counts,
     mobility: usize,
     class: String,
     order: usize,
@@ -55,6 +59,14 @@ struct LinkageSummary<'a> {
     points: Vec<&'a str>,
     plotted: Vec<String>,
     handles: Vec<HandleSummary<'a>>,
+    course: Option<CourseSummary>,
+}
+
+/// Moving links; hinges and slides, a hinge of k links counting k − 1 times.
+#[derive(Serialize)]
+struct Counts {
+    links: usize,
+    pairs: usize,
 }
 
 #[derive(Serialize)]
@@ -109,6 +121,7 @@ impl Linkage {
             draft,
             assembly: document.assembly.unwrap_or(mechanism.drawn_assembly() + 1),
             chart: figure.chart(&plotted, settings(&state.view)),
+            band: document.band,
             plotted,
             figure,
             motion,
@@ -185,6 +198,11 @@ impl Shown for Linkage {
         });
         let cycle = motion.cycle();
         let home = mechanism.home();
+        let links = structure.step_of.iter().flatten().count();
+        // Of a mechanism there are as many drivers as freedoms.
+        let mobility = drivers
+            .filter(|step| matches!(step, Step::Driver { .. }))
+            .count();
         to_js(&LinkageSummary {
             cycle: CycleSummary::new(cycle),
             home: if motion.pose::<1>(home).is_ok() {
@@ -193,10 +211,12 @@ impl Shown for Linkage {
                 cycle.home()
             },
             bounds: self.figure.bounds(),
-            // Of a mechanism there are as many drivers as freedoms.
-            mobility: drivers
-                .filter(|step| matches!(step, Step::Driver { .. }))
-                .count(),
+            counts: Counts {
+                links,
+                // By Chebyshev's formula, which a mechanism fulfils.
+                pairs: (3 * links - mobility - self.draft.gears.len()) / 2,
+            },
+            mobility,
             class: roman(structure.class()),
             order: highest.map_or(1, |group| group.order()),
             formula: structure.formula(named),
@@ -208,6 +228,10 @@ impl Shown for Linkage {
             points: mechanism.points().collect(),
             plotted: plotted.collect(),
             handles: handles.collect(),
+            course: self
+                .plotted
+                .first()
+                .map(|output| CourseSummary::new(motion, *output, self.band)),
         })
     }
 

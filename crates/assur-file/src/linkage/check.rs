@@ -92,6 +92,12 @@ fn links(document: &LinkageDocument) -> Vec<LinkageProblem> {
             found.push(LinkageProblem::FixedAsDrawn { path });
         }
     }
+    if let Some(value) = document.band
+        && !(value > 0.0 && value.is_finite())
+    {
+        let path = "band".to_owned();
+        found.push(LinkageProblem::BadBand { path, value });
+    }
     for (k, one) in document.drivers.iter().enumerate() {
         if driver(one).is_none() {
             let path = format!("drivers[{k}]");

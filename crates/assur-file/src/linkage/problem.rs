@@ -22,6 +22,8 @@ pub enum LinkageProblem {
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
+    /// The band of a dwell must be wide.
+    BadBand { path: String, value: f64 },
     /// A link that is fixed to another lies on it as drawn.
     FixedAsDrawn { path: String },
     /// Neither a crank nor a slide with its range, or both.

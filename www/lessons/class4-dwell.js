@@ -1,0 +1,90 @@
+// The steps of the lesson on the Class IV mechanism with dwell: what each shows, and what is asked of the mechanism as it then is.
+// Its words are in lang/lessons/class4-dwell.*.json, under the step's id.
+import { degrees } from "assur/angles.js";
+
+/**
+ * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/lessons/panel.js").Step} Step
+ * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
+ */
+
+const PRESET = "class4-dwell";
+/** A length of FK, the regulator, that makes the dwell clearly shorter. */
+const REGULATED = 4.112;
+
+const CLASSES = Object.freeze({ II: "ii", III: "iii", IV: "iv" });
+
+/** @type {readonly Step[]} */
+export const STEPS = Object.freeze([
+  {
+    id: "structure",
+    formula: "W = 3n − 2p₁",
+    shows: [{ preset: PRESET, play: true }],
+    question: { whole: true, within: 0, answer: ({ counts }) => counts.pairs, places: ({ counts, mobility }) => ({ links: counts.links, mobility }) },
+  },
+  {
+    id: "groups",
+    formula: "3n − 2p₁ = 0",
+    shows: [{ preset: PRESET, at: () => 0 }],
+    question: { choices: ["ii", "iii", "iv"], answer: classOf },
+  },
+  {
+    id: "driver",
+    formula: "II₂ → II₂ → II₂",
+    shows: [{ preset: PRESET, change: drivenBy("CD"), at: ({ home }) => home }],
+    question: { choices: ["ii", "iii", "iv"], answer: classOf },
+  },
+  {
+    id: "dwell",
+    formula: "max ψ − min ψ ≤ δ",
+    shows: [{ preset: PRESET, play: true }],
+    question: { unit: "°", within: 0.5, answer: dwell },
+  },
+  {
+    id: "regulator",
+    formula: "FK = 4.112",
+    shows: [{ preset: PRESET, change: regulated, play: true }],
+    question: { unit: "°", within: 0.5, answer: dwell },
+  },
+  {
+    id: "derivatives",
+    formula: "Φ(q, φ₁) = 0\nJ q′ = −∂Φ/∂φ₁",
+    shows: [{ preset: PRESET, at: () => Math.PI / 2, overlays: ["traces", "vectors"] }],
+    question: { unit: "°", within: 0.05, answer: stroke },
+  },
+]);
+
+/** @param {Summary} summary */
+function classOf({ class: highest }) {
+  return /** @type {Record<string, string | undefined>} */ (CLASSES)[highest];
+}
+
+/**
+ * @param {string} link
+ * @returns {(document: LinkageDocument) => object} another driver of the same linkage
+ */
+function drivenBy(link) {
+  return (document) => ({ ...document, drivers: [{ crank: link }], assembly: null });
+}
+
+/** @param {LinkageDocument} document */
+function regulated(document) {
+  const links = document.links.map((link) => (link.name === "FK" ? { ...link, length: REGULATED } : link));
+  return { ...document, links };
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} how much of the crank's turn the dwell takes, degrees
+ */
+function dwell({ course }) {
+  return course?.dwell ? degrees(course.dwell.arc[1] - course.dwell.arc[0]) : undefined;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} degrees
+ */
+function stroke({ course }) {
+  return course && course.stroke !== null ? degrees(course.stroke) : undefined;
+}

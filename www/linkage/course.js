@@ -1,0 +1,188 @@
+// What the plotted output does over a turn: stroke, dwell and cyclogram in the rail, the dwell shaded on the plots and
+// magnified in an inset.
+import { degrees } from "assur/angles.js";
+import { setChartFont } from "assur/chart-text.js";
+import { byId, make, write } from "assur/dom.js";
+import { attempt } from "assur/engine.js";
+import { NumberRow } from "assur/number-row.js";
+import { across, down } from "assur/panels.js";
+import { withDocument } from "assur/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Course} Course
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/linkage/views.js").Snapshot} Snapshot
+ * @typedef {import("assur/theme.js").Theme} Theme
+ * @typedef {import("assur/words.js").Words} Words
+ */
+
+/** Strength of the shade over a dwell. */
+const SHADE = 0.14;
+/** Points of the magnified curve. */
+const POINTS = 96;
+/** The part of a plot that an inset takes, across and down. */
+const INSET = Object.freeze({ width: 0.42, height: 0.36 });
+
+/**
+ * Lays the dwell over the plots of an output whose document gives its band.
+ * @type {import("assur/chart.js").Overlay}
+ */
+export function paintCourse(context, panels, { state, summary, words }, engine, theme) {
+  const { course } = /** @type {Snapshot["summary"]} */ (/** @type {unknown} */ (summary));
+  const { band } = /** @type {{ band?: number }} */ (/** @type {unknown} */ (state.document));
+  if (!band || !course?.dwell) return;
+  const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
+  for (const panel of panels) paintDwell(context, panel, course.dwell, value, words, theme);
+}
+
+/**
+ * Shades the dwell on a plot; over the first one stands what it looks like magnified, as in fig. 2 of the paper.
+ * @param {import("assur/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {(phi: number) => number | undefined} value of the output at a crank angle
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function paintDwell(context, panel, dwell, value, words, theme) {
+  const { x0: start, x1: end } = panel;
+  const [from, to] = dwell.arc;
+  const period = end - start;
+  context.fillStyle = theme.colours.coupler;
+  context.globalAlpha = SHADE;
+  // What runs over the end of the axis goes on at its beginning.
+  for (const shift of [-period, 0, period]) {
+    const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
+    if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
+  }
+  context.globalAlpha = 1;
+  if (panel.order === 0) paintInset(context, panel, dwell, value, words, theme);
+}
+
+/**
+ * @param {import("assur/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {(phi: number) => number | undefined} value
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function paintInset(context, panel, { arc: [from, to], band: [least, most] }, value, words, theme) {
+  if (!(most > least)) return;
+  const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
+  // In the half of the plot where the dwell is not.
+  const middle = down(panel, (least + most) / 2) - panel.top;
+  const top = panel.top + (middle > panel.height / 2 ? 6 : panel.height - height - 6);
+  const shown = Math.min(Math.max(across(panel, (from + to) / 2), panel.left + width / 2 + 6), panel.left + panel.width - width / 2 - 6);
+  const left = shown - width / 2;
+  context.beginPath();
+  context.rect(left, top, width, height);
+  context.fillStyle = theme.colours.paper;
+  context.fill();
+  context.strokeStyle = theme.colours.secondary;
+  context.lineWidth = theme.weight;
+  context.stroke();
+  context.beginPath();
+  let drawn = false;
+  for (let i = 0; i <= POINTS; i++) {
+    const at = value(from + ((to - from) * i) / POINTS);
+    if (at === undefined) continue;
+    const x = left + 4 + ((width - 8) * i) / POINTS;
+    const y = top + height - 4 - ((height - 8) * (at - least)) / (most - least);
+    if (drawn) context.lineTo(x, y);
+    else context.moveTo(x, y);
+    drawn = true;
+  }
+  context.strokeStyle = theme.colours[panel.series[0].role];
+  context.lineWidth = 1.5 * theme.weight;
+  context.stroke();
+  setChartFont(context, theme);
+  context.textAlign = "right";
+  context.textBaseline = "top";
+  context.fillStyle = theme.colours.secondary;
+  context.fillText(`↕ ${words.numbers.upTo(panel.kind === "angle" ? degrees(most - least) : most - least, 3)}${panel.kind === "angle" ? "°" : ""}`, left + width - 4, top + 3);
+}
+
+/** What is said of the course, in the order of the table. */
+const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
+
+/** The colours of the phases. */
+const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
+
+export class CourseView {
+  #row;
+  #name = make("caption");
+  #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
+  #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /**
+   * @param {import("assur/store.js").Store<any>} store
+   * @param {import("assur/drafts.js").Drafts} drafts
+   * @param {Words} words
+   */
+  constructor(store, drafts, words) {
+    this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
+      store.update((state) => withDocument(state, /** @type {any} */ ({ band }))),
+    );
+    const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
+    const section = make("section", { class: "of-linkage" }, [
+      make("h2", { "data-t": "dwell.heading" }),
+      this.#row.element,
+      make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
+      this.#bars,
+    ]);
+    byId("shown", HTMLElement).before(section);
+    words.fill(section);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ summary, words, problems, stale }) {
+    const { course, plotted } = summary;
+    const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
+    const shown = [course, words, wrong];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    if (!course) return;
+    this.#row.show(course.width, words, wrong);
+    if (stale) return;
+    const angle = plotted[0].endsWith(".angle");
+    const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
+    const turned = (/** @type {number} */ phi) => `${words.numbers.upTo(degrees(phi), 3)}°`;
+    const { stroke, dwell } = course;
+    write(this.#name, words.text("dwell.of", { name: plotted[0].replace(/\.angle$/, "") }));
+    const none = words.text("dwell.none");
+    const texts = {
+      stroke: stroke === null ? none : said(stroke),
+      arc: dwell ? turned(dwell.arc[1] - dwell.arc[0]) : none,
+      residual: dwell ? said(dwell.band[1] - dwell.band[0]) : none,
+    };
+    for (const name of ROWS) write(/** @type {HTMLElement} */ (this.#outputs.get(name)), texts[name]);
+    this.#draw(course, summary, turned, words);
+  }
+
+  /**
+   * @param {Course} course
+   * @param {Snapshot["summary"]} summary
+   * @param {(phi: number) => string} turned
+   * @param {Words} words
+   */
+  #draw({ phases }, { cycle: { start, end }, plotted }, turned, words) {
+    const period = end - start;
+    const told = [];
+    const bars = [];
+    for (const { kind, arc: [from, to] } of phases) {
+      told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
+      // What runs over the end of the turn goes on at its beginning.
+      for (const shift of [-period, 0, period]) {
+        const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => (100 * (phi - start)) / period);
+        if (right <= left) continue;
+        bars.push(make("i", { class: kind, style: `left: ${left.toFixed(3)}%; width: ${(right - left).toFixed(3)}%; --accent: var(--role-${ROLES[kind]})` }));
+      }
+    }
+    this.#bars.replaceChildren(...bars);
+    this.#bars.ariaLabel = [words.text("dwell.chart", { name: plotted[0].replace(/\.angle$/, "") }), ...told].join("; ");
+    this.#bars.title = told.join("\n");
+  }
+}
