@@ -38,7 +38,7 @@ async fn shows(page: &Page, name: &str) -> bool {
         && page.text("out-formula").await != ""
 }
 
-async fn open(page: &Page, name: &str) {
+pub(crate) async fn open(page: &Page, name: &str) {
     page.click("gallery").await;
     page.until("the gallery", async || {
         page.count(&format!("#gallery-{name}")).await == 1

@@ -6,6 +6,7 @@ mod access;
 mod bad_input;
 mod browser;
 mod bundle;
+mod class4;
 mod damage;
 mod device;
 mod export;
