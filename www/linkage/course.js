@@ -46,17 +46,18 @@ export function paintCourse(context, panels, { state, summary, words }, engine, 
  */
 function paintDwell(context, panel, dwell, value, words, theme) {
   const { x0: start, x1: end } = panel;
-  const [from, to] = dwell.arc;
   const period = end - start;
+  const turns = period * Math.floor((dwell.arc[0] - start) / period);
+  const [from, to] = [dwell.arc[0] - turns, dwell.arc[1] - turns];
   context.fillStyle = theme.colours.coupler;
   context.globalAlpha = SHADE;
   // What runs over the end of the axis goes on at its beginning.
-  for (const shift of [-period, 0, period]) {
+  for (const shift of [-period, 0]) {
     const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
   }
   context.globalAlpha = 1;
-  if (panel.order === 0) paintInset(context, panel, dwell, value, words, theme);
+  if (panel.order === 0) paintInset(context, panel, { ...dwell, arc: [from, to] }, value, words, theme);
 }
 
 /**
