@@ -1,14 +1,16 @@
 //! Dwells and strokes of a quantity over a motion.
 //!
 //! Between neighbouring extrema a quantity is monotone, so that where it enters
-//! and leaves a band is found by bisection of the exact function. As the band
+//! and leaves a band is a bracketed root of the exact function. As the band
 //! moves, the arc on which the quantity stays inside it is longest where an
 //! extremum just touches an edge, or, on a flank, where the quantity leaves as
 //! fast as it came.
 
 use std::f64::consts::TAU;
 
-use super::{Input, Motion, features};
+use super::Motion;
+use super::features::turning_points;
+use super::root::root;
 use crate::mechanism::Quantity;
 
 /// An arc of the input over which a quantity stays within a band.
@@ -50,8 +52,6 @@ pub struct Course<'a> {
 
 /// On a flank, the band is tried at as many levels for a longest arc between them.
 const LEVELS: usize = 64;
-/// Halvings of a piece: as many as a number has digits, and some.
-const HALVINGS: usize = 80;
 /// Values that differ by less beside the band are one.
 const TOUCHING: f64 = 1e-9;
 
@@ -64,18 +64,17 @@ impl<'a> Course<'a> {
         } else {
             mechanism.size()
         };
-        let jets = |input: f64| Some(vec![quantity.of(mechanism, &motion.pose::<5>(input).ok()?)]);
-        let found = features(motion.cycle(), &jets, &[unit], Input::ANALOGUES);
-        let extrema = found.into_iter().flatten().next().unwrap_or_default();
+        let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
+        let extrema = turning_points(motion.cycle(), &jet, unit);
         let mut course = Self {
             motion,
             quantity,
             stations: Vec::new(),
             once: 0,
             gain: 0.0,
-            monotone: extrema.extrema.is_empty(),
+            monotone: extrema.is_empty(),
         };
-        let inputs = extrema.extrema.iter().map(|extremum| extremum.crank);
+        let inputs = extrema.iter().map(|extremum| extremum.crank);
         let arcs = motion.cycle().arcs();
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
             course.gain = course.gained(period);
@@ -134,21 +133,17 @@ impl<'a> Course<'a> {
 
     /// Where the quantity has a value between two stations next to each other.
     fn reaches(&self, piece: usize, level: f64) -> Option<f64> {
-        let [[mut low, start], [mut high, end]] =
-            [*self.stations.get(piece)?, *self.stations.get(piece + 1)?];
-        let falls = if end < start { -1.0 } else { 1.0 };
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if (self.value(middle)? - level) * falls < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
+        let [low, high] = [*self.stations.get(piece)?, *self.stations.get(piece + 1)?];
+        let falls = if high[1] < low[1] { -1.0 } else { 1.0 };
+        let above = |value: f64| (value - level) * falls;
+        if above(low[1]) >= 0.0 {
+            return Some(low[0]);
         }
-        Some(0.5 * (low + high))
+        if above(high[1]) <= 0.0 {
+            return Some(high[0]);
+        }
+        let ends = [low, high].map(|[input, value]| [input, above(value)]);
+        root(ends, |input| Some(above(self.value(input)?)))
     }
 
     /// The arc around a station on which the quantity stays within a band that
@@ -200,9 +195,9 @@ impl<'a> Course<'a> {
             .collect()
     }
 
-    /// The longest arc that comes in on one piece and goes out, the same way up or
-    /// down, on another or the same.
-    fn through(&self, first: usize, last: usize, tolerance: f64) -> Option<Dwell> {
+    /// The longest arc, if longer than `beaten`, that comes in on one piece and goes
+    /// out, the same way up or down, on another or the same.
+    fn through(&self, first: usize, last: usize, tolerance: f64, beaten: f64) -> Option<Dwell> {
         let value = |station: usize| self.stations[station][1];
         let way = (value(first + 1) - value(first)).signum();
         if way != (value(last + 1) - value(last)).signum() || way == 0.0 {
@@ -217,46 +212,35 @@ impl<'a> Course<'a> {
             .fold(up(last + 1) - tolerance, f64::min);
         let most = inner.map(up).fold(up(first) + tolerance, f64::max);
         let [low, high] = [most - tolerance, least];
-        if low >= high {
+        if low >= high || self.stations[last + 1][0] - self.stations[first][0] <= beaten {
             return None;
         }
-        let ends = |level: f64| -> Option<[f64; 2]> {
-            Some([
-                self.reaches(first, way * level)?,
-                self.reaches(last, way * (level + tolerance))?,
-            ])
-        };
-        let slope = |input: f64| -> Option<f64> {
-            let pose = self.motion.pose::<2>(input).ok()?;
-            let jet = self.quantity.of(self.motion.mechanism(), &pose);
-            Some(way * jet.derivative(1))
-        };
-        // Raising the band lengthens the arc while it leaves more slowly than it came.
-        let lengthens = |level: f64| -> Option<bool> {
-            let [from, to] = ends(level)?;
-            Some(slope(to)? < slope(from)?)
+        let flank = Flank {
+            course: self,
+            pieces: [first, last],
+            way,
+            tolerance,
         };
         let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
         let mut best: Option<Dwell> = None;
-        for k in 0..LEVELS - 1 {
-            let (mut below, mut above) = (level(k), level(k + 1));
-            if !lengthens(below)? || lengthens(above)? {
+        let ends = [0, LEVELS - 1].map(|k| Some((k, flank.pass(level(k))?)));
+        // Raised, a band comes in and goes out later: no arc of the levels between two
+        // is longer than from where the lower comes in to where the upper goes out.
+        let mut open = vec![(ends[0]?, ends[1]?)];
+        while let Some(((a, below), (b, above))) = open.pop() {
+            let longest = best.map_or(beaten, |best| best.length());
+            if above.arc[1] - below.arc[0] <= longest {
                 continue;
             }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (below + above);
-                if middle <= below || middle >= above {
-                    break;
-                }
-                if lengthens(middle)? {
-                    below = middle;
-                } else {
-                    above = middle;
-                }
-            }
-            let found = self.dwell_on(ends(below)?);
-            if best.is_none_or(|best| found.length() > best.length()) {
-                best = Some(found);
+            if b > a + 1 {
+                let middle = a.midpoint(b);
+                let pass = flank.pass(level(middle))?;
+                open.extend([((middle, pass), (b, above)), ((a, below), (middle, pass))]);
+            } else if below.lengthens > 0.0 && above.lengthens <= 0.0 {
+                let levels = [[level(a), below.lengthens], [level(b), above.lengthens]];
+                let found = root(levels, |level| Some(flank.pass(level)?.lengthens))?;
+                let found = self.dwell_on(flank.pass(found)?.arc);
+                best = Some(found).filter(|one| one.length() > longest).or(best);
             }
         }
         best
@@ -277,7 +261,14 @@ impl<'a> Course<'a> {
             let to = once.map_or(last[0], |period| first[0] + period);
             return Some(self.dwell_on([first[0], to]));
         }
-        let mut found = self.touching(tolerance);
+        let longer = |best: Dwell, one: Dwell| {
+            if one.length() > best.length() {
+                one
+            } else {
+                best
+            }
+        };
+        let mut best = self.touching(tolerance).into_iter().reduce(longer);
         let pieces = self.stations.len() - 1;
         // What begins in the second cycle has begun in the first as well.
         for piece in 0..pieces.min(self.once) {
@@ -290,16 +281,11 @@ impl<'a> Course<'a> {
                 if band[1] - band[0] > tolerance {
                     break;
                 }
-                found.extend(self.through(piece, out, tolerance));
+                let beaten = best.map_or(0.0, |best| best.length());
+                best = self.through(piece, out, tolerance, beaten).or(best);
             }
         }
-        found.into_iter().reduce(|best, one| {
-            if one.length() > best.length() {
-                one
-            } else {
-                best
-            }
-        })
+        best
     }
 
     /// The strokes of a cycle: from extremum to extremum, with the inputs and the
@@ -313,5 +299,42 @@ impl<'a> Course<'a> {
             return Vec::new();
         }
         pairs.collect()
+    }
+}
+
+/// A band that a quantity comes into on one piece and leaves, the same way up or
+/// down, on another or the same.
+struct Flank<'a> {
+    course: &'a Course<'a>,
+    pieces: [usize; 2],
+    /// 1 upwards, −1 downwards.
+    way: f64,
+    tolerance: f64,
+}
+
+/// How a quantity passes through a band.
+#[derive(Clone, Copy)]
+struct Pass {
+    arc: [f64; 2],
+    /// Positive while raising the band lengthens the arc: it leaves more slowly than
+    /// it came.
+    lengthens: f64,
+}
+
+impl Flank<'_> {
+    /// With the band's lower edge, counted along the way, at a level.
+    fn pass(&self, level: f64) -> Option<Pass> {
+        let Self { course, way, .. } = self;
+        let from = course.reaches(self.pieces[0], way * level)?;
+        let to = course.reaches(self.pieces[1], way * (level + self.tolerance))?;
+        let slope = |input: f64| -> Option<f64> {
+            let pose = course.motion.pose::<2>(input).ok()?;
+            let jet = course.quantity.of(course.motion.mechanism(), &pose);
+            Some(way * jet.derivative(1))
+        };
+        Some(Pass {
+            arc: [from, to],
+            lengthens: slope(from)? - slope(to)?,
+        })
     }
 }

@@ -76,6 +76,34 @@ pub fn features(
         .collect()
 }
 
+/// The extrema alone of one quantity itself, as of [`features`], in fewer
+/// derivatives.
+pub(super) fn turning_points(
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Jet<3>>,
+    unit: f64,
+) -> Vec<Extremum> {
+    let sample = |crank: f64| {
+        let jet = motion(crank)?;
+        let f = [0, 1, 2].map(|order| jet.derivative(order));
+        Some(Sample { crank, f })
+    };
+    let sweeps = stretches(cycle).into_iter().map(|stretch| {
+        let samples = stretch.into_iter().map(sample).collect();
+        if cycle.is_full() {
+            from_the_start(cycle, samples)
+        } else {
+            samples
+        }
+    });
+    let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
+    let Some(seam) = seam(&sweeps, unit) else {
+        return Vec::new();
+    };
+    let turns = ordered_roots(cycle, &sweeps, &sample, 1, seam);
+    turns.iter().filter_map(Sample::extremum).collect()
+}
+
 /// Zeros and extrema of one function of the crank angle, from samples of the
 /// whole motion; beside `size` its values are seen.
 fn features_of(
@@ -84,14 +112,36 @@ fn features_of(
     sample: &dyn Fn(f64) -> Option<Sample>,
     size: f64,
 ) -> Features {
+    let Some(seam) = seam(sweeps, size) else {
+        return Features::default();
+    };
+    let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, sweeps, sample, order, seam));
+    Features {
+        zeros: zeros.iter().map(|sample| sample.crank).collect(),
+        extrema: turns.iter().filter_map(Sample::extremum).collect(),
+    }
+}
+
+/// By how much a function moves at most from the end of a cycle to its start; none
+/// where it is constant.
+fn seam(sweeps: &[Vec<Option<Sample>>], size: f64) -> Option<f64> {
     let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
     let [least, most] = values.fold(
         [f64::INFINITY, f64::NEG_INFINITY],
         |[least, most], value| [least.min(value), most.max(value)],
     );
-    if most - least <= CONSTANT * least.abs().max(most.abs()).max(size) {
-        return Features::default();
-    }
+    let constant = most - least <= CONSTANT * least.abs().max(most.abs()).max(size);
+    (!constant).then_some(0.5 * (most - least))
+}
+
+/// [`all_roots`] within the cycle, in ascending order.
+fn ordered_roots(
+    cycle: &Cycle,
+    sweeps: &[Vec<Option<Sample>>],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    order: usize,
+    seam: f64,
+) -> Vec<Sample> {
     let in_cycle = |crank: f64| {
         let [start, end] = cycle.axis();
         let wrapped = cycle.wrap(crank);
@@ -101,29 +151,13 @@ fn features_of(
             wrapped
         }
     };
-    let seam = 0.5 * (most - least);
-    let [zeros, turns] = [0, 1].map(|order| {
-        let mut ordered: Vec<Sample> = Vec::new();
-        for mut found in all_roots(cycle, sweeps, sample, order, seam) {
-            found.crank = in_cycle(found.crank);
-            let at = ordered.partition_point(|other| other.crank < found.crank);
-            ordered.insert(at, found);
-        }
-        ordered
-    });
-    let extremum = |sample: &Sample| {
-        let bend = sample.f[2];
-        let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
-        (bend != 0.0).then_some(Extremum {
-            kind,
-            crank: sample.crank,
-            value: sample.f[0],
-        })
-    };
-    Features {
-        zeros: zeros.iter().map(|sample| sample.crank).collect(),
-        extrema: turns.iter().filter_map(extremum).collect(),
+    let mut ordered: Vec<Sample> = Vec::new();
+    for mut found in all_roots(cycle, sweeps, sample, order, seam) {
+        found.crank = in_cycle(found.crank);
+        let at = ordered.partition_point(|other| other.crank < found.crank);
+        ordered.insert(at, found);
     }
+    ordered
 }
 
 /// Samples of a full cycle around φ₁ = 0, put in order from its start to its end:
@@ -180,6 +214,19 @@ fn all_roots(
 struct Sample {
     crank: f64,
     f: [f64; 3],
+}
+
+impl Sample {
+    /// What it is if its rate vanishes.
+    fn extremum(&self) -> Option<Extremum> {
+        let [value, _, bend] = self.f;
+        let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
+        (bend != 0.0).then_some(Extremum {
+            kind,
+            crank: self.crank,
+            value,
+        })
+    }
 }
 
 /// The grid of each arc: even, and graded towards multiples of π. A full cycle is

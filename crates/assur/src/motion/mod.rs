@@ -6,6 +6,7 @@ mod extrema;
 mod features;
 mod input;
 mod knots;
+mod root;
 pub mod sweep;
 mod table;
 mod trace;

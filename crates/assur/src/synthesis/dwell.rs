@@ -374,9 +374,6 @@ fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
         conditioning,
     };
     let pose = motion.pose::<1>(mechanism.home()).ok()?;
-    let mut drawn = draft.clone();
-    for (index, point) in drawn.points.iter_mut().enumerate() {
-        point.at = mechanism.place(&pose, index).place();
-    }
+    let drawn = draft.drawn_in(&mechanism, &pose);
     reached.residual.is_finite().then_some((drawn, reached))
 }

@@ -1,0 +1,70 @@
+//! A root between two places where a function has other signs.
+
+/// Steps after which a root is as good as it gets; halving alone takes about sixty.
+const STEPS: usize = 120;
+
+/// The root of a continuous function between two ends `[x, f(x)]` of other signs, to
+/// rounding: by inverse quadratic interpolation where that is safe, else by halving
+/// (Chandrupatla, Advances in Engineering Software 28, 1997). None where the
+/// function has no value.
+pub(super) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let mut part = 0.5;
+    for _ in 0..STEPS {
+        let x = a[0] + part * (b[0] - a[0]);
+        let next = [x, f(x)?];
+        // `a` is the newest place, `b` that of the other sign, `c` the one before.
+        let c = if (next[1] > 0.0) == (a[1] > 0.0) {
+            a
+        } else {
+            std::mem::replace(&mut b, a)
+        };
+        a = next;
+        let best = if a[1].abs() < b[1].abs() { a } else { b };
+        let least = 2.0 * f64::EPSILON * best[0].abs() / (b[0] - a[0]).abs();
+        if best[1] == 0.0 || least.is_nan() || least > 0.5 {
+            return Some(best[0]);
+        }
+        let xi = (a[0] - b[0]) / (c[0] - b[0]);
+        let phi = (a[1] - b[1]) / (c[1] - b[1]);
+        let safe = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+        part = if safe {
+            a[1] / (b[1] - a[1]) * c[1] / (b[1] - c[1])
+                + (c[0] - a[0]) / (b[0] - a[0]) * a[1] / (c[1] - a[1]) * b[1] / (c[1] - b[1])
+        } else {
+            0.5
+        };
+        part = part.clamp(least, 1.0 - least);
+    }
+    Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::root;
+
+    /// Roots of steep, flat and multiple kind, in few steps where they are simple.
+    #[test]
+    fn roots_to_rounding() {
+        type Case = (fn(f64) -> f64, [f64; 2], f64, usize, f64);
+        let cases: [Case; 5] = [
+            (|x| x * x - 2.0, [0.0, 2.0], 2f64.sqrt(), 12, 1e-15),
+            (|x| 2.0 - x * x, [2.0, 0.0], 2f64.sqrt(), 12, 1e-15),
+            (|x| (20.0 * (x - 0.3)).tanh(), [-1.0, 4.0], 0.3, 16, 1e-15),
+            (|x| x.exp() - 1.0, [-9.0, 1.0], 0.0, 20, 1e-15),
+            (|x| (x - 0.4).powi(5), [0.0, 1.0], 0.4, 90, 1e-12),
+        ];
+        for (number, (f, ends, expected, most, tolerance)) in cases.into_iter().enumerate() {
+            let asked = Cell::new(0);
+            let found = root(ends.map(|x| [x, f(x)]), |x| {
+                asked.set(asked.get() + 1);
+                Some(f(x))
+            });
+            let off = (found.unwrap() - expected).abs();
+            assert!(off <= tolerance, "{number}: {off:e}");
+            assert!(asked.get() <= most, "{number}: {} values", asked.get());
+        }
+        assert_eq!(root([[0.0, -1.0], [1.0, 1.0]], |_| None), None);
+    }
+}
