@@ -1,6 +1,7 @@
 //! The Class IV mechanism on the page: its dwell, its cyclogram, its lesson.
 
 use crate::browser::Page;
+use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 use thirtyfour::prelude::*;
 
@@ -24,6 +25,12 @@ async fn its_dwell_is_measured_and_regulated() {
     assert!(bars.contains("rise") && bars.contains("dwell") && bars.contains("return"));
     let shaded = page.picture("charts").await.places(SHADE).count();
     assert!(shaded > 5000, "{shaded}");
+
+    // Shade and inset are on the exported plots, too.
+    open_dialog(&page).await;
+    let svg = save_text(&page, "export-plots-svg", "assur-class4-dwell-plots.svg").await;
+    assert!(svg.contains("↕ 0.1°"));
+    page.click("export-close").await;
 
     page.write("field-band", "0.01").await;
     page.until("a narrower band", async || {

@@ -21,7 +21,7 @@ async fn open() -> Page {
     page
 }
 
-async fn open_dialog(page: &Page) {
+pub(crate) async fn open_dialog(page: &Page) {
     page.click("menu").await;
     page.click("export").await;
     wait_for_dialog(page).await;
@@ -39,7 +39,7 @@ async fn save(page: &Page, button: &str, name: &str) -> Vec<u8> {
     page.saved(name).await
 }
 
-async fn save_text(page: &Page, button: &str, name: &str) -> String {
+pub(crate) async fn save_text(page: &Page, button: &str, name: &str) -> String {
     String::from_utf8(save(page, button, name).await).unwrap()
 }
 

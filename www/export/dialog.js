@@ -82,9 +82,10 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
 /**
  * @param {import("assur/engine.js").Engine} engine
  * @param {import("assur/model.js").Model} model
- * @returns {string} `assur-mixer-a`; of a mechanism that is none of the presets `assur-mixer`
+ * @returns {string} `assur-mixer-a`, of a mechanism that is none of the presets `assur-mixer`; `assur-jansen` or `assur-linkage`
  */
-function fileName({ presets }, { good: { lesson, document } }) {
-  const preset = presets.find((one) => contains(document, one.document));
+function fileName(engine, { good: { lesson, document } }) {
+  if (lesson !== "mixer") return `assur-${engine.original(document)?.id ?? lesson}`;
+  const preset = engine.presets.find((one) => contains(document, one.document));
   return ["assur", lesson, ...(preset ? [preset.id] : [])].join("-");
 }

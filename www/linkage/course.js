@@ -76,10 +76,14 @@ function paintInset(context, panel, { arc: [from, to], band: [least, most] }, va
   const top = panel.top + (middle > panel.height / 2 ? 6 : panel.height - height - 6);
   const shown = Math.min(Math.max(across(panel, (from + to) / 2), panel.left + width / 2 + 6), panel.left + panel.width - width / 2 - 6);
   const left = shown - width / 2;
-  context.beginPath();
-  context.rect(left, top, width, height);
   context.fillStyle = theme.colours.paper;
-  context.fill();
+  context.fillRect(left, top, width, height);
+  context.beginPath();
+  context.moveTo(left, top);
+  context.lineTo(left + width, top);
+  context.lineTo(left + width, top + height);
+  context.lineTo(left, top + height);
+  context.closePath();
   context.strokeStyle = theme.colours.secondary;
   context.lineWidth = theme.weight;
   context.stroke();
