@@ -30,6 +30,7 @@ const BUILT: [(&str, &[&str]); 24] = [
             "www/rail-lists.js",
             "www/linkage/views.js",
             "www/linkage/course.js",
+            "www/linkage/design.js",
         ],
     ),
     ("field.tracers.", &["www/rail-lists.js"]),
@@ -48,6 +49,7 @@ const BUILT: [(&str, &[&str]); 24] = [
             "www/rail.js",
             "www/rail-lists.js",
             "www/linkage/course.js",
+            "www/linkage/design.js",
             "www/linkage/views.js",
         ],
     ),
@@ -390,6 +392,12 @@ fn every_problem_has_words() {
         "guides_parallel",
         "links_undetermined",
         "links_dead_point",
+        "bad_wish",
+        "no_output",
+        "nothing_moves",
+        "no_dimension",
+        "bad_range",
+        "blocked",
     ];
     let fields = [
         "l1",

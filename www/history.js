@@ -67,6 +67,11 @@ export class History {
     this.#open = false;
   }
 
+  /** What changes next belongs to the step before. */
+  join() {
+    this.#open = true;
+  }
+
   /**
    * A change that is a step of its own, whatever is being edited.
    * @param {() => void} change

@@ -121,7 +121,7 @@ function run(engine, habits, opening, startWords) {
       import("assur/linkage/views.js"),
       import("assur/linkage/course.js"),
     ]);
-    special.linkage = [new LinkageRail(store, drafts, words), new CourseView(store, drafts, words), new LinkageStatus(words)];
+    special.linkage = [new LinkageRail(store, drafts, words), new CourseView(store, drafts, history, words), new LinkageStatus(words)];
     chart.lay(paintCourse);
     views.push(new LinkageTitle(engine));
     loop.request();

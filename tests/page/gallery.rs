@@ -20,7 +20,7 @@ const FORMULAS: [(&str, &str); 2] = [
     ),
 ];
 
-fn document(name: &str) -> LinkageDocument {
+pub(crate) fn document(name: &str) -> LinkageDocument {
     from_catalogue(name).unwrap().unwrap()
 }
 
@@ -52,7 +52,7 @@ pub(crate) async fn open(page: &Page, name: &str) {
 
 /// What the page reads out of a quantity is what the engine says, with both
 /// derivatives.
-async fn agrees(page: &Page, document: &LinkageDocument, name: &str) {
+pub(crate) async fn agrees(page: &Page, document: &LinkageDocument, name: &str) {
     let motion = document.motion().unwrap();
     let mechanism = motion.mechanism();
     let phi = page.value("out-phi1").await;

@@ -8,6 +8,7 @@ mod browser;
 mod bundle;
 mod class4;
 mod damage;
+mod design;
 mod device;
 mod export;
 mod gallery;

@@ -4,6 +4,7 @@ import { degrees } from "assur/angles.js";
 import { setChartFont } from "assur/chart-text.js";
 import { byId, make, write } from "assur/dom.js";
 import { attempt } from "assur/engine.js";
+import { DesignView } from "assur/linkage/design.js";
 import { NumberRow } from "assur/number-row.js";
 import { across, down } from "assur/panels.js";
 import { withDocument } from "assur/state.js";
@@ -115,6 +116,7 @@ const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]))
 const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
 
 export class CourseView {
+  #design;
   #row;
   #name = make("caption");
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
@@ -125,9 +127,11 @@ export class CourseView {
   /**
    * @param {import("assur/store.js").Store<any>} store
    * @param {import("assur/drafts.js").Drafts} drafts
+   * @param {import("assur/history.js").History} history
    * @param {Words} words
    */
-  constructor(store, drafts, words) {
+  constructor(store, drafts, history, words) {
+    this.#design = new DesignView(store, drafts, history);
     this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
       store.update((state) => withDocument(state, /** @type {any} */ ({ band }))),
     );
@@ -137,13 +141,16 @@ export class CourseView {
       this.#row.element,
       make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
       this.#bars,
+      this.#design.element,
     ]);
     byId("shown", HTMLElement).before(section);
     words.fill(section);
   }
 
   /** @param {Snapshot} snapshot */
-  render({ summary, words, problems, stale }) {
+  render(snapshot) {
+    this.#design.render(snapshot);
+    const { summary, words, problems, stale } = snapshot;
     const { course, plotted } = summary;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     const shown = [course, words, wrong];

@@ -84,8 +84,7 @@ export class LinkageRail {
   #build(linkage, summary, words) {
     const hinged = linkage.links.filter(({ points, fixed_to: to }) => !to && points.some((point) => linkage.frame.includes(point)));
     this.#driver.replaceChildren(...hinged.map(({ name }) => make("option", { value: name }, [name])));
-    const straight = linkage.links.flatMap((link, index) => (link.points.length === 2 && !link.shape && !link.fixed_to ? [index] : []));
-    this.#rows = straight.map((index) => {
+    this.#rows = straightLinks(linkage).map((index) => {
       const { name } = linkage.links[index];
       const length = lengthOf(linkage, index);
       const step = 10 ** (Math.floor(Math.log10(length)) - 2);
@@ -111,6 +110,14 @@ export class LinkageRail {
     const { links } = this.#store.get().document;
     this.#edit({ links: links.map((/** @type {object} */ link, /** @type {number} */ at) => (at === index ? { ...link, length } : link)) });
   }
+}
+
+/**
+ * @param {LinkageDocument} linkage
+ * @returns {number[]} the links that have one length, by their numbers
+ */
+export function straightLinks({ links }) {
+  return links.flatMap((link, index) => (link.points.length === 2 && !link.shape && !link.fixed_to ? [index] : []));
 }
 
 /**

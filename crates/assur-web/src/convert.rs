@@ -54,7 +54,10 @@ pub(crate) struct Redrawn {
 #[cfg(feature = "linkages")]
 impl Redrawn {
     pub(crate) fn new(draft: &Draft) -> Self {
-        let LinkageDocument { points, links, .. } = LinkageDocument::new(draft);
+        Self::of(LinkageDocument::new(draft))
+    }
+
+    pub(crate) fn of(LinkageDocument { points, links, .. }: LinkageDocument) -> Self {
         Self {
             points,
             links,

@@ -1,6 +1,6 @@
 //! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
 
-use assur::mechanism::Quantity;
+use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{Course, Motion, PhaseKind};
 use serde::Serialize;
 
@@ -32,21 +32,23 @@ struct PhaseSummary {
     arc: [f64; 2],
 }
 
+/// The width of a band as the page has it, the usual one where none is given, and
+/// in the engine's unit.
+pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
+    if quantity.is_angle() {
+        let width = width.unwrap_or(BAND);
+        (width, width.to_radians())
+    } else {
+        let width = width.unwrap_or(FINE * mechanism.size());
+        (width, width)
+    }
+}
+
 impl CourseSummary {
     /// Of a quantity, with dwells within a band of a width in degrees, or in the
     /// unit of the lengths.
     pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
-        let usual = if quantity.is_angle() {
-            BAND
-        } else {
-            FINE * motion.mechanism().size()
-        };
-        let width = width.unwrap_or(usual);
-        let band = if quantity.is_angle() {
-            width.to_radians()
-        } else {
-            width
-        };
+        let (width, band) = band(motion.mechanism(), quantity, width);
         let course = Course::new(motion, quantity);
         let strokes = course.strokes();
         let values = strokes.iter().flatten().map(|[_, value]| *value);

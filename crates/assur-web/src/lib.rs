@@ -6,6 +6,8 @@ mod convert;
 #[cfg(feature = "linkages")]
 mod course;
 #[cfg(feature = "linkages")]
+mod design;
+#[cfg(feature = "linkages")]
 mod linkage;
 mod mixer;
 mod shown;
@@ -15,6 +17,8 @@ mod summary;
 mod table;
 mod thin;
 
+#[cfg(feature = "linkages")]
+pub use design::Design;
 #[cfg(feature = "linkages")]
 pub use linkage::gallery;
 pub use simulator::{Simulator, presets, read_state, role_names, version};

@@ -2,7 +2,10 @@
 //! fields, names of links and points. The words are in `lang/`.
 
 use assur::mechanism::{Defect, Mechanism, Obstacle, Unsolved};
+use assur::synthesis::dwell::{Freedom, Movable, Refused};
 use serde::Serialize;
+
+use crate::Field;
 
 /// A problem of a linkage; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -88,6 +91,19 @@ pub enum LinkageProblem {
     LinksUndetermined { links: Vec<String> },
     /// Derivatives are unbounded.
     LinksDeadPoint { links: Vec<String> },
+    /// A wish for a dwell that is not greater than zero, or an arc of more than a turn.
+    BadWish { field: Field },
+    /// The mechanism has no such output.
+    NoOutput,
+    /// A search in which no dimension may change.
+    NothingMoves,
+    /// A dimension that is to change and is not there, or is no one length.
+    NoDimension { name: String },
+    /// A range of a dimension that is empty, or without its value.
+    BadRange { name: String },
+    /// A search from a linkage whose driver does not turn fully, or comes close to a
+    /// singular position.
+    Blocked,
 }
 
 impl LinkageProblem {
@@ -106,6 +122,31 @@ impl LinkageProblem {
             Obstacle::Undetermined => Self::LinksUndetermined { links },
             Obstacle::DeadPoint => Self::LinksDeadPoint { links },
         }
+    }
+}
+
+impl LinkageProblem {
+    /// Why there is no search for a dwell in which these dimensions may change.
+    pub fn refused(refused: Refused, freedoms: &[Freedom]) -> Vec<Self> {
+        let name = |index: usize| match freedoms.get(index).map(|one| &one.dimension) {
+            Some(Movable::Length { link: name })
+            | Some(Movable::X { point: name } | Movable::Y { point: name }) => name.clone(),
+            None => String::new(),
+        };
+        let wish = |field: &'static str| Self::BadWish {
+            field: field.into(),
+        };
+        vec![match refused {
+            Refused::Tolerance => wish("band"),
+            Refused::Arc => wish("design.arc"),
+            Refused::Stroke => wish("design.stroke"),
+            Refused::Output => Self::NoOutput,
+            Refused::Rigid => Self::NothingMoves,
+            Refused::Dimension(index) => Self::NoDimension { name: name(index) },
+            Refused::Range(index) => Self::BadRange { name: name(index) },
+            Refused::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
+            Refused::Blocked => Self::Blocked,
+        }]
     }
 }
 

@@ -1,0 +1,186 @@
+//! "Design your dwell" on the page: a search through the border, step by step, run
+//! in a worker of the page.
+
+use assur::mechanism::Quantity;
+use assur::synthesis::dwell::{End, Freedom, Movable, Progress, Reached, Refused, Search, Wish};
+use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, State};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+use crate::convert::{Redrawn, thrown, to_js};
+use crate::course::band;
+
+/// What is wanted of the first output that is plotted; within which band it stands
+/// still, the document says.
+#[derive(Deserialize)]
+struct Wishes {
+    /// The arc of the crank over which it stands at least, radians.
+    arc: f64,
+    /// From its least to its greatest value: radians, or in the unit of the lengths.
+    stroke: f64,
+    movable: Vec<Movement>,
+}
+
+/// A link whose length may change by this part of it, more or less.
+#[derive(Deserialize)]
+struct Movement {
+    link: String,
+    by: f64,
+}
+
+/// A search for a linkage with a wanted dwell.
+#[wasm_bindgen]
+pub struct Design {
+    search: Search,
+    document: LinkageDocument,
+    freedoms: Vec<Freedom>,
+    /// The residual at the start.
+    before: f64,
+}
+
+#[derive(Serialize)]
+struct StepSummary {
+    judged: usize,
+    accepted: bool,
+    before: f64,
+    reached: ReachedSummary,
+    end: Option<&'static str>,
+    document: Option<Redrawn>,
+}
+
+#[derive(Serialize)]
+struct ReachedSummary {
+    arc: f64,
+    stroke: f64,
+    residual: f64,
+    conditioning: f64,
+}
+
+#[wasm_bindgen]
+impl Design {
+    /// A search from the linkage of a state; `wishes` is `{arc, stroke, movable:
+    /// [{link, by}]}`, `by` a part of the length of a link with two points.
+    ///
+    /// # Errors
+    /// Every problem of the state; else the first of the wishes.
+    #[wasm_bindgen(constructor)]
+    pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
+        let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
+        let state = State::read(source).map_err(|problem| thrown([problem]))?;
+        let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
+            thrown([Problem::BadState {
+                path: "wishes".to_owned(),
+                detail: error.to_string(),
+            }])
+        })?;
+        Self::of(&state, &wishes).map_err(thrown)
+    }
+
+    /// Judges one mechanism more: `{judged, accepted, before, reached: {arc, stroke,
+    /// residual, conditioning}, end, document}`. `reached` is of the best one so far,
+    /// `before` the residual of the first; `end` is `fulfilled`, `settled` or null;
+    /// `document` has the fields that become others where one was accepted.
+    pub fn step(&mut self) -> JsValue {
+        let Progress {
+            judged,
+            accepted,
+            reached,
+            end,
+        } = self.search.step();
+        to_js(&StepSummary {
+            judged,
+            accepted,
+            before: self.before,
+            reached: reached.into(),
+            end: end.map(|end| match end {
+                End::Fulfilled => "fulfilled",
+                End::Settled => "settled",
+            }),
+            document: accepted.then(|| self.redrawn()),
+        })
+    }
+}
+
+impl Design {
+    fn of(state: &State, wishes: &Wishes) -> Result<Self, Vec<Problem>> {
+        state.check()?;
+        let refused = |refused: Refused, freedoms: &[Freedom]| {
+            let problems = LinkageProblem::refused(refused, freedoms);
+            problems.into_iter().map(Problem::from).collect::<Vec<_>>()
+        };
+        let Document::Linkage(document) = &state.document else {
+            return Err(refused(Refused::Output, &[]));
+        };
+        let motion = document.motion()?;
+        let mechanism = motion.mechanism();
+        let plotted = document.plotted(mechanism, &state.view.plot);
+        let output: Option<Quantity> = plotted.and_then(|all| all.first().copied());
+        let output = output.ok_or_else(|| refused(Refused::Output, &[]))?;
+        // The search goes by the drawing: it is to show the assembly that moves.
+        let pose = motion.pose::<1>(mechanism.home());
+        let pose = pose.map_err(|_| refused(Refused::Blocked, &[]))?;
+        let draft = document.draft();
+        let lengths = wishes.movable.iter().map(|Movement { link, by }| {
+            let link = link.clone();
+            let dimension = Movable::Length { link };
+            let length = dimension.of(&draft).unwrap_or_default();
+            Freedom {
+                dimension,
+                range: [length * (1.0 - by), length * (1.0 + by)],
+            }
+        });
+        let freedoms: Vec<Freedom> = lengths.collect();
+        let wish = Wish {
+            tolerance: band(mechanism, output, document.band).1,
+            arc: wishes.arc,
+            stroke: wishes.stroke,
+        };
+        let draft = match document.assembly {
+            None => draft,
+            Some(_) => draft.drawn_in(mechanism, &pose),
+        };
+        let search = Search::new(&draft, &output.name(mechanism, 0), wish, &freedoms);
+        let search = search.map_err(|error| refused(error, &freedoms))?;
+        Ok(Self {
+            document: document.clone(),
+            before: search.progress().reached.residual,
+            search,
+            freedoms,
+        })
+    }
+
+    /// The document with the lengths and the drawing of the best linkage so far.
+    fn redrawn(&self) -> Redrawn {
+        let mut document = self.document.clone();
+        let drawn = self.search.draft().points.iter();
+        for (point, drawn) in document.points.iter_mut().zip(drawn) {
+            point.at = [drawn.at.x, drawn.at.y];
+        }
+        for (freedom, value) in self.freedoms.iter().zip(self.search.values()) {
+            let Movable::Length { link } = &freedom.dimension else {
+                continue;
+            };
+            for link in document.links.iter_mut().filter(|one| one.name == *link) {
+                (link.length, link.shape) = (Some(*value), None);
+            }
+        }
+        Redrawn::of(document)
+    }
+}
+
+impl From<Reached> for ReachedSummary {
+    fn from(reached: Reached) -> Self {
+        let Reached {
+            arc,
+            stroke,
+            residual,
+            conditioning,
+        } = reached;
+        Self {
+            arc,
+            stroke,
+            residual,
+            conditioning,
+        }
+    }
+}
