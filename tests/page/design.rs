@@ -4,7 +4,7 @@
 use assur::synthesis::dwell::{Freedom, Movable, Search, Wish};
 use thirtyfour::prelude::*;
 
-use crate::browser::Page;
+use crate::browser::{Page, setting};
 use crate::gallery::{agrees, document, open};
 
 /// FK among the links, and how long it is made.
@@ -112,6 +112,24 @@ async fn a_dwell_is_searched_for_while_the_page_moves() {
     page.click("redo").await;
     page.settle().await;
     agrees(&page, &better, "CD.angle").await;
+    page.close().await;
+}
+
+/// A worker of the one file is a `data:` address, and the engine it asks for too.
+#[tokio::test]
+async fn a_search_in_the_one_file() {
+    let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
+    page.stop_at("40").await;
+    lengthened(&page).await;
+    page.click("design-start").await;
+    page.until("a better mechanism", async || {
+        page.text("design-progress").await.contains("judged")
+            && page.written(&format!("field-length-{FK}")).await != "4.062"
+    })
+    .await;
+    page.click("design-stop").await;
+    let told = page.text("design-progress").await;
+    assert!(told.contains("Stopped"), "{told}");
     page.close().await;
 }
 

@@ -26,6 +26,12 @@ const USUAL = "5";
 /** Of the mechanisms that are no better, every so many are told: a screen reader would not come to its end. */
 const TOLD = 10;
 
+/**
+ * How long a better mechanism is shown before the search goes on, in milliseconds: long enough to be seen, and for drawing it
+ * anew, which takes some frames, to leave the motion smooth.
+ */
+const SHOWN = 400;
+
 /** How a search ended. */
 const ENDS = Object.freeze({ fulfilled: "design.fulfilled", settled: "design.settled", stopped: "design.stopped" });
 
@@ -35,8 +41,8 @@ export class DesignView {
   #history;
   #wanted = make("div");
   #links = make("div");
-  #start = make("button", { id: "design-start", class: "control", type: "button", "data-t": "design.start" });
-  #stop = make("button", { id: "design-stop", class: "control", type: "button", "data-t": "design.stop" });
+  #start = make("button", { id: "design-start", class: "control add", type: "button", "data-t": "design.start" });
+  #stop = make("button", { id: "design-stop", class: "control add", type: "button", "data-t": "design.stop" });
   #told = make("p", { id: "design-progress", role: "status" });
   /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
   #rows = null;
@@ -218,6 +224,8 @@ export class DesignView {
     this.#store.update((state) => withDocument(state, /** @type {any} */ (change)));
     const { document: linkage, view } = this.#store.get();
     this.#subject = { document: linkage, plot: view.plot };
+    const worker = this.#worker;
+    setTimeout(() => worker?.postMessage({}), SHOWN);
   }
 
   /** @param {keyof typeof ENDS | null} end */

@@ -1,7 +1,17 @@
 // The search for a dwell, beside the page: one mechanism after the other is judged, and each is told. The import map of the
-// page does not hold here, so that the page says where the engine is. It is stopped from outside.
+// page does not hold here, so that the page says where the engine is. After a better one it waits until the page has shown it;
+// it is stopped from outside.
 
-addEventListener("message", async ({ data: { engine, wasm, state, wishes } }) => {
+/** Goes on with the search. */
+let goOn = () => {};
+
+addEventListener("message", ({ data }) => {
+  if (data.engine) search(data);
+  else goOn();
+});
+
+/** @param {{ engine: string, wasm: string, state: object, wishes: object }} task addresses of the engine, arguments of its Design */
+async function search({ engine, wasm, state, wishes }) {
   try {
     const { default: load, Design } = await import(engine);
     await load({ module_or_path: fetch(wasm) });
@@ -10,9 +20,10 @@ addEventListener("message", async ({ data: { engine, wasm, state, wishes } }) =>
     do {
       progress = design.step();
       postMessage({ progress });
+      if (progress.accepted) await new Promise((resolve) => (goOn = () => resolve(undefined)));
     } while (!progress.end);
   } catch (thrown) {
     if (!Array.isArray(thrown)) console.error(thrown);
     postMessage({ problems: Array.isArray(thrown) ? thrown : [{ code: "not_arrived" }] });
   }
-});
+}
