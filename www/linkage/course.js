@@ -143,7 +143,7 @@ export class CourseView {
       this.#bars,
       this.#design.element,
     ]);
-    byId("shown", HTMLElement).before(section);
+    byId("overlays", HTMLElement).before(section);
     words.fill(section);
   }
 
