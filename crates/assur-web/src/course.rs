@@ -50,16 +50,10 @@ impl CourseSummary {
     pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
         let (width, band) = band(motion.mechanism(), quantity, width);
         let course = Course::new(motion, quantity);
-        let strokes = course.strokes();
-        let values = strokes.iter().flatten().map(|[_, value]| *value);
-        let [least, most] = values.fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[least, most], value| [least.min(value), most.max(value)],
-        );
         let phases = course.cyclogram(band).into_iter();
         Self {
             width,
-            stroke: (least <= most).then_some(most - least),
+            stroke: course.stroke(),
             dwell: course.dwell(band).map(|dwell| DwellSummary {
                 arc: dwell.arc,
                 band: dwell.band,

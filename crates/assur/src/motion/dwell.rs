@@ -300,6 +300,18 @@ impl<'a> Course<'a> {
         }
         pairs.collect()
     }
+
+    /// From the least value at an end of a stroke to the greatest; none of what
+    /// turns on and on.
+    pub fn stroke(&self) -> Option<f64> {
+        let strokes = self.strokes();
+        let values = strokes.iter().flatten().map(|[_, value]| *value);
+        let [least, most] = values.fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[least, most], value| [least.min(value), most.max(value)],
+        );
+        (least <= most).then_some(most - least)
+    }
 }
 
 /// A band that a quantity comes into on one piece and leaves, the same way up or

@@ -357,15 +357,9 @@ fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
         return None;
     }
     let course = Course::new(&motion, quantity);
-    let values = course
-        .strokes()
-        .into_iter()
-        .flatten()
-        .map(|[_, value]| value);
-    let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-        [low.min(value), high.max(value)]
-    });
-    let (arc, stroke) = (course.dwell(wish.tolerance)?.length(), high - low);
+    let arc = course.dwell(wish.tolerance)?.length();
+    // What turns on and on is as far from any wish as can be.
+    let stroke = course.stroke().unwrap_or(f64::NEG_INFINITY);
     let defects = [(1.0 - arc / wish.arc).max(0.0), stroke / wish.stroke - 1.0];
     let reached = Reached {
         arc,
