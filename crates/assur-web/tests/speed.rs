@@ -147,16 +147,17 @@ impl Full {
     fn store(&mut self, motion: &Motion, index: usize, crank: f64) {
         motion.place(crank, &mut self.pose).unwrap();
         let mechanism = motion.mechanism();
-        let points = self.points.iter().flat_map(|point| {
+        let count = 2 * self.points.len() + self.links.len();
+        let row = &mut self.columns[index * count..][..count];
+        let (places, angles) = row.split_at_mut(2 * self.points.len());
+        for (columns, point) in places.chunks_exact_mut(2).zip(&self.points) {
             let place = mechanism.place(&self.pose, *point);
-            [place.x, place.y]
-        });
-        let links = self.links.iter();
-        let links = links.map(|link| mechanism.angle(&self.pose, *link));
-        let count = self.columns.len() / DEGREES;
-        let row = self.columns[index * count..][..count].iter_mut();
-        for (column, value) in row.zip(points.chain(links)) {
-            *column = [0, 1, 2].map(|order| value.derivative(order));
+            columns[0] = [0, 1, 2].map(|order| place.x.derivative(order));
+            columns[1] = [0, 1, 2].map(|order| place.y.derivative(order));
+        }
+        for (column, link) in angles.iter_mut().zip(&self.links) {
+            let angle = mechanism.angle(&self.pose, *link);
+            *column = [0, 1, 2].map(|order| angle.derivative(order));
         }
     }
 }

@@ -206,7 +206,7 @@ impl Mechanism {
             *stand = state.stand(body);
         }
         for (k, place) in state.natural.iter().enumerate() {
-            (self.natural[2 * k], self.natural[2 * k + 1]) = (place.x.value(), place.y.value());
+            self.natural[2 * k..][..2].copy_from_slice(place.value().as_slice());
         }
         let mut found = Vec::new();
         let mut tries = MOST_TRIES;
@@ -231,13 +231,9 @@ impl Mechanism {
         let mut farthest: Option<(String, f64)> = None;
         for body in self.steps[step].bodies() {
             for (point, local) in &self.bodies[body] {
-                let at: JetPoint<1> = state
-                    .place(Anchor {
-                        body,
-                        local: *local,
-                    })
-                    .into();
-                let by = (at.place() - draft.points[*point].at).norm();
+                let local = *local;
+                let at = state.place(Anchor { body, local }).value();
+                let by = (at - draft.points[*point].at.coords).norm();
                 if farthest.as_ref().is_none_or(|(_, most)| by > *most) {
                     farthest = Some((self.points[*point].0.clone(), by));
                 }
@@ -445,8 +441,8 @@ impl Mechanism {
         let driving = |body: usize| self.steps.iter().any(|step| step.leans_on(body));
         (0..self.stands.len()).all(|body| {
             let idle = self.steps.iter().any(|step| step.is_wheel(body)) && !driving(body);
-            let turned = [a, b].map(|state| JetPoint::from(state.turn[body]).place());
-            let moved = [a, b].map(|state| JetPoint::from(state.origin[body]).place());
+            let turned = [a, b].map(|state| state.turn[body].value());
+            let moved = [a, b].map(|state| state.origin[body].value());
             idle || (turned[0] - turned[1]).norm() <= within
                 && (moved[0] - moved[1]).norm() <= within * self.size
         })

@@ -324,7 +324,7 @@ impl Plan<'_> {
             .map(|(body, forms)| (body, forms.map(&mut index)))
             .collect();
         let unknowns = self.home.len();
-        let group = Group::new(offset, unknowns, self.inputs, forms, equations, bodies);
+        let group = Group::new(offset, unknowns, self.inputs, &forms, equations, bodies);
         group.map(|group| (group, self.home))
     }
 }

@@ -3,7 +3,7 @@
 use crate::gears::Mesh;
 use crate::position::{
     Anchor, Angle, Arm, Closed, Complex, Group, Input, Near, Obstacle, Prp, Rpp, Rpr, Rrp, Rrr,
-    State, Track,
+    State, Track, finite,
 };
 use crate::structure::{self, Structure};
 use crate::{FourBar, Jet, Vector};
@@ -90,21 +90,17 @@ impl Step {
             Self::Rpr(dyad) => dyad.solve(state, sign, step)?,
             Self::Prp(dyad) => dyad.solve(state, step)?,
             Self::Rpp(dyad) => dyad.solve(state, step)?,
-            Self::Group(group) => group.solve(state, near.natural, step)?,
+            Self::Group(group) => return group.solve(state, near, step),
         }
         let winds = self.winds();
-        let mut placed = true;
+        let mut sum = Vector::zeros();
         for body in self.bodies() {
             if winds {
-                state.angle[body] = Angle::Near(near.stands[body]);
+                state.winds(body, near);
             }
-            placed &= state.origin[body].is_finite() && state.turn[body].is_finite();
+            sum += state.origin[body].nought() + state.turn[body].nought();
         }
-        if placed {
-            Ok(())
-        } else {
-            Err(Obstacle::DeadPoint)
-        }
+        finite(sum)
     }
 
     /// The bodies that it places.

@@ -23,7 +23,7 @@ struct Knot {
 impl Knots {
     pub(super) fn push(&mut self, input: f64, signs: &[f64], state: &Followed) {
         let natural = state.natural.iter().flat_map(|place| {
-            [place.x, place.y].map(|jet| [0, 1, 2, 3].map(|order| jet.coefficient(order)))
+            [0, 1].map(|axis| [0, 1, 2, 3].map(|order: usize| place[order][axis]))
         });
         self.list.push(Knot {
             input,

@@ -232,7 +232,7 @@ impl<'a> Walk<'a> {
         Promise {
             stands: (0..self.here.angle.len()).map(stand).collect(),
             natural: places
-                .flat_map(|place| [by(place.x), by(place.y)])
+                .flat_map(|place| [by(place.x()), by(place.y())])
                 .collect(),
         }
     }

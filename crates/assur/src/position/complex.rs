@@ -1,25 +1,36 @@
 //! A vector of the plane with its derivatives, as a complex number: turning by a
 //! link's angle is a product.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Index, IndexMut, Mul, Sub};
 
 use crate::{Jet, JetPoint, Vector};
 
-/// x + iy with `N − 1` derivatives by the input.
+/// x + iy with `N − 1` derivatives by the input: its Taylor coefficients, each a
+/// vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Complex<const N: usize> {
-    pub(crate) x: Jet<N>,
-    pub(crate) y: Jet<N>,
-}
+pub(crate) struct Complex<const N: usize>([Vector; N]);
 
 impl<const N: usize> Complex<N> {
     pub(crate) fn new(x: Jet<N>, y: Jet<N>) -> Self {
-        Self { x, y }
+        Self(std::array::from_fn(|k| {
+            Vector::new(x.coefficient(k), y.coefficient(k))
+        }))
     }
 
     /// A vector that does not depend on the input.
+    #[inline(always)]
     pub(crate) fn constant(v: Vector) -> Self {
-        Self::new(Jet::constant(v.x), Jet::constant(v.y))
+        Self(std::array::from_fn(|k| {
+            if k == 0 { v } else { Vector::zeros() }
+        }))
+    }
+
+    /// The same in its place: a copy would take as long as the sums do.
+    #[inline(always)]
+    pub(crate) fn set_constant(&mut self, v: Vector) {
+        for (order, c) in self.0.iter_mut().enumerate() {
+            *c = if order == 0 { v } else { Vector::zeros() };
+        }
     }
 
     /// e^(iθ).
@@ -28,74 +39,100 @@ impl<const N: usize> Complex<N> {
         Self::new(cos, sin)
     }
 
+    pub(crate) fn x(&self) -> Jet<N> {
+        Jet::from_coefficients(self.0.map(|c| c.x))
+    }
+
+    pub(crate) fn y(&self) -> Jet<N> {
+        Jet::from_coefficients(self.0.map(|c| c.y))
+    }
+
+    /// Its value.
+    pub(crate) fn value(&self) -> Vector {
+        self.0.first().copied().unwrap_or_default()
+    }
+
     pub(crate) fn conjugate(self) -> Self {
-        Self::new(self.x, -self.y)
+        Self(self.0.map(conjugate))
     }
 
     /// i times this: a quarter turn to the left.
     pub(crate) fn left(self) -> Self {
-        Self::new(-self.y, self.x)
+        Self(self.0.map(|c| Vector::new(-c.y, c.x)))
     }
 
     pub(crate) fn norm_squared(self) -> Jet<N> {
-        self.x.square() + self.y.square()
+        self.dot(self)
     }
 
     /// The product with a constant.
+    #[inline(always)]
     pub(crate) fn by(self, v: Vector) -> Self {
-        Self::new(self.x * v.x - self.y * v.y, self.x * v.y + self.y * v.x)
+        Self(self.0.map(|c| product(c, v)))
     }
 
     pub(crate) fn scaled(self, factor: Jet<N>) -> Self {
-        Self::new(self.x * factor, self.y * factor)
+        Self::new(self.x() * factor, self.y() * factor)
     }
 
     /// The scalar product.
     pub(crate) fn dot(self, other: Self) -> Jet<N> {
-        self.x * other.x + self.y * other.y
+        self.x() * other.x() + self.y() * other.y()
     }
 
-    pub(crate) fn is_finite(&self) -> bool {
-        self.x.is_finite() && self.y.is_finite()
+    /// Zero where it is finite in all orders, else not: sums of it take the place
+    /// of 2N questions.
+    pub(crate) fn nought(&self) -> Vector {
+        self.0.iter().fold(Vector::zeros(), |sum, c| sum + c * 0.0)
     }
 }
 
-impl<const N: usize> From<JetPoint<N>> for Complex<N> {
-    fn from(point: JetPoint<N>) -> Self {
-        Self::new(point.x, point.y)
+impl<const N: usize> Index<usize> for Complex<N> {
+    type Output = Vector;
+    /// The Taylor coefficient of an order.
+    fn index(&self, order: usize) -> &Vector {
+        &self.0[order]
+    }
+}
+
+impl<const N: usize> IndexMut<usize> for Complex<N> {
+    fn index_mut(&mut self, order: usize) -> &mut Vector {
+        &mut self.0[order]
     }
 }
 
 impl<const N: usize> From<Complex<N>> for JetPoint<N> {
     fn from(place: Complex<N>) -> Self {
         Self {
-            x: place.x,
-            y: place.y,
+            x: place.x(),
+            y: place.y(),
         }
     }
 }
 
 impl<const N: usize> Add for Complex<N> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self::new(self.x + other.x, self.y + other.y)
+        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
     }
 }
 
 impl<const N: usize> Sub for Complex<N> {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self::new(self.x - other.x, self.y - other.y)
+        Self(std::array::from_fn(|k| self.0[k] - other.0[k]))
     }
 }
 
 impl<const N: usize> Mul for Complex<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self::new(
-            self.x * other.x - self.y * other.y,
-            self.x * other.y + self.y * other.x,
-        )
+        Self(std::array::from_fn(|k| {
+            let terms = (0..=k).map(|i| product(self.0[i], other.0[k - i]));
+            terms.fold(Vector::zeros(), |sum, term| sum + term)
+        }))
     }
 }
 

@@ -13,6 +13,8 @@ struct Pivot {
     below: [usize; 2],
     /// Columns right of it with something in its row.
     right: [usize; 2],
+    /// Rows of earlier pivots by which its own was reduced.
+    before: [usize; 2],
 }
 
 /// A row or column on which a pivot acts, and the place where it meets the pivot's
@@ -33,6 +35,8 @@ pub(crate) struct Elimination {
     sign: f64,
     /// Where something can be, as the elimination goes on; rows and columns left.
     filled: Vec<bool>,
+    /// Which of these places are zero before it.
+    fill_in: Vec<usize>,
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
@@ -53,7 +57,9 @@ impl Elimination {
             list.reserve(size);
         }
         self.lists.clear();
-        self.lists.reserve(size * size);
+        self.lists.reserve(2 * size * size);
+        self.fill_in.clear();
+        self.fill_in.reserve(size * size);
         self.filled.clear();
         self.filled.reserve(size * size);
     }
@@ -98,16 +104,28 @@ impl Elimination {
                     self.filled[below.line * size + right.line] = true;
                 }
             }
+            for earlier in &self.pivots {
+                let at = row * size + earlier.column;
+                if self.filled[at] {
+                    let line = earlier.row;
+                    self.lists.push(Line { line, at });
+                }
+            }
             let pivot = Pivot {
                 row,
                 column,
                 at: row * size + column,
                 below: [start, middle],
                 right: [middle, end],
+                before: [end, self.lists.len()],
             };
             self.pivots.push(pivot);
             determinant *= self.eliminate(&pivot, matrix, 0.0)?;
         }
+        let places = pattern.iter().zip(&self.filled).enumerate();
+        let fill_in = places.filter(|(_, (given, filled))| **filled && !**given);
+        self.fill_in.clear();
+        self.fill_in.extend(fill_in.map(|(at, _)| at));
         Some(determinant * self.sign)
     }
 
@@ -140,11 +158,15 @@ impl Elimination {
         best.map(|(place, ..)| place)
     }
 
-    /// Eliminates as planned; the determinant. None where there is no plan, or it
-    /// does not suit this matrix: a pivot is small in its column.
+    /// Eliminates as planned a matrix of which only what the pattern names is set;
+    /// the determinant. None where there is no plan, or it does not suit this
+    /// matrix: a pivot is small in its column.
     pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
         if self.pivots.is_empty() {
             return None;
+        }
+        for at in &self.fill_in {
+            matrix[*at] = 0.0;
         }
         let mut determinant = self.sign;
         for pivot in &self.pivots {
@@ -154,6 +176,7 @@ impl Elimination {
     }
 
     /// One pivot: leaves its reciprocal in its place, and the multipliers below.
+    #[inline(always)]
     fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], small: f64) -> Option<f64> {
         let value = matrix[pivot.at];
         if value == 0.0 || !value.is_finite() {
@@ -175,20 +198,29 @@ impl Elimination {
         Some(value)
     }
 
-    /// Solves with a matrix that was eliminated; `values` is used up.
-    pub(crate) fn solve(&self, matrix: &[f64], values: &mut [f64], solution: &mut [f64]) {
-        for pivot in &self.pivots {
-            let value = values[pivot.row];
-            for below in &self.lists[pivot.below[0]..pivot.below[1]] {
-                values[below.line] -= matrix[below.at] * value;
+    /// Solves with a matrix that was eliminated, for several right-hand sides at
+    /// once; `values` is used up.
+    pub(crate) fn solve<const L: usize>(
+        &self,
+        matrix: &[f64],
+        values: &mut [[f64; L]],
+        solution: &mut [[f64; L]],
+    ) {
+        let less = |mut value: [f64; L], [from, to]: [usize; 2], known: &[[f64; L]]| {
+            for line in &self.lists[from..to] {
+                let factor = matrix[line.at];
+                for (value, known) in value.iter_mut().zip(&known[line.line]) {
+                    *value -= factor * known;
+                }
             }
+            value
+        };
+        for pivot in &self.pivots {
+            values[pivot.row] = less(values[pivot.row], pivot.before, values);
         }
         for pivot in self.pivots.iter().rev() {
-            let mut value = values[pivot.row];
-            for right in &self.lists[pivot.right[0]..pivot.right[1]] {
-                value -= matrix[right.at] * solution[right.line];
-            }
-            solution[pivot.column] = value * matrix[pivot.at];
+            let value = less(values[pivot.row], pivot.right, solution);
+            solution[pivot.column] = value.map(|value| value * matrix[pivot.at]);
         }
     }
 }
@@ -218,13 +250,16 @@ mod tests {
             - matrix[12] * minor([0, 1, 2]);
         assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         let x = [1.0, -2.0, 3.0, 0.5];
-        let mut b: Vec<f64> = (0..4)
+        // Two right-hand sides at once, one three times the other.
+        let mut b: Vec<[f64; 2]> = (0..4)
             .map(|row| (0..4).map(|k| matrix[row * 4 + k] * x[k]).sum())
+            .map(|sum: f64| [sum, 3.0 * sum])
             .collect();
-        let mut solution = [0.0; 4];
+        let mut solution = [[0.0; 2]; 4];
         elimination.solve(factored, &mut b, &mut solution);
-        for (a, b) in solution.iter().zip(x) {
+        for ([a, c], b) in solution.into_iter().zip(x) {
             assert!((a - b).abs() < 1e-12, "{solution:?}");
+            assert!((c - 3.0 * b).abs() < 1e-12, "{solution:?}");
         }
     }
 

@@ -6,9 +6,11 @@
 //! left are quadratic equations. Derivatives follow order by order from the
 //! same Jacobian at the solution: J x⁽ᵏ⁾ = −(what the lower orders leave).
 
+use std::ops::Range;
+
 use super::complex::{Complex, product};
 use super::elimination::Elimination;
-use super::{Anchor, Obstacle, State};
+use super::{Anchor, Near, Obstacle, State, finite};
 use crate::{Jet, Vector};
 
 /// A complex-linear form of solved quantities and of the unknowns.
@@ -51,17 +53,44 @@ pub(crate) enum Equation {
 pub(crate) struct Group {
     pub(crate) inputs: Vec<Input>,
     /// How many complex unknowns, and where theirs begin among those of all groups.
-    pub(crate) unknowns: usize,
-    pub(crate) offset: usize,
-    /// Forms; so many of them, the first, stand in equations.
-    pub(crate) forms: Vec<Form>,
-    pub(crate) equated: usize,
-    pub(crate) equations: Vec<Equation>,
+    unknowns: usize,
+    offset: usize,
+    /// Of each form what does not change; so many of them, the first, stand in
+    /// equations.
+    constants: Vec<Vector>,
+    equated: usize,
+    /// The terms of all forms one after the other: inputs, then unknowns where the
+    /// form stands in an equation, and where it does not.
+    taken: Vec<Term>,
+    sought: Vec<Term>,
+    further: Vec<Term>,
+    equations: Vec<Equation>,
     /// Each body with the forms of its origin and its turn.
     pub(crate) bodies: Vec<(usize, [usize; 2])>,
-    /// Where the Jacobian can be other than zero, row by row, and its elimination.
-    pub(crate) pattern: Vec<bool>,
-    pub(crate) elimination: Elimination,
+    /// Where the Jacobian can be other than zero, row by row, what of it comes from
+    /// which unknown of which equation, and its elimination.
+    pattern: Vec<bool>,
+    entries: Vec<Entry>,
+    /// Further ones of unknowns that stand in both forms of their equation.
+    doubled: Vec<Entry>,
+    elimination: Elimination,
+}
+
+/// A form's input or unknown with its coefficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Term {
+    form: usize,
+    of: usize,
+    by: Vector,
+}
+
+/// Two neighbouring places of the Jacobian, by real and imaginary part of an
+/// unknown, and the slope of the equation they come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    at: usize,
+    slope: usize,
+    by: Vector,
 }
 
 /// Newton's method goes on until a step is this small beside the unknowns.
@@ -78,7 +107,7 @@ impl Group {
         offset: usize,
         unknowns: usize,
         inputs: Vec<Input>,
-        forms: Vec<Form>,
+        forms: &[Form],
         equations: Vec<Equation>,
         bodies: Vec<(usize, [usize; 2])>,
     ) -> Option<Self> {
@@ -87,52 +116,88 @@ impl Group {
             return None;
         }
         let mut pattern = vec![false; size * size];
-        for (row, equation) in pattern.chunks_exact_mut(size).zip(&equations) {
-            for (unknown, _) in equation.forms().flat_map(|form| &forms[form].unknowns) {
-                row[2 * unknown..][..2].fill(true);
+        let (mut entries, mut doubled) = (Vec::new(), Vec::new());
+        for (row, equation) in equations.iter().enumerate() {
+            for (side, form) in equation.forms().enumerate() {
+                for (unknown, by) in &forms[form].unknowns {
+                    let at = row * size + 2 * unknown;
+                    let list = if pattern[at] {
+                        &mut doubled
+                    } else {
+                        &mut entries
+                    };
+                    pattern[at..][..2].fill(true);
+                    list.push(Entry {
+                        at,
+                        slope: 2 * row + side,
+                        by: *by,
+                    });
+                }
             }
         }
         let equated = equations.iter().flat_map(Equation::forms).max();
+        let equated = equated.map_or(0, |last| last + 1);
+        let terms = |of: fn(&Form) -> &[(usize, Vector)], range: Range<usize>| {
+            let terms = range.flat_map(|form| {
+                let terms = of(&forms[form]).iter();
+                terms.map(move |(of, by)| Term {
+                    form,
+                    of: *of,
+                    by: *by,
+                })
+            });
+            terms.collect()
+        };
         Some(Self {
             inputs,
             unknowns,
             offset,
-            forms,
-            equated: equated.map_or(0, |last| last + 1),
+            constants: forms.iter().map(|form| form.constant).collect(),
+            equated,
+            taken: terms(|form| &form.inputs, 0..forms.len()),
+            sought: terms(|form| &form.unknowns, 0..equated),
+            further: terms(|form| &form.unknowns, equated..forms.len()),
             equations,
             bodies,
             pattern,
+            entries,
+            doubled,
             elimination: Elimination::default(),
         })
     }
 
-    /// Solves from the guess in `near`, real and imaginary parts of the unknowns
-    /// of all groups; sets the margin of the step to the Jacobian's determinant,
+    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's determinant,
     /// and `state.doubt` to the size of the first correction.
+    #[inline(never)]
     pub(crate) fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        near: &[f64],
+        near: Near<'_>,
         step: usize,
     ) -> Result<(), Obstacle> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
-            state.work.inputs[k] = series(state.taken(*input));
+            state.work.inputs[k] = state.taken(*input);
         }
         let work = &mut state.work;
-        for (value, form) in work.known.iter_mut().zip(&self.forms) {
-            *value = form.known(&work.inputs);
-        }
-        let own = near[2 * self.offset..].chunks_exact(2);
+        let own = near.natural[2 * self.offset..].chunks_exact(2);
         for (place, guess) in work.unknowns.iter_mut().zip(own) {
             place[0] = Vector::new(guess[0], guess[1]);
+        }
+        for (value, constant) in work.values.iter_mut().zip(&self.constants) {
+            value.set_constant(*constant);
+        }
+        for term in &self.taken {
+            work.values[term.form] = work.values[term.form] + work.inputs[term.of].by(term.by);
+        }
+        for (known, value) in work.known.iter_mut().zip(&work.values) {
+            *known = value.value();
         }
         self.newton(state, step)?;
         for order in 1..N {
             self.differentiate(&mut state.work, order);
         }
-        self.put(state);
-        Ok(())
+        self.put(state, near)
     }
 
     /// From now on the Jacobian is eliminated as it had to be where `state` was
@@ -141,19 +206,30 @@ impl Group {
         self.elimination.clone_from(&state.work.spare);
     }
 
+    #[inline(never)]
     fn newton<const N: usize>(&self, state: &mut State<N>, step: usize) -> Result<(), Obstacle> {
         let work = &mut state.work;
         let length = state.scale.sqrt();
         let mut last = f64::INFINITY;
         for turn in 0..MOST_STEPS {
-            self.evaluate(work, 0);
+            for (value, known) in work.values.iter_mut().zip(&work.known) {
+                value[0] = *known;
+            }
+            self.add(work, 0);
+            // The first derivative is solved for with the correction: it counts
+            // where there is nothing to correct.
             for (left, equation) in work.left.iter_mut().zip(&self.equations) {
-                *left = equation.left(&work.values);
+                let rate = if N > 1 {
+                    equation.coefficient(&work.values, 1)
+                } else {
+                    0.0
+                };
+                *left = [equation.left(&work.values), rate];
             }
             let left = largest(&work.left);
             let determinant = self.factor(work).ok_or(Obstacle::DeadPoint)?;
             state.margins[step] = [Jet::constant(determinant); 2];
-            self.substitute(work);
+            work.substitute(&self.elimination);
             let change = largest(&work.step);
             if !change.is_finite() {
                 return Err(Obstacle::DeadPoint);
@@ -171,18 +247,10 @@ impl Group {
             }
             last = change;
             for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
-                place[0] -= Vector::new(step[0], step[1]);
+                place[0] -= Vector::new(step[0][0], step[1][0]);
             }
         }
         Err(Obstacle::DeadPoint)
-    }
-
-    /// The coefficients of an order of the forms that stand in equations.
-    fn evaluate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
-        let known = work.known.iter().zip(&self.forms);
-        for (value, (known, form)) in work.values.iter_mut().zip(known) {
-            value[order] = form.with(known[order], &work.unknowns, order);
-        }
     }
 
     /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
@@ -192,71 +260,93 @@ impl Group {
         let planned = self.elimination.factor(&mut work.jacobian);
         work.planned = planned.is_some();
         planned.or_else(|| {
+            work.jacobian.fill(0.0);
             self.jacobian(work);
             work.spare.plan(&self.pattern, &mut work.jacobian)
         })
     }
 
-    /// The derivatives of the equations by the unknowns, row by row.
-    fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
-        let size = 2 * self.unknowns;
-        work.jacobian.fill(0.0);
-        for (of, equation) in work.jacobian.chunks_exact_mut(size).zip(&self.equations) {
-            equation.derivatives(
-                |form| &self.forms[form],
-                &work.values,
-                |unknown, [x, y]| {
-                    of[2 * unknown] += x;
-                    of[2 * unknown + 1] += y;
-                },
-            );
+    /// Adds to the forms that stand in equations what the unknowns contribute to a
+    /// coefficient.
+    #[inline(always)]
+    fn add<const N: usize>(&self, work: &mut Work<N>, order: usize) {
+        for term in &self.sought {
+            work.values[term.form][order] += product(work.unknowns[term.of][order], term.by);
         }
     }
 
-    fn substitute<const N: usize>(&self, work: &mut Work<N>) {
-        let Work {
-            jacobian,
-            left,
-            step,
-            spare,
-            planned,
-            ..
-        } = work;
-        let elimination = if *planned { &self.elimination } else { spare };
-        elimination.solve(jacobian, left, step);
+    /// The derivatives of the equations by the unknowns, row by row.
+    fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
+        let slopes = work.slopes.chunks_exact_mut(2);
+        for (slopes, equation) in slopes.zip(&self.equations) {
+            let value = |form: usize| work.values[form][0];
+            match *equation {
+                Equation::Unit(form) => slopes[0] = value(form),
+                Equation::Real(_) => slopes[0] = Vector::x(),
+                Equation::Imaginary(_) => slopes[0] = Vector::y(),
+                Equation::Line { direction, way } => {
+                    let [u, v] = [direction, way].map(value);
+                    // u × v = u · (v turned to the right) = v · (u turned to the left).
+                    slopes[0] = Vector::new(v.y, -v.x);
+                    slopes[1] = Vector::new(-u.y, u.x);
+                }
+            }
+        }
+        for entry in &self.entries {
+            let slope = work.slopes[entry.slope];
+            work.jacobian[entry.at] = entry.by.dot(&slope);
+            work.jacobian[entry.at + 1] = entry.by.perp(&slope);
+        }
+        for entry in &self.doubled {
+            let slope = work.slopes[entry.slope];
+            work.jacobian[entry.at] += entry.by.dot(&slope);
+            work.jacobian[entry.at + 1] += entry.by.perp(&slope);
+        }
     }
 
     /// The coefficients of an order from those below it: all equations are
     /// quadratic, so that of an order holds the new ones linearly.
     fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
-        for (value, known) in work.values.iter_mut().zip(&work.known) {
-            value[order] = known[order];
+        // The first was solved for with the last correction.
+        if order == 1 {
+            for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
+                place[order] = Vector::new(-step[0][1], -step[1][1]);
+            }
+        } else {
+            for (lack, equation) in work.lack.iter_mut().zip(&self.equations) {
+                *lack = [equation.coefficient(&work.values, order)];
+            }
+            let elimination = if work.planned {
+                &self.elimination
+            } else {
+                &work.spare
+            };
+            elimination.solve(&work.jacobian, &mut work.lack, &mut work.gain);
+            for (place, step) in work.unknowns.iter_mut().zip(work.gain.chunks_exact(2)) {
+                place[order] = Vector::new(-step[0][0], -step[1][0]);
+            }
         }
-        for (left, equation) in work.left.iter_mut().zip(&self.equations) {
-            *left = equation.coefficient(&work.values, order);
-        }
-        self.substitute(work);
-        for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
-            place[order] = Vector::new(-step[0], -step[1]);
-        }
-        self.evaluate(work, order);
+        self.add(work, order);
     }
 
     /// Puts what was found where it is looked for.
-    fn put<const N: usize>(&self, state: &mut State<N>) {
-        let work = &state.work;
+    fn put<const N: usize>(&self, state: &mut State<N>, near: Near<'_>) -> Result<(), Obstacle> {
+        let work = &mut state.work;
+        for term in &self.further {
+            work.values[term.form] = work.values[term.form] + work.unknowns[term.of].by(term.by);
+        }
+        let mut sum = Vector::zeros();
         let natural = &mut state.natural[self.offset..];
         for (place, found) in natural.iter_mut().zip(&work.unknowns) {
-            *place = complex(found);
+            *place = *found;
+            sum += found.nought();
         }
-        for (body, forms) in &self.bodies {
-            let [origin, turn] = forms.map(|form| match work.values.get(form) {
-                Some(value) => complex(value),
-                None => complex(&self.forms[form].value(work)),
-            });
-            state.origin[*body] = origin;
-            state.turn[*body] = turn;
+        for (body, [origin, turn]) in &self.bodies {
+            state.origin[*body] = state.work.values[*origin];
+            state.turn[*body] = state.work.values[*turn];
+            state.winds(*body, near);
         }
+        finite(sum)
     }
 }
 
@@ -271,7 +361,7 @@ impl Equation {
     }
 
     /// What is left of it.
-    fn left<const N: usize>(&self, values: &[Series<N>]) -> f64 {
+    fn left<const N: usize>(&self, values: &[Complex<N>]) -> f64 {
         let constant = match self {
             Self::Unit(_) => 0.5,
             Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => 0.0,
@@ -280,7 +370,7 @@ impl Equation {
     }
 
     /// Its coefficient of an order.
-    fn coefficient<const N: usize>(&self, values: &[Series<N>], order: usize) -> f64 {
+    fn coefficient<const N: usize>(&self, values: &[Complex<N>], order: usize) -> f64 {
         match *self {
             Self::Unit(form) => {
                 let v = &values[form];
@@ -295,86 +385,36 @@ impl Equation {
             }
         }
     }
-
-    /// Tells its derivatives by real and imaginary part of each unknown; one
-    /// unknown may come twice.
-    fn derivatives<'a, const N: usize>(
-        &self,
-        form: impl Fn(usize) -> &'a Form,
-        values: &[Series<N>],
-        mut tell: impl FnMut(usize, [f64; 2]),
-    ) {
-        let mut along = |index: usize, by: Vector| {
-            for (unknown, c) in &form(index).unknowns {
-                tell(*unknown, [c.dot(&by), c.perp(&by)]);
-            }
-        };
-        match *self {
-            Self::Unit(form) => along(form, values[form][0]),
-            Self::Real(form) => along(form, Vector::x()),
-            Self::Imaginary(form) => along(form, Vector::y()),
-            Self::Line { direction, way } => {
-                let [u, v] = [direction, way].map(|form| values[form][0]);
-                // u × v = u · (v turned to the right) = v · (u turned to the left).
-                along(direction, Vector::new(v.y, -v.x));
-                along(way, Vector::new(-u.y, u.x));
-            }
-        }
-    }
 }
 
-impl Form {
-    /// What of it is known before the group is solved.
-    fn known<const N: usize>(&self, inputs: &[Series<N>]) -> Series<N> {
-        let mut value = [Vector::zeros(); N];
-        value[0] = self.constant;
-        for (input, c) in &self.inputs {
-            for (value, v) in value.iter_mut().zip(&inputs[*input]) {
-                *value += product(*c, *v);
-            }
-        }
-        value
-    }
-
-    /// A coefficient of it, with the same of what is known of it.
-    fn with<const N: usize>(&self, known: Vector, unknowns: &[Series<N>], order: usize) -> Vector {
-        let terms = self.unknowns.iter();
-        terms.fold(known, |sum, (k, c)| sum + product(*c, unknowns[*k][order]))
-    }
-
-    fn value<const N: usize>(&self, work: &Work<N>) -> Series<N> {
-        let known = self.known(&work.inputs);
-        std::array::from_fn(|order| self.with(known[order], &work.unknowns, order))
-    }
-}
-
-/// The coefficients of a place, order by order.
-type Series<const N: usize> = [Vector; N];
-
-fn series<const N: usize>(place: Complex<N>) -> Series<N> {
-    std::array::from_fn(|k| Vector::new(place.x.coefficient(k), place.y.coefficient(k)))
-}
-
-fn complex<const N: usize>(series: &Series<N>) -> Complex<N> {
-    let [x, y] = [0, 1].map(|k| Jet::from_coefficients(series.map(|c| c[k])));
-    Complex::new(x, y)
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+/// The largest of the corrections; rates stand beside them.
+fn largest(values: &[[f64; 2]]) -> f64 {
+    values.iter().fold(0.0, |most, [value, _]| {
+        let value = value.abs();
+        if value > most { value } else { most }
+    })
 }
 
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    inputs: Vec<Series<N>>,
-    /// Of the forms that stand in equations what is known, and the whole.
-    known: Vec<Series<N>>,
-    values: Vec<Series<N>>,
-    unknowns: Vec<Series<N>>,
-    /// What is left of the equations, and the step that this asks for.
-    left: Vec<f64>,
-    step: Vec<f64>,
+    /// The counts of inputs, unknowns and forms that there is room for.
+    fits: [usize; 4],
+    inputs: Vec<Complex<N>>,
+    unknowns: Vec<Complex<N>>,
+    /// Of the forms that stand in equations what is known of their value; and all
+    /// forms: of orders not solved yet what is known.
+    known: Vec<Vector>,
+    values: Vec<Complex<N>>,
+    /// The derivatives of the equations by their forms, two for each equation.
+    slopes: Vec<Vector>,
+    /// What is left of the equations, and the step that this asks for; beside it
+    /// the same for the first derivative.
+    left: Vec<[f64; 2]>,
+    step: Vec<[f64; 2]>,
+    /// The same for a further derivative.
+    lack: Vec<[f64; 1]>,
+    gain: Vec<[f64; 1]>,
     jacobian: Vec<f64>,
     /// Whether it was eliminated as planned for the group; else as planned here.
     planned: bool,
@@ -383,15 +423,34 @@ pub(crate) struct Work<const N: usize> {
 
 impl<const N: usize> Work<N> {
     fn fit(&mut self, group: &Group) {
+        let fits = [
+            group.inputs.len(),
+            group.unknowns,
+            group.equated,
+            group.constants.len(),
+        ];
+        if self.fits == fits {
+            return;
+        }
+        self.fits = fits;
         let size = 2 * group.unknowns;
-        let nothing = [Vector::zeros(); N];
+        let nothing = Complex::constant(Vector::zeros());
         self.inputs.resize(group.inputs.len(), nothing);
-        self.known.resize(group.equated, nothing);
-        self.values.resize(group.equated, nothing);
         self.unknowns.resize(group.unknowns, nothing);
-        self.left.resize(size, 0.0);
-        self.step.resize(size, 0.0);
+        self.known.resize(group.equated, Vector::zeros());
+        self.values.resize(group.constants.len(), nothing);
+        self.slopes.resize(2 * size, Vector::zeros());
+        self.left.resize(size, [0.0; 2]);
+        self.step.resize(size, [0.0; 2]);
+        self.lack.resize(size, [0.0]);
+        self.gain.resize(size, [0.0]);
         self.jacobian.resize(size * size, 0.0);
         self.spare.fit(size);
+    }
+
+    /// The steps that what is left asks for, by the eliminated Jacobian.
+    fn substitute(&mut self, planned: &Elimination) {
+        let elimination = if self.planned { planned } else { &self.spare };
+        elimination.solve(&self.jacobian, &mut self.left, &mut self.step);
     }
 }

@@ -89,6 +89,8 @@ pub(crate) struct State<const N: usize> {
     pub(crate) origin: Vec<Complex<N>>,
     pub(crate) turn: Vec<Complex<N>>,
     pub(crate) angle: Vec<Angle<N>>,
+    /// How the bodies stand in a pose nearby, where their angles are to be found.
+    near: Vec<Stand>,
     /// For every step of the plan what must not become negative: squares whose
     /// roots it takes, or the sine of the angle between two guides.
     pub(crate) margins: Vec<[Jet<N>; 2]>,
@@ -107,7 +109,7 @@ pub(crate) struct State<const N: usize> {
 pub(crate) type Followed = State<4>;
 
 /// How a body stands: its angle, with its whole turns, and e^(iθ).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Stand {
     pub(crate) angle: f64,
     pub(crate) turn: Vector,
@@ -118,9 +120,9 @@ pub(crate) struct Stand {
 pub(crate) enum Angle<const N: usize> {
     /// What its turn was made of.
     Known(Jet<N>),
-    /// That of its turn, less than half a turn from this: found when it is asked
-    /// for.
-    Near(Stand),
+    /// That of its turn, less than half a turn from that of the pose nearby: found
+    /// when it is asked for.
+    Turned,
 }
 
 /// What is known of a pose before it is solved: a pose nearby.
@@ -139,6 +141,7 @@ impl<const N: usize> State<N> {
             origin: vec![nowhere; bodies],
             turn: vec![Complex::constant(Vector::x()); bodies],
             angle: vec![Angle::Known(Jet::constant(0.0)); bodies],
+            near: vec![Stand::default(); bodies],
             margins: vec![[Jet::constant(1.0); 2]; steps],
             scale: size * size,
             natural: vec![nowhere; unknowns],
@@ -156,6 +159,7 @@ impl<const N: usize> State<N> {
     }
 
     /// Where a place on a solved body is.
+    #[inline(always)]
     pub(crate) fn place(&self, anchor: Anchor) -> Complex<N> {
         self.origin[anchor.body] + self.turn[anchor.body].by(anchor.local)
     }
@@ -184,19 +188,25 @@ impl<const N: usize> State<N> {
     pub(crate) fn angle(&self, body: usize) -> Jet<N> {
         match self.angle[body] {
             Angle::Known(angle) => angle,
-            Angle::Near(near) => {
+            Angle::Turned => {
+                let near = self.near[body];
                 let turned = self.turn[body].by(conjugate(near.turn));
-                turned.y.unit_atan2(turned.x) + near.angle
+                turned.y().unit_atan2(turned.x()) + near.angle
             }
         }
     }
 
+    /// The angle of a body is that of its turn, near what it was there.
+    pub(crate) fn winds(&mut self, body: usize, near: Near<'_>) {
+        self.near[body] = near.stands[body];
+        self.angle[body] = Angle::Turned;
+    }
+
     /// How a body stands.
     pub(crate) fn stand(&self, body: usize) -> Stand {
-        let turn = self.turn[body];
         Stand {
             angle: self.angle(body).value(),
-            turn: Vector::new(turn.x.value(), turn.y.value()),
+            turn: self.turn[body].value(),
         }
     }
 }
@@ -225,6 +235,15 @@ pub enum Obstacle {
     DeadPoint,
     /// There is a pose, but the motion that is shown does not come there.
     Unreached,
+}
+
+/// Whether a sum of [`Complex::nought`] tells that all is finite.
+pub(crate) fn finite(sum: Vector) -> Result<(), Obstacle> {
+    if sum == Vector::zeros() {
+        Ok(())
+    } else {
+        Err(Obstacle::DeadPoint)
+    }
 }
 
 /// How a margin fails to have a root.

@@ -1,8 +1,8 @@
 //! The dyad PRP: two links that slide along solved lines and are hinged on each
 //! other.
 
-use super::complex::Complex;
 use super::{Obstacle, State, Track, crossing};
+use crate::Vector;
 
 /// Links i and j; the point of both tracks is the joint C between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,11 +20,8 @@ impl Prp {
         let [i, j] = &self.tracks;
         let lines = [i, j].map(|track| {
             let (start, direction) = state.line(track);
-            let off = direction.left();
-            (
-                start + Complex::new(off.x * track.off, off.y * track.off),
-                direction,
-            )
+            let off = direction.by(Vector::new(0.0, track.off));
+            (start + off, direction)
         });
         let c = crossing(lines, &mut state.margins[step])?;
         state.slid(i, lines[0].1, c);

@@ -34,10 +34,7 @@ impl Rpp {
         state.turn[side.body] = turn_i;
         state.origin[side.body] = b - turn_i.by(side.hinge);
 
-        let shift = |of: Complex<N>, by: f64| {
-            let left = of.left();
-            Complex::new(left.x * by, left.y * by)
-        };
+        let shift = |of: Complex<N>, by: f64| of.by(Vector::new(0.0, by));
         let guide = (start + shift(direction, track.off), direction);
         // The line of i, moved by what lies between it and the track's point on j.
         let across = turn_j.by(track.point - self.through);

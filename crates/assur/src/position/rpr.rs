@@ -2,7 +2,7 @@
 
 use super::complex::{Complex, conjugate, product};
 use super::{Anchor, Dead, Obstacle, State, root};
-use crate::Vector;
+use crate::{Jet, Vector};
 
 /// Links i and j hinged at B and D (the slotted lever and the block of an
 /// inverted slider-crank).
@@ -50,8 +50,7 @@ impl Rpr {
             Dead::At => Obstacle::DeadPoint,
             Dead::Beyond => Obstacle::OutOfReach { by },
         })? * sign;
-        let off = Complex::constant(Vector::new(0.0, -apart));
-        let along = Complex::new(run, off.y);
+        let along = Complex::new(run, Jet::constant(-apart));
         let direction = (between * along).scaled(square.recip());
         for (side, at) in [(i, b), (j, d)] {
             let turn = direction.by(conjugate(side.direction));

@@ -26,7 +26,7 @@ impl Rrp {
         let b = state.place(self.arm.outer);
         let (start, direction) = state.line(&self.track);
         let from = (b - start) * direction.conjugate();
-        let rise = -from.y + self.track.off;
+        let rise = -from.y() + self.track.off;
         let margin = -rise.square() + length * length;
         state.margins[step] = [margin, margin];
         let by = rise.value().abs() - length;
