@@ -1,7 +1,7 @@
 //! The Class IV mechanism with dwell against a table in 40-digit arithmetic.
 
 use assur::Point;
-use assur::mechanism::{Draft, Mechanism, Quantity};
+use assur::mechanism::{Demand, Draft, Mechanism, Quantity};
 use assur::motion::{Course, Motion, PhaseKind};
 use assur_tests::{Table, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -86,6 +86,67 @@ fn golden_table() {
             }
         }
     }
+}
+
+/// The paper's twelve equations in the coordinates of E, G, F, K, L, C, and the
+/// crank's own: both sides of each and of both derivatives are those of the table.
+#[wasm_bindgen_test(unsupported = test)]
+fn constraint_equations() {
+    let mechanism = Mechanism::new(&dwell()).unwrap();
+    let points: Vec<&str> = mechanism.points().collect();
+    let pairs = mechanism.constraints().iter().map(|one| match one.demand {
+        Demand::Distance { points: [p, q], .. } => [points[p], points[q]],
+        other => panic!("{other:?}"),
+    });
+    let pairs: Vec<[&str; 2]> = pairs.collect();
+    // The twelfth, which the paper lacks, is HL.
+    assert_eq!(
+        pairs
+            .iter()
+            .map(|pair| pair.concat())
+            .collect::<Vec<_>>()
+            .join(" "),
+        "AB BE EG EF GF HG HL GL CL CK LK FK DC"
+    );
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let mut largest: f64 = 0.0;
+    for row in Table::parse(include_str!("data/class4.csv")).rows() {
+        let phi = row.get("phi_deg").to_radians();
+        let pose = motion.pose::<3>(phi).unwrap();
+        let tabled = |name: &str, order: usize| match name {
+            "A" | "H" | "D" if order > 0 => [0.0, 0.0],
+            "A" => [0.0, 0.0],
+            "H" => [4.07, 1.73],
+            "D" => [-0.25, -4.78],
+            "B" => [
+                [phi.cos(), -phi.sin(), -phi.cos()][order],
+                [phi.sin(), phi.cos(), -phi.sin()][order],
+            ],
+            _ => ["x", "y"].map(|axis| row.get(&format!("{name}_{}{axis}", "d".repeat(order)))),
+        };
+        for (constraint, [p, q]) in mechanism.constraints().iter().zip(&pairs) {
+            let [way, rate, bend] = [0, 1, 2].map(|order| {
+                let [p, q] = [p, q].map(|name| tabled(name, order));
+                [p[0] - q[0], p[1] - q[1]]
+            });
+            let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+            let expected = [
+                [dot(way, way), constraint.constant],
+                [dot(way, rate), 0.0],
+                [dot(way, bend), -dot(rate, rate)],
+            ];
+            for (order, [left, right]) in expected.into_iter().enumerate() {
+                let sides = mechanism.sides(&pose, constraint, order);
+                let what = format!("{p}{q} {order} at {phi}");
+                assert_near(sides.left, left, 1e-8, &what);
+                assert_near(sides.right, right, 1e-8, &what);
+                assert!(sides.residual().abs() < 1e-11, "{what}: {sides:?}");
+                largest = largest.max(sides.residual().abs());
+            }
+        }
+    }
+    // Rounding shows: the left sides come of the places, not of the lengths.
+    assert!(largest > 0.0);
 }
 
 /// FK of another length, drawn as before: its ends are drawn misplaced, and the

@@ -6,7 +6,7 @@ mod groups;
 mod numbers;
 
 use assur::JetPoint;
-use assur::mechanism::Quantity;
+use assur::mechanism::{Demand, Quantity};
 use assur::motion::{Course, Motion};
 use assur_file::{catalogue, from_catalogue};
 
@@ -215,4 +215,52 @@ fn all_move_and_close() {
             }
         }
     }
+}
+
+/// The constraint equations of each hold with both derivatives, dead points aside;
+/// of hinges alone there are as many as keep all points but for the mobility.
+#[test]
+fn all_fulfil_their_equations() {
+    let mut kinds = [0; 4];
+    for (name, _, full) in GALLERY {
+        let motion = moved(name);
+        let mechanism = motion.mechanism();
+        let constraints = mechanism.constraints();
+        let document = from_catalogue(name).unwrap().unwrap();
+        if document.slides.is_empty() && document.gears.is_empty() {
+            let moving = mechanism.points().enumerate();
+            let moving = moving.filter(|(_, point)| !document.frame.iter().any(|of| of == point));
+            let joints = moving.filter(|(point, _)| {
+                let links = 0..mechanism.links().len();
+                let mut links = links.filter(|link| mechanism.points_of(*link).contains(point));
+                links.nth(1).is_some()
+            });
+            assert_eq!(constraints.len(), 2 * joints.count() - 1, "{name}");
+        }
+        for constraint in constraints {
+            kinds[match constraint.demand {
+                Demand::Distance { .. } => 0,
+                Demand::Offset { .. } => 1,
+                Demand::Direction { .. } => 2,
+                Demand::Mesh { .. } => 3,
+            }] += 1;
+        }
+        let [from, to] = motion.cycle().arcs()[0];
+        for k in if full { 0..=90 } else { 6..=84 } {
+            let pose = motion
+                .pose::<3>(from + (to - from) * f64::from(k) / 90.0)
+                .unwrap();
+            for constraint in constraints {
+                for (order, tolerance) in [1e-12, 1e-11, 1e-9].into_iter().enumerate() {
+                    let sides = mechanism.sides(&pose, constraint, order);
+                    let scale = sides.left.abs() + mechanism.size().powi(2).max(1.0);
+                    assert!(
+                        sides.residual().abs() <= tolerance * scale,
+                        "{name} {constraint:?} {order}: {sides:?}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(kinds.iter().all(|count| *count > 0), "{kinds:?}");
 }

@@ -6,6 +6,7 @@
 
 mod body;
 mod check;
+mod constraint;
 mod draft;
 mod natural;
 mod plan;
@@ -14,6 +15,7 @@ mod quantity;
 use std::f64::consts::TAU;
 use std::fmt;
 
+pub use constraint::{Constraint, Demand, LinkOrFrame, Sides};
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 
 pub use crate::position::Obstacle;
@@ -35,6 +37,7 @@ pub struct Mechanism {
     body_names: Vec<String>,
     /// Of each body its points, with their places on it.
     bodies: Vec<Vec<(usize, Vector)>>,
+    constraints: Vec<Constraint>,
     size: f64,
     /// The drawn pose: input, signs of the steps, how the bodies stand.
     home: f64,
@@ -153,8 +156,10 @@ impl Mechanism {
             bodies: (0..bodies.count())
                 .map(|body| bodies.of(body).to_vec())
                 .collect(),
+            constraints: Vec::new(),
         };
         mechanism.settle(draft)?;
+        mechanism.constraints = constraint::all(draft, &bodies, &seats, &mechanism.stands);
         Ok(mechanism)
     }
 
