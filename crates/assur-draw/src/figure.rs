@@ -52,13 +52,30 @@ impl Figure {
     /// # Errors
     /// Why there is no pose to draw it in.
     pub fn new(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+        Self::drawn(draft, motion, traces, false)
+    }
+
+    /// The same drawing with each link in the colour of its Assur group.
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn in_groups(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+        Self::drawn(draft, motion, traces, true)
+    }
+
+    fn drawn(
+        draft: &Draft,
+        motion: &Motion,
+        traces: &[usize],
+        in_groups: bool,
+    ) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(mechanism.home());
         let home = match home {
             Ok(home) => home,
             Err(_) => motion.pose(motion.cycle().home())?,
         };
-        let layout = Layout::new(draft, mechanism, &home);
+        let layout = Layout::new(draft, mechanism, &home, in_groups);
         let gearing = Gearing::new(draft, &layout, mechanism, &home);
         let samples = sampled(motion);
         let guides = slides::guides(draft, &layout, mechanism, &home, &samples);
@@ -138,9 +155,20 @@ impl Figure {
         &self.names
     }
 
-    /// The role of a link: whose colour it has, in drawing and plots.
+    /// The role of a link: whose colour it has in plots, and in a drawing that is
+    /// not [in groups](Self::in_groups).
     pub fn role(&self, link: usize) -> Role {
         self.layout.role(link)
+    }
+
+    /// The role of a link in the drawing.
+    pub fn drawn_role(&self, link: usize) -> Role {
+        self.layout.drawn_role(link)
+    }
+
+    /// The roles of drivers and Assur groups, in the order of the structure.
+    pub fn step_roles(&self) -> impl Iterator<Item = Role> {
+        layout::step_roles(self.motion.mechanism().structure())
     }
 
     /// What moves: `n, x₀, y₀, θ₀, …` of the n bodies, then a display list in
@@ -211,7 +239,7 @@ impl Figure {
         };
         let role = |point: usize| {
             let link = self.layout.link_of(point);
-            link.map_or(Role::Secondary, |link| self.layout.role(link))
+            link.map_or(Role::Secondary, |link| self.layout.drawn_role(link))
         };
         let traces = traces.iter().filter(|point| self.layout.moves(**point));
         traces
@@ -240,7 +268,7 @@ impl Figure {
         // The first link, the crank as a rule, on top.
         for link in (0..mechanism.links().len()).rev() {
             list.body(link + 1);
-            let (role, outline) = (self.layout.role(link), self.layout.outline(link));
+            let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
             match outline[..] {
                 [] | [_] => {}
                 [from, to] if self.gearing.is_wheel(link) && !self.layout.is_bar(link) => {
@@ -264,7 +292,7 @@ impl Figure {
             } else if self.layout.is_centre(point) {
                 overlays::mass(&mut list, at, u);
             } else {
-                list.circle(self.layout.role(link), Look::Solid, at, 0.6 * u);
+                list.circle(self.layout.drawn_role(link), Look::Solid, at, 0.6 * u);
             }
         }
         self.rigid = list;

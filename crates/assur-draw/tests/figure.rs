@@ -163,3 +163,53 @@ fn vectors_are_derivatives_to_scale() {
         );
     }
 }
+
+/// In groups every body has the colour of its group and of no other, the plots
+/// keep the links' own; only colours change.
+#[test]
+fn groups_have_their_colours() {
+    let draft = draft();
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let formula = mechanism
+        .structure()
+        .formula(|body| mechanism.body_name(body).to_owned());
+    assert_eq!(
+        formula,
+        "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
+    );
+    let [plain, grouped] = [Figure::new, Figure::in_groups].map(|draw| {
+        let figure = draw(&draft, &motion, &[5]);
+        figure.unwrap()
+    });
+    let roles: Vec<Role> = grouped.step_roles().collect();
+    assert_eq!(roles, [Role::Crank, Role::Coupler, Role::Rocker]);
+    let of_links = [0, 1, 1, 2, 2].map(|step| roles[step]);
+    let mut body = 0;
+    let [before, after] = [&plain, &grouped].map(|figure| records(figure.rigid().numbers()));
+    assert_eq!(before.len(), after.len());
+    let mut painted = [0; 6];
+    for (before, after) in before.iter().zip(&after) {
+        if after[0] == 0.0 {
+            body = after[1] as usize;
+            assert_eq!(before, after);
+            continue;
+        }
+        assert_eq!((before[0], &before[2..]), (after[0], &after[2..]));
+        if before[1] == after[1] {
+            continue;
+        }
+        if body > 0 {
+            assert_eq!(after[1], f32::from(of_links[body - 1] as u8));
+            painted[body] += 1;
+        }
+    }
+    // Slider and lever had other colours before; crank and rod have kept theirs.
+    assert_eq!((painted[1], painted[2]), (0, 0));
+    assert!(painted[3] > 0 && painted[5] > 0, "{painted:?}");
+    for (link, role) in of_links.into_iter().enumerate() {
+        assert_eq!(grouped.drawn_role(link), role);
+        assert_eq!(grouped.role(link), plain.drawn_role(link));
+    }
+    assert_eq!(plain.frame(0.4).unwrap(), grouped.frame(0.4).unwrap());
+}

@@ -105,6 +105,10 @@ pub struct View {
     /// Arc of the transmission angle shown.
     #[serde(default)]
     pub transmission: bool,
+    /// Links in the colours of their Assur groups.
+    #[cfg(feature = "linkages")]
+    #[serde(default)]
+    pub groups: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
@@ -179,6 +183,8 @@ impl Default for View {
             vectors: false,
             loop_vectors: false,
             transmission: false,
+            #[cfg(feature = "linkages")]
+            groups: false,
             plot: angles(),
             axes: Axes::default(),
             omega: one(),
@@ -389,6 +395,8 @@ mod tests {
                 vectors: true,
                 loop_vectors: false,
                 transmission: true,
+                #[cfg(feature = "linkages")]
+                groups: true,
                 plot: "C2".to_owned(),
                 axes: Axes::Physical,
                 omega: -2.5,

@@ -1,12 +1,13 @@
 //! Which points are joints, which links are drawn how.
 
 use assur::mechanism::{Draft, FRAME, Mechanism, Pose};
+use assur::structure::{Step, Structure};
 use assur::{Point, Vector};
 
 use crate::list::Role;
 use crate::parts;
 
-/// Colours of links that are not driven, in turn.
+/// Colours of links that are not driven, or of Assur groups, in turn.
 const ROLES: [Role; 6] = [
     Role::Coupler,
     Role::Rocker,
@@ -24,6 +25,7 @@ pub(super) type LinkOrFrame = Option<usize>;
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     roles: Vec<Role>,
+    drawn_roles: Vec<Role>,
     outlines: Vec<Vec<Point>>,
     bars: Vec<bool>,
     points: Vec<Pinned>,
@@ -42,10 +44,21 @@ struct Pinned {
 }
 
 impl Layout {
-    pub(super) fn new(draft: &Draft, mechanism: &Mechanism, home: &Pose<1>) -> Self {
+    pub(super) fn new(
+        draft: &Draft,
+        mechanism: &Mechanism,
+        home: &Pose<1>,
+        in_groups: bool,
+    ) -> Self {
         let points = (0..draft.points.len()).map(|point| pinned(draft, mechanism, point));
+        let roles = roles(draft);
         let mut layout = Self {
-            roles: roles(draft),
+            drawn_roles: if in_groups {
+                group_roles(draft, mechanism)
+            } else {
+                roles.clone()
+            },
+            roles,
             outlines: Vec::new(),
             bars: Vec::new(),
             points: points.collect(),
@@ -86,8 +99,15 @@ impl Layout {
         parts::hull(places.collect())
     }
 
+    /// The colour of a link's own, by which plots tell links apart.
     pub(super) fn role(&self, link: usize) -> Role {
         self.roles.get(link).copied().unwrap_or(Role::Coupler)
+    }
+
+    /// The colour it is drawn in: its own, or that of its Assur group.
+    pub(super) fn drawn_role(&self, link: usize) -> Role {
+        let drawn = self.drawn_roles.get(link).copied();
+        drawn.unwrap_or(Role::Coupler)
     }
 
     pub(super) fn outline(&self, link: usize) -> &[Point] {
@@ -219,6 +239,35 @@ fn roles(draft: &Draft) -> Vec<Role> {
     let roles: Vec<Role> = draft.links.iter().map(&mut own).collect();
     (0..roles.len())
         .map(|link| body_of(draft, Some(link)).map_or(Role::Secondary, |body| roles[body]))
+        .collect()
+}
+
+/// The colours of drivers and Assur groups, in the order of the structure.
+pub(super) fn step_roles(structure: &Structure) -> impl Iterator<Item = Role> {
+    let mut turn = ROLES.into_iter().cycle();
+    structure.steps.iter().map(move |step| match step {
+        Step::Driver { .. } => Role::Crank,
+        Step::Group(_) => turn.next().unwrap_or(Role::Coupler),
+    })
+}
+
+/// Of each link the colour of the step that places it; what is fixed to the frame
+/// has none.
+fn group_roles(draft: &Draft, mechanism: &Mechanism) -> Vec<Role> {
+    let structure = mechanism.structure();
+    let roles: Vec<Role> = step_roles(structure).collect();
+    let of_body = |name: &str| {
+        let mut bodies = 1..structure.step_of.len();
+        let body = bodies.find(|body| mechanism.body_name(*body) == name)?;
+        roles.get(structure.step_of[body]?).copied()
+    };
+    let role = |link: usize| {
+        let body = body_of(draft, Some(link))?;
+        of_body(&draft.links[body].name)
+    };
+    let links = 0..draft.links.len();
+    links
+        .map(|link| role(link).unwrap_or(Role::Secondary))
         .collect()
 }
 

@@ -59,10 +59,10 @@ pub(super) fn guides(
         let off = layout::local(mechanism, home, on, point) - (start + along * way(home));
         Some(Guide {
             on,
-            on_role: on.map_or(Role::Secondary, |on| layout.role(on)),
+            on_role: on.map_or(Role::Secondary, |on| layout.drawn_role(on)),
             ends: [low, high].map(|way| start + along * way),
             link,
-            role: layout.role(link),
+            role: layout.drawn_role(link),
             point: at,
             middle: at - layout::turned(off, on_angle - angle),
             direction: layout::turned(along, on_angle - angle),

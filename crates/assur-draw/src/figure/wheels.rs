@@ -134,7 +134,7 @@ impl Gearing {
             let drawn = known.unwrap_or_else(|| {
                 self.wheels.push(Drawn {
                     link,
-                    role: layout.role(link),
+                    role: layout.drawn_role(link),
                     centre: layout::local(mechanism, home, Some(link), hinges[k]),
                     hinge: hinges[k],
                     lead: leads[k],
@@ -275,7 +275,7 @@ mod tests {
         let mechanism = Mechanism::new(&draft).unwrap();
         let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
         let home = motion.pose::<1>(mechanism.home()).unwrap();
-        let layout = Layout::new(&draft, &mechanism, &home);
+        let layout = Layout::new(&draft, &mechanism, &home, false);
         let gearing = Gearing::new(&draft, &layout, &mechanism, &home);
         // The ring has an outer rim of teeth as well, for the train.
         assert_eq!(gearing.wheels.len(), 6);

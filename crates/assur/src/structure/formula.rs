@@ -4,10 +4,16 @@ use super::{Group, Step, Structure};
 use std::fmt::Display;
 
 impl Structure {
-    /// The structural formula in Artobolevsky's way: for each step the class,
-    /// the order below it and the links, named by the caller. Links that move
-    /// as one have a + between them.
+    /// The structural formula in Artobolevsky's way: [its terms](Self::terms) in
+    /// turn.
     pub fn formula<N: Display>(&self, name: impl Fn(usize) -> N) -> String {
+        self.terms(name).join(" → ")
+    }
+
+    /// The terms of the structural formula: for each step the class, the order
+    /// below it and the links, named by the caller. Links that move as one have a
+    /// + between them.
+    pub fn terms<N: Display>(&self, name: impl Fn(usize) -> N) -> Vec<String> {
         let body = |links: &[usize]| {
             let names = links.iter().map(|&link| name(link).to_string());
             names.collect::<Vec<_>>().join("+")
@@ -19,7 +25,7 @@ impl Structure {
                 format!("{}({})", group.symbol(), bodies.join(","))
             }
         });
-        steps.collect::<Vec<_>>().join(" → ")
+        steps.collect()
     }
 }
 
