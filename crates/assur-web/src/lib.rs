@@ -8,6 +8,8 @@ mod course;
 #[cfg(feature = "linkages")]
 mod design;
 #[cfg(feature = "linkages")]
+mod equations;
+#[cfg(feature = "linkages")]
 mod linkage;
 mod mixer;
 mod shown;

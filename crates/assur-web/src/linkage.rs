@@ -15,6 +15,7 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::convert::{Change, Redrawn, to_js};
 use crate::course::CourseSummary;
+use crate::equations::{EquationSummary, sides};
 use crate::shown::{Shown, rates, settings, strokes, unknown};
 use crate::summary::CycleSummary;
 use crate::table::{SweepRow, SweepTable};
@@ -51,6 +52,8 @@ struct LinkageSummary<'a> {
     class: String,
     order: usize,
     formula: String,
+    groups: Vec<GroupSummary>,
+    equations: Vec<EquationSummary<'a>>,
     assembly: usize,
     assemblies: usize,
     dead_points: Vec<DeadPointSummary<'a>>,
@@ -67,6 +70,13 @@ struct LinkageSummary<'a> {
 struct Counts {
     links: usize,
     pairs: usize,
+}
+
+/// A term of the structural formula, and the colour its links have by it.
+#[derive(Serialize)]
+struct GroupSummary {
+    term: String,
+    role: &'static str,
 }
 
 #[derive(Serialize)]
@@ -108,7 +118,11 @@ impl Linkage {
         traces.extend(of_plot);
         traces.retain(|_| state.view.traces);
         let draft = document.draft();
-        let figure = Figure::new(&draft, &motion, &traces);
+        let figure = if state.view.groups {
+            Figure::in_groups(&draft, &motion, &traces)
+        } else {
+            Figure::new(&draft, &motion, &traces)
+        };
         let mut figure = figure.map_err(|unsolved| vec![problem(&unsolved, mechanism)])?;
         if state.view.vectors {
             figure = figure.with_vectors();
@@ -145,11 +159,11 @@ impl Linkage {
         Ok(rates(&jets, self.chart.settings().input))
     }
 
-    /// The role of a link that has the point; of the frame's points none has.
+    /// The role that a link with the point is drawn in; of the frame's points none is.
     fn role(&self, point: usize) -> &'static str {
         let mut links = 0..self.mechanism().links().len();
         let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
-        link.map_or("ink", |link| self.figure.role(link).name())
+        link.map_or("ink", |link| self.figure.drawn_role(link).name())
     }
 
     fn place(&self, pose: &Pose<1>, point: usize) -> Point {
@@ -192,6 +206,14 @@ impl Shown for Linkage {
         let plotted = self.plotted.iter().map(|one| one.name(mechanism, 0));
         let roles = mechanism.links().enumerate();
         let roles = roles.map(|(link, name)| (name, self.figure.role(link).name()));
+        let terms = structure.terms(named).into_iter();
+        let groups = terms.zip(self.figure.step_roles());
+        let groups = groups.map(|(term, role)| GroupSummary {
+            term,
+            role: role.name(),
+        });
+        let equations = mechanism.constraints().iter();
+        let equations = equations.map(|one| EquationSummary::new(mechanism, one));
         let handles = self.handles.iter().map(|point| HandleSummary {
             name: mechanism.points().nth(*point).unwrap_or_default(),
             role: self.role(*point),
@@ -220,6 +242,8 @@ impl Shown for Linkage {
             class: roman(structure.class()),
             order: highest.map_or(1, |group| group.order()),
             formula: structure.formula(named),
+            groups: groups.collect(),
+            equations: equations.collect(),
             assembly: self.assembly,
             assemblies: mechanism.assemblies(),
             dead_points: ends.collect(),
@@ -299,6 +323,14 @@ impl Shown for Linkage {
 
     fn table(&self, steps: u32) -> SweepTable {
         table(&self.motion, steps)
+    }
+
+    /// Places need no derivatives, which a dead point has not.
+    fn equations(&self, phi: f64, order: usize) -> Result<Vec<f64>, Problem> {
+        match order {
+            0 => Ok(sides(self.mechanism(), &self.pose::<1>(phi)?, 0)),
+            _ => Ok(sides(self.mechanism(), &self.pose::<3>(phi)?, order.min(2))),
+        }
     }
 }
 

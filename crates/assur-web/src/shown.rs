@@ -28,6 +28,11 @@ pub(crate) trait Shown {
     fn chart(&self) -> &Chart;
     #[cfg(feature = "linkages")]
     fn table(&self, steps: u32) -> SweepTable;
+    /// A mixer has none: closed forms place it.
+    #[cfg(feature = "linkages")]
+    fn equations(&self, _phi: f64, _order: usize) -> Result<Vec<f64>, Problem> {
+        Ok(Vec::new())
+    }
 }
 
 /// How a chart is drawn by a view.

@@ -185,6 +185,17 @@ impl Simulator {
         Ok(to_js(&self.shown()?.table(steps)))
     }
 
+    /// Of every constraint equation of the summary at a crank angle its left side,
+    /// its right side and by how much they differ; with order 1 or 2 of its
+    /// derivative by the crank angle.
+    ///
+    /// # Errors
+    /// Why there are none: no pose, or derivatives unbounded.
+    #[cfg(feature = "linkages")]
+    pub fn equations(&self, phi: f64, order: usize) -> Result<Vec<f64>, JsValue> {
+        self.shown()?.equations(phi, order).map_err(one)
+    }
+
     fn shown(&self) -> Result<&Any, JsValue> {
         let shown = self.shown.as_ref();
         shown.ok_or_else(|| one(bad("", "no state has been set".to_owned())))

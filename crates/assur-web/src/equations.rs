@@ -1,0 +1,78 @@
+//! The constraint equations of a linkage under the names of the page.
+
+use assur::mechanism::{Constraint, Demand, FRAME, LinkOrFrame, Mechanism, Pose};
+use serde::Serialize;
+
+/// What an equation is about: points P, Q (and S of a slide, before them), links
+/// with what they are seen from.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub(crate) enum EquationSummary<'a> {
+    Distance {
+        link: &'a str,
+        points: [&'a str; 2],
+    },
+    Offset {
+        link: &'a str,
+        points: [&'a str; 3],
+    },
+    Direction {
+        link: &'a str,
+        on: &'a str,
+    },
+    Mesh {
+        links: [&'a str; 2],
+        carrier: &'a str,
+        teeth: [f64; 2],
+    },
+}
+
+impl<'a> EquationSummary<'a> {
+    pub(crate) fn new(mechanism: &'a Mechanism, constraint: &Constraint) -> Self {
+        let link = |link: LinkOrFrame| {
+            let name = link.and_then(|link| mechanism.links().nth(link));
+            name.unwrap_or(FRAME)
+        };
+        let point = |point: usize| mechanism.points().nth(point).unwrap_or_default();
+        match constraint.demand {
+            Demand::Distance { link: of, points } => Self::Distance {
+                link: link(Some(of)),
+                points: points.map(point),
+            },
+            Demand::Offset {
+                link: of,
+                point: slid,
+                line: [p, q],
+            } => Self::Offset {
+                link: link(of),
+                points: [slid, p, q].map(point),
+            },
+            Demand::Direction { link: of, on } => Self::Direction {
+                link: link(of),
+                on: link(on),
+            },
+            Demand::Mesh {
+                links,
+                carrier,
+                teeth,
+            } => Self::Mesh {
+                links: links.map(link),
+                carrier: link(carrier),
+                teeth,
+            },
+        }
+    }
+}
+
+/// Of every equation left side, right side and residual.
+pub(crate) fn sides<const N: usize>(
+    mechanism: &Mechanism,
+    pose: &Pose<N>,
+    order: usize,
+) -> Vec<f64> {
+    let constraints = mechanism.constraints().iter();
+    let sides = constraints.map(|one| mechanism.sides(pose, one, order));
+    sides
+        .flat_map(|sides| [sides.left, sides.right, sides.residual()])
+        .collect()
+}
