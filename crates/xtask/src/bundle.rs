@@ -3,6 +3,7 @@
 //! A page opened from a file may load no module and fetch no file beside it. But the modules find
 //! each other by bare names only, so it is enough to replace the import map by one in which every
 //! name stands for a `data:` address that holds the file itself, and to put the style sheets inside.
+//! Those in folders are loaded later, by name as modules are.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -82,6 +83,9 @@ fn assemble(files: &Files) -> Result<String> {
             }
             "html" if name == "index.html" => {}
             "html" => bail!("the one-file page has no place for {name}"),
+            "css" if name.contains('/') => {
+                imports.insert(format!("{PREFIX}{name}"), address);
+            }
             "css" => {}
             _ => page = page.replace(&format!("=\"{name}\""), &format!("=\"{address}\"")),
         }
@@ -119,7 +123,7 @@ fn put_styles_inside(mut page: String, files: &Files) -> Result<String> {
     }
     let unlinked = files
         .keys()
-        .find(|name| name.ends_with(".css") && !inside.contains(name));
+        .find(|name| name.ends_with(".css") && !name.contains('/') && !inside.contains(name));
     match unlinked {
         Some(name) => bail!("the one-file page has no place for {name}"),
         None => Ok(page),
@@ -180,6 +184,7 @@ mod tests {
             ("style.css", "body { color: red }"),
             ("icon.svg", "<svg/>"),
             ("main.js", "import init from \"assur/pkg/assur_web.js\";"),
+            ("linkage/style.css", "a { color: blue }"),
             ("pkg/assur_web.js", "export default 1; // </script>"),
             ("pkg/assur_web_bg.wasm", "\0asm"),
             ("lang/en.json", "{}"),
@@ -213,6 +218,7 @@ mod tests {
             names,
             [
                 "assur/lang/en.json",
+                "assur/linkage/style.css",
                 "assur/main.js",
                 "assur/pkg/assur_web.js",
                 "assur/pkg/assur_web_bg.wasm"
@@ -225,6 +231,9 @@ mod tests {
         assert_eq!(
             imports["assur/pkg/assur_web_bg.wasm"],
             "data:application/wasm;base64,AGFzbQ=="
+        );
+        assert!(
+            imports["assur/linkage/style.css"].starts_with("data:text/css;charset=utf-8;base64,")
         );
         assert!(imports["assur/main.js"].starts_with("data:text/javascript;charset=utf-8;base64,"));
     }
