@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 24] = [
+const BUILT: [(&str, &[&str]); 25] = [
     ("assembly.", &["www/rail.js"]),
     (
         "field.",
@@ -39,6 +39,7 @@ const BUILT: [(&str, &[&str]); 24] = [
         "dwell.",
         &["crates/assur-web/src/course.rs", "www/linkage/course.js"],
     ),
+    ("equations.", &["www/linkage/equations.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),
     ("lang.", &["www/words.js"]),
@@ -85,6 +86,8 @@ const BUILT: [(&str, &[&str]); 24] = [
 /// The tables of all that the page says, and of what it says of linkages besides.
 const PAGE: &str = "lang/*.json";
 const LINKAGES: &str = "lang/linkages/*.json";
+/// Those of the misprints that lessons are about.
+const ERRATA: &str = "lang/errata/class4-dwell.*.json";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -190,7 +193,7 @@ fn pascal(code: &str) -> String {
 fn every_language_says_everything() {
     let all = lesson_tables()
         .into_iter()
-        .chain([PAGE, LINKAGES].map(str::to_owned));
+        .chain([PAGE, LINKAGES, ERRATA].map(str::to_owned));
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
@@ -330,6 +333,37 @@ fn lessons_have_their_words_and_no_more() {
         );
         let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
         assert_eq!(asked(words), expected, "{name}");
+    }
+}
+
+/// The misprints that the page tells are those of docs/errata.md, word by word; in the
+/// other languages formulas are the same.
+#[test]
+fn errata_are_those_of_the_document() {
+    let document = source("docs/errata.md");
+    let (_, section) = document.split_once("## Class IV mechanism").unwrap();
+    let rows = section.lines().filter(|line| line.starts_with('|')).skip(2);
+    let rows: Vec<[&str; 3]> = rows
+        .map(|row| {
+            let cells: Vec<&str> = row.split('|').skip(1).map(str::trim).collect();
+            [cells[0], cells[1], cells[2]]
+        })
+        .collect();
+    assert!(rows.len() > 10);
+    let columns = ["equation", "printed", "right"];
+    let word = |cell: &str| {
+        let mut words = cell.split(|c: char| !c.is_alphabetic() && c != '′');
+        words.any(|word| word.len() > 2 && word.chars().all(|c| c.is_ascii_lowercase()))
+    };
+    for (lang, _, words) in tables(ERRATA) {
+        assert_eq!(words.len(), 2 + 3 + 3 * rows.len(), "{lang}");
+        for (number, row) in (1..).zip(&rows) {
+            for (column, cell) in columns.into_iter().zip(row) {
+                let said = &words[&format!("{number}.{column}")];
+                let alike = lang == "en" || !word(cell) || cell.contains("det");
+                assert_eq!(said == cell, alike, "{lang} {number}.{column}: {said}");
+            }
+        }
     }
 }
 

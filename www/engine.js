@@ -29,6 +29,7 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * @typedef {{
  *   cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
+ *   groups: { term: string, role: string }[], equations: import("assur/linkage/equations.js").Equation[],
  *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
  *   course: Course | null,
@@ -142,7 +143,7 @@ export class Engine {
    * @returns {Summary}
    */
   set(state) {
-    const summary = this.#ask((simulator) => {
+    const summary = this.ask((simulator) => {
       const taken = simulator.set(state);
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
@@ -158,12 +159,12 @@ export class Engine {
    * @returns {State} the same, read and checked
    */
   read(value) {
-    return this.#ask(() => this.#module.readState(value));
+    return this.ask(() => this.#module.readState(value));
   }
 
   /** @returns {Float32Array} display list of all that is rigid */
   scene() {
-    return this.#ask((simulator) => simulator.scene());
+    return this.ask((simulator) => simulator.scene());
   }
 
   /**
@@ -171,7 +172,7 @@ export class Engine {
    * @returns {Float32Array} where the bodies are, and a display list of what is not rigid
    */
   frame(phi) {
-    return this.#ask((simulator) => simulator.frame(phi));
+    return this.ask((simulator) => simulator.frame(phi));
   }
 
   /**
@@ -179,7 +180,7 @@ export class Engine {
    * @returns {Float64Array} x and y of the joints A, B, C, D and of the traced points
    */
   joints(phi) {
-    return this.#ask((simulator) => simulator.joints(phi));
+    return this.ask((simulator) => simulator.joints(phi));
   }
 
   /**
@@ -191,7 +192,7 @@ export class Engine {
    * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: Partial<MixerDocument> }}
    */
   drag(joint, phi, x, y) {
-    return this.#ask((simulator) => simulator.drag(joint, phi, x, y));
+    return this.ask((simulator) => simulator.drag(joint, phi, x, y));
   }
 
   /**
@@ -202,7 +203,7 @@ export class Engine {
    * @returns {{ document: { tracers: import("assur/state.js").Tracer[] } }}
    */
   trace(phi, x, y) {
-    return this.#ask((simulator) => simulator.trace(phi, x, y));
+    return this.ask((simulator) => simulator.trace(phi, x, y));
   }
 
   /**
@@ -210,7 +211,7 @@ export class Engine {
    * @returns {Readouts} values by name; ′ and ″ are derivatives of the axes
    */
   readouts(phi) {
-    const values = this.#ask((simulator) => simulator.readouts(phi));
+    const values = this.ask((simulator) => simulator.readouts(phi));
     /** @type {Record<string, number>} */
     const named = {};
     for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
@@ -222,7 +223,7 @@ export class Engine {
    * @returns {Float64Array} of each series of the plots the value and both derivatives
    */
   plotted(phi) {
-    return this.#ask((simulator) => simulator.plotted(phi));
+    return this.ask((simulator) => simulator.plotted(phi));
   }
 
   /**
@@ -231,7 +232,7 @@ export class Engine {
    * @returns {{ phi: number, sign: number }} sign −1: it turned back at the end of the range
    */
   advance(phi, delta) {
-    const [next, sign] = this.#ask((simulator) => simulator.advance(phi, delta));
+    const [next, sign] = this.ask((simulator) => simulator.advance(phi, delta));
     return { phi: next, sign };
   }
 
@@ -241,23 +242,16 @@ export class Engine {
    * @returns {{ panels: Panel[] }}
    */
   chart(context, request) {
-    return this.#ask((simulator) => simulator.chart(context, request));
+    return this.ask((simulator) => simulator.chart(context, request));
   }
 
   /**
-   * @param {number} steps rows to a turn of the crank
-   * @returns {SweepTable}
-   */
-  sweep(steps) {
-    return this.#ask((simulator) => simulator.sweep(steps));
-  }
-
-  /**
+   * Puts a question to the simulator: a part that is loaded later puts its own.
    * @template T
-   * @param {(simulator: mixer.Simulator) => T} question
+   * @param {(simulator: any) => T} question
    * @returns {T}
    */
-  #ask(question) {
+  ask(question) {
     try {
       return question(this.#simulator);
     } catch (thrown) {

@@ -117,13 +117,8 @@ function run(engine, habits, opening, startWords) {
   const special = { mixer: [new Rail(store, engine, drafts), new StatusLine()] };
   const specialise = async () => {
     special.linkage = [];
-    const [{ LinkageRail, LinkageStatus, LinkageTitle }, { CourseView, paintCourse }] = await Promise.all([
-      import("assur/linkage/views.js"),
-      import("assur/linkage/course.js"),
-    ]);
-    special.linkage = [new LinkageRail(store, drafts, words), new CourseView(store, drafts, history, words), new LinkageStatus(words)];
-    chart.lay(paintCourse);
-    views.push(new LinkageTitle(engine));
+    const { linkageParts } = await import("assur/linkage/parts.js");
+    special.linkage = linkageParts({ store, drafts, history, engine, chart, views }, words);
     loop.request();
   };
 

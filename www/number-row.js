@@ -76,12 +76,12 @@ export class NumberRow {
     this.#box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
     // A value beyond the slider's range widens it, so that the slider tells the truth.
-    const max = Math.max(range.max, value);
+    const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];
+    if (Number(this.#slider.min) !== min) this.#slider.min = String(min);
     if (Number(this.#slider.max) !== max) this.#slider.max = String(max);
     if (Number(this.#slider.value) !== value) this.#slider.value = String(value);
     if (counted) this.#slider.setAttribute("aria-valuetext", words.counted(counted, value));
-    const part = Math.min(Math.max((value - range.min) / (max - range.min), 0), 1);
-    this.#slider.style.setProperty("--fill", String(part));
+    this.#slider.style.setProperty("--fill", String((value - min) / (max - min)));
   }
 }
 

@@ -108,6 +108,6 @@ export class Numbers {
       format = new Intl.NumberFormat(this.#locale, { useGrouping: false, signDisplay: "negative", ...options });
       this.#formats.set(key, format);
     }
-    return format.format(value).replace("-", "\u2212");
+    return format.format(value).replaceAll("-", "\u2212");
   }
 }

@@ -12,17 +12,18 @@ import { LISTS } from "assur/state.js";
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
 const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
-/** The length of a link of a linkage. */
-const LENGTH = /^links\[(\d+)\]\.length$/;
+/** A dimension of a linkage: `links[5].length`, `points[8].x`. */
+const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
 
 /**
  * @param {string} field
  * @param {Words} words
- * @returns {string} its name, with the number of the wheel or point
+ * @param {any} document that has the field
+ * @returns {string} its name, with the number of the wheel, the name of the link or point
  */
-function fieldName(field, words) {
-  const [, link] = LENGTH.exec(field) ?? [];
-  if (link) return words.text("field.links.length", { n: String(Number(link) + 1) });
+function fieldName(field, words, document) {
+  const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
+  if (of) return words.text(`field.${of}.${dimension}`, { n: document?.[of]?.[at]?.name ?? at });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);
@@ -32,15 +33,16 @@ function fieldName(field, words) {
 /**
  * @param {Problem} problem
  * @param {Words} words
+ * @param {object} [document]
  * @returns {string}
  */
-export function sentence(problem, words) {
+export function sentence(problem, words, document) {
   const key = `problem.${problem.code}`;
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
   const places = {};
   for (const [name, value] of Object.entries(problem)) {
-    if (name === "field") places.field = fieldName(String(value), words);
+    if (name === "field") places.field = fieldName(String(value), words, document);
     else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
     else if (Array.isArray(value)) places[name] = value.join(", ");
@@ -54,8 +56,8 @@ export class ProblemView {
   #shown = "";
 
   /** @param {Snapshot} snapshot */
-  render({ problems, words }) {
-    const sentences = problems.map((problem) => sentence(problem, words));
+  render({ problems, words, state }) {
+    const sentences = problems.map((problem) => sentence(problem, words, state.document));
     if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;

@@ -45,7 +45,7 @@ export class Switches {
 
   /** @param {Snapshot} snapshot */
   render({ state: { view } }) {
-    for (const { name, input } of this.#switches) if (input.checked !== view[name]) input.checked = view[name];
+    for (const { name, input } of this.#switches) if (input.checked !== view[name]) input.checked = !!view[name];
   }
 }
 

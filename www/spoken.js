@@ -59,7 +59,7 @@ export class Spoken {
     write(this.#plots, plots(summary, this.#chart.panels, words));
     if (state.view.playing) return;
     // Problems are told as they arise, by an element of their own.
-    const failed = problems.map((problem) => sentence(problem, words)).join(" ");
+    const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(summary, radians(phiDeg), words);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
     const told = [phiDeg, revision];

@@ -13,7 +13,7 @@
  *
  * @typedef {Readonly<{
  *   phi_deg: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
- *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean,
+ *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups?: boolean,
  *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
  *   true_time: boolean, differenced: boolean,
  *   step: number,
@@ -24,7 +24,8 @@
  * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: unknown, fixed_to?: string | null }>} LinkEntry
  * @typedef {Readonly<{
  *   title?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
- *   links: readonly LinkEntry[], drivers: readonly Driver[], assembly?: number | null,
+ *   links: readonly LinkEntry[], drivers: readonly Driver[], slides?: readonly Readonly<{ point: string, line: readonly string[] }>[],
+ *   assembly?: number | null,
  * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
  *
  * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State of the mixer
@@ -32,7 +33,7 @@
  */
 
 /** What can be laid over the drawing. */
-export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission"]));
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
 export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "differenced"]));

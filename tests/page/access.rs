@@ -7,6 +7,7 @@ use serde_json::json;
 
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
+use crate::gallery::open;
 
 const AXE: &str = include_str!("vendor/axe.min.js");
 
@@ -84,6 +85,41 @@ async fn axe_finds_nothing() {
         check(&page, &format!("{lang} notice")).await;
         page.click("notice-close").await;
     }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn axe_finds_nothing_of_a_linkage() {
+    let page = Page::open().await;
+    open(&page, "class4-dwell").await;
+    page.stop_at("75").await;
+    page.ask(AXE).await;
+    page.click("groups").await;
+    page.ask("document.getElementById('equations').open = true")
+        .await;
+    for scheme in ["light", "dark"] {
+        page.prefer("prefers-color-scheme", scheme).await;
+        check(&page, scheme).await;
+    }
+    page.screen((360, 640), 1.0).await;
+    check(&page, "narrow").await;
+    page.screen((1280, 800), 1.0).await;
+    page.click("tab-lesson").await;
+    page.until("the lesson", async || {
+        page.count("#lesson-check").await == 1
+    })
+    .await;
+    for _ in 1..6 {
+        page.click("lesson-on").await;
+    }
+    check(&page, "lesson").await;
+    page.click("lesson-errata").await;
+    page.until("the misprints", async || {
+        page.count("#errata-dialog[open]").await == 1
+    })
+    .await;
+    check(&page, "misprints").await;
+    page.click("errata-close").await;
     page.close().await;
 }
 

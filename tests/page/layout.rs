@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::browser::Page;
 use crate::device::LANGUAGES;
+use crate::gallery::open;
 
 const SIZES: [(u32, u32); 7] = [
     (360, 640),
@@ -108,6 +109,54 @@ async fn layout_is_right_on_every_screen() {
             found.push((format!("{lang} {size:?} lesson"), defects(&page, 0).await));
             page.click("tab-settings").await;
         }
+    }
+    found.retain(|(_, defects)| *defects != json!([]));
+    assert!(found.is_empty(), "{found:#?}");
+    page.close().await;
+}
+
+/// A linkage with all that can be shown of it: its equations, groups in colours, the
+/// misprints.
+#[tokio::test]
+async fn layout_of_a_linkage() {
+    let page = Page::open().await;
+    open(&page, "class4-dwell").await;
+    page.stop_at("217.15").await;
+    page.click("groups").await;
+    page.ask("document.getElementById('equations').open = true")
+        .await;
+    let mut found = Vec::new();
+    for lang in LANGUAGES {
+        page.speak(lang).await;
+        for size in SIZES {
+            page.screen(size, 1.0).await;
+            found.push((format!("{lang} {size:?}"), defects(&page, 0).await));
+        }
+        page.choose("equations-order", "2").await;
+        page.screen((360, 640), 1.0).await;
+        found.push((format!("{lang} derivatives"), defects(&page, 0).await));
+        page.choose("equations-order", "0").await;
+        page.click("tab-lesson").await;
+        page.until("the lesson", async || {
+            page.count("#lesson-check").await == 1
+        })
+        .await;
+        // It opens again where it was left.
+        for _ in if found.len() < 9 { 1..6 } else { 6..6 } {
+            page.click("lesson-on").await;
+        }
+        found.push((format!("{lang} lesson"), defects(&page, 0).await));
+        page.click("lesson-errata").await;
+        page.until("the misprints", async || {
+            page.count("#errata-dialog[open]").await == 1
+        })
+        .await;
+        let wide = "const dialog = document.getElementById('errata-dialog');
+            return dialog.scrollWidth > dialog.clientWidth || dialog.scrollTop > 0";
+        assert_eq!(page.ask(wide).await, json!(false), "{lang}");
+        page.click("errata-close").await;
+        page.screen((1280, 800), 1.0).await;
+        page.click("tab-settings").await;
     }
     found.retain(|(_, defects)| *defects != json!([]));
     assert!(found.is_empty(), "{found:#?}");

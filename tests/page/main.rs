@@ -10,6 +10,7 @@ mod class4;
 mod damage;
 mod design;
 mod device;
+mod equations;
 mod export;
 mod gallery;
 mod hands;

@@ -59,7 +59,7 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
   step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [`${words.numbers.upTo(360 / steps, 1)}°`])));
   step.value = `${USUAL}`;
   const saveTable = () => {
-    const { value } = attempt(() => engine.sweep(Number(step.value)));
+    const { value } = attempt(() => engine.ask((simulator) => simulator.sweep(Number(step.value))));
     if (value) download(toCsv(value), `${name}.csv`);
   };
   return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [

@@ -19,19 +19,19 @@ export const STEPS = Object.freeze([
   {
     id: "structure",
     formula: "W = 3n − 2p₁",
-    shows: [{ preset: PRESET, play: true }],
+    shows: [{ preset: PRESET, play: true, overlays: ["traces", "groups"] }],
     question: { whole: true, within: 0, answer: ({ counts }) => counts.pairs, places: ({ counts, mobility }) => ({ links: counts.links, mobility }) },
   },
   {
     id: "groups",
     formula: "3n − 2p₁ = 0",
-    shows: [{ preset: PRESET, at: () => 0 }],
+    shows: [{ preset: PRESET, at: () => 0, overlays: ["traces", "groups"] }],
     question: { choices: ["ii", "iii", "iv"], answer: classOf },
   },
   {
     id: "driver",
     formula: "II₂ → II₂ → II₂",
-    shows: [{ preset: PRESET, change: drivenBy("CD"), at: ({ home }) => home }],
+    shows: [{ preset: PRESET, change: drivenBy("CD"), at: ({ home }) => home, overlays: ["traces", "groups"] }],
     question: { choices: ["ii", "iii", "iv"], answer: classOf },
   },
   {
@@ -47,9 +47,21 @@ export const STEPS = Object.freeze([
     question: { unit: "°", within: 0.5, answer: dwell },
   },
   {
+    id: "equations",
+    formula: "(x_P − x_Q)² + (y_P − y_Q)² = l²_PQ\nx_PQ x′_PQ + y_PQ y′_PQ = 0\nx_PQ x″_PQ + y_PQ y″_PQ = −x′²_PQ − y′²_PQ",
+    shows: [{ preset: PRESET, at: () => Math.PI / 3 }],
+    errata: PRESET,
+    // Of hinges there are as many equations as coordinates of moving points, less the mobility.
+    question: {
+      whole: true, within: 0, answer: ({ equations }) => equations.length,
+      places: ({ equations, mobility }) => ({ coordinates: equations.length + mobility, mobility }),
+    },
+  },
+  {
     id: "derivatives",
     formula: "Φ(q, φ₁) = 0\nJ q′ = −∂Φ/∂φ₁",
-    shows: [{ preset: PRESET, at: () => Math.PI / 2, overlays: ["traces", "vectors"] }],
+    shows: [{ preset: PRESET, at: () => Math.PI / 3, overlays: ["traces", "vectors"] }],
+    errata: PRESET,
     question: { unit: "°", within: 0.05, answer: stroke },
   },
 ]);

@@ -3,6 +3,7 @@ import { degrees } from "assur/angles.js";
 import { make, write } from "assur/dom.js";
 import { parseNumber } from "assur/numbers.js";
 import { SWITCHES, withDocument, withView } from "assur/state.js";
+import { withSubscripts } from "assur/subscripts.js";
 
 /**
  * @typedef {import("assur/engine.js").Summary} Summary
@@ -25,7 +26,8 @@ import { SWITCHES, withDocument, withView } from "assur/state.js";
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
  *
- * @typedef {Readonly<{ id: string, formula: string, shows: readonly Show[], question: Question }>} Step
+ * @typedef {Readonly<{ id: string, formula: string, shows: readonly Show[], question: Question, errata?: string }>} Step
+ * `errata`: the lesson whose paper's misprints concern the step.
  *
  * @typedef {Readonly<{
  *   store: import("assur/store.js").Store<State>,
@@ -58,6 +60,7 @@ export class Panel {
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
   #text = make("div", { class: "lesson-text" });
   #shows = make("div", { class: "segments" });
+  #errata = make("button", { id: "lesson-errata", class: "control add", type: "button" });
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control" });
@@ -80,8 +83,12 @@ export class Panel {
     });
     this.#back.addEventListener("click", () => this.#go(-1));
     this.#on.addEventListener("click", () => this.#go(1));
+    this.#errata.addEventListener("click", async () => {
+      const { openErrata } = await import("assur/linkage/errata.js");
+      await openErrata(this.#step.errata ?? "", this.#words.lang);
+    });
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#progress, this.#on]);
-    place.replaceChildren(walk, this.#title, this.#text, this.#shows, form);
+    place.replaceChildren(walk, this.#title, this.#text, this.#shows, this.#errata, form);
   }
 
   /** @param {Words} words */
@@ -131,7 +138,7 @@ export class Panel {
   /** @param {number} number */
   #write(number) {
     const words = this.#words;
-    const { id, formula, shows, question } = this.#steps[number - 1];
+    const { id, formula, shows, question, errata } = this.#steps[number - 1];
     this.#back.ariaLabel = this.#back.title = words.text("back");
     this.#on.ariaLabel = this.#on.title = words.text("on");
     // A button that leads no farther gives the focus to its twin, else it would be lost.
@@ -142,14 +149,16 @@ export class Panel {
     if (focused === this.#on && this.#on.disabled) this.#back.focus();
 
     write(this.#title, words.text(`${id}.title`));
-    const paragraphs = words.text(`${id}.text`).split("\n").map((text) => make("p", {}, [text]));
-    this.#text.replaceChildren(...paragraphs, make("p", { class: "formula" }, [formula]));
+    const paragraphs = words.text(`${id}.text`).split("\n").map((text) => make("p", {}, withSubscripts(text)));
+    this.#text.replaceChildren(...paragraphs, make("p", { class: "formula" }, withSubscripts(formula)));
     this.#shows.replaceChildren(...shows.map((show) => {
       const text = words.text(show.name ? `${id}.show.${show.name}` : "show");
       const button = make("button", { id: `lesson-show${show.name ? `-${show.name}` : ""}`, class: "segment", type: "button" }, [text]);
       button.addEventListener("click", () => this.#show(show));
       return button;
     }));
+    write(this.#errata, words.text("errata"));
+    this.#errata.hidden = !errata;
     const within = question.within ? ` ${words.text("within", { value: words.numbers.upTo(question.within, 3) + (question.unit ?? "") })}` : "";
     write(this.#legend, words.text(`${id}.question`) + within);
     this.#fields.replaceChildren(...this.#inputs());

@@ -1,5 +1,6 @@
 // The gallery: the mixer and the linkages of the catalogue, one to be chosen. Loaded when it is asked for.
 import { byId, make } from "assur/dom.js";
+import "assur/linkage/style.js";
 
 /**
  * @typedef {{

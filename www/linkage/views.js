@@ -7,6 +7,7 @@ import { withDocument } from "assur/state.js";
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
  * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/state.js").LinkageState} LinkageState
  * @typedef {import("assur/words.js").Words} Words
  * @typedef {Omit<import("assur/model.js").Snapshot, "summary" | "state"> & { summary: Summary, state: import("assur/state.js").LinkageState }} Snapshot
  */
@@ -14,6 +15,19 @@ import { withDocument } from "assur/state.js";
 /** A slider goes to so many times the length that it is made for. */
 const LONGEST = 2;
 const SHORTEST = 0.05;
+/** That of a coordinate goes by this part of the drawing's diagonal to both sides. */
+const ASIDE = 0.1;
+/** The coordinates of a point: where they stand in `at`, their symbols and words. */
+const AXES = Object.freeze([{ axis: 0, symbol: "x", key: "points.x" }, { axis: 1, symbol: "y", key: "points.y" }]);
+
+/**
+ * A dimension with a slider: its row, where a linkage has it, what becomes other with it.
+ * @typedef {{
+ *   kind: import("assur/number-row.js").RowKind,
+ *   of: (linkage: LinkageDocument) => number,
+ *   changed: (linkage: LinkageDocument, value: number) => Partial<LinkageDocument>,
+ * }} Dimension
+ */
 
 export class LinkageRail {
   #store;
@@ -21,9 +35,10 @@ export class LinkageRail {
   #driver = make("select", { id: "driver", class: "control", "data-t-label": "field.drivers" });
   #assembly = make("select", { id: "linkage-assembly", class: "control", "data-t-label": "field.assembly" });
   #lengths = make("div", { id: "linkage-lengths" });
-  /** @type {{ row: NumberRow, index: number }[]} */
+  #coordinates = make("div", { id: "linkage-frame" });
+  /** @type {{ row: NumberRow, of: Dimension["of"] }[]} */
   #rows = [];
-  #links = "";
+  #built = "";
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
@@ -42,6 +57,7 @@ export class LinkageRail {
     const sections = [
       section("field.drivers", this.#driver),
       section("lengths.links", this.#lengths),
+      section("lengths.frame", this.#coordinates),
       section("field.assembly", this.#assembly),
     ];
     byId("overlays", HTMLElement).before(...sections);
@@ -55,14 +71,14 @@ export class LinkageRail {
     const shown = [linkage, summary, words, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    const links = linkage.links.map(({ name, points }) => `${name}:${points.length}`).join();
-    if (links !== this.#links) {
-      this.#links = links;
+    const built = JSON.stringify([linkage.title, linkage.frame, linkage.links.map(({ name, points }) => [name, points])]);
+    if (built !== this.#built) {
+      this.#built = built;
       this.#build(linkage, summary, words);
     }
     const [driver] = linkage.drivers;
     this.#driver.value = driver?.crank ?? "";
-    for (const { row, index } of this.#rows) row.show(lengthOf(linkage, index), words, wrong.has(row.field));
+    for (const { row, of } of this.#rows) row.show(of(linkage), words, wrong.has(row.field));
     const { assembly, assemblies } = summary;
     const numbers = Array.from({ length: assemblies }, (_, i) => String(i + 1));
     if (this.#assembly.options.length !== assemblies) {
@@ -84,32 +100,98 @@ export class LinkageRail {
   #build(linkage, summary, words) {
     const hinged = linkage.links.filter(({ points, fixed_to: to }) => !to && points.some((point) => linkage.frame.includes(point)));
     this.#driver.replaceChildren(...hinged.map(({ name }) => make("option", { value: name }, [name])));
-    this.#rows = straightLinks(linkage).map((index) => {
-      const { name } = linkage.links[index];
-      const length = lengthOf(linkage, index);
-      const step = 10 ** (Math.floor(Math.log10(length)) - 2);
-      const row = new NumberRow(
-        {
-          field: `links[${index}].length`, id: `length-${index}`, key: "links.length", n: name, symbol: "l", role: summary.roles[name] ?? "secondary",
-          slider: { min: SHORTEST * length, max: LONGEST * length, step },
-        },
-        this.#drafts,
-        (value) => this.#lengthen(index, value),
-      );
-      words.fill(row.element);
-      return { row, index };
-    });
-    this.#lengths.replaceChildren(...this.#rows.map(({ row }) => row.element));
+    this.#rows = [];
+    this.#place(this.#lengths, straightLinks(linkage).map((index) => length(linkage, summary, index)), words);
+    this.#place(this.#coordinates, frameHinges(linkage).flatMap((index) => AXES.map((axis) => coordinate(linkage, summary, index, axis))), words);
   }
 
   /**
-   * @param {number} index
-   * @param {number} length
+   * @param {HTMLElement} place
+   * @param {readonly Dimension[]} dimensions
+   * @param {Words} words
    */
-  #lengthen(index, length) {
-    const { links } = this.#store.get().document;
-    this.#edit({ links: links.map((/** @type {object} */ link, /** @type {number} */ at) => (at === index ? { ...link, length } : link)) });
+  #place(place, dimensions, words) {
+    const rows = dimensions.map(({ kind, of, changed }) => {
+      const row = new NumberRow(kind, this.#drafts, (value) => this.#edit(changed(this.#store.get().document, value)));
+      words.fill(row.element);
+      return { row, of };
+    });
+    this.#rows.push(...rows);
+    place.replaceChildren(...rows.map(({ row }) => row.element));
+    if (place.parentElement) place.parentElement.hidden = rows.length === 0;
   }
+}
+
+/**
+ * @param {LinkageDocument} linkage
+ * @param {Summary} summary
+ * @param {number} index of a link
+ * @returns {Dimension}
+ */
+function length(linkage, summary, index) {
+  const { name } = linkage.links[index];
+  const now = lengthOf(linkage, index);
+  const slider = { min: SHORTEST * now, max: LONGEST * now, step: stepOf(now) };
+  return {
+    kind: { field: `links[${index}].length`, id: `length-${index}`, key: "links.length", n: name, symbol: "l", role: summary.roles[name] ?? "secondary", slider },
+    of: (document) => lengthOf(document, index),
+    changed: ({ links }, value) => ({ links: links.map((link, at) => (at === index ? { ...link, length: value } : link)) }),
+  };
+}
+
+/**
+ * @param {LinkageDocument} linkage
+ * @param {Summary} summary
+ * @param {number} index of a point of the frame
+ * @param {(typeof AXES)[number]} axis
+ * @returns {Dimension}
+ */
+function coordinate({ points }, { bounds: [left, bottom, right, top] }, index, { axis, symbol, key }) {
+  const { name, at } = points[index];
+  const reach = ASIDE * Math.hypot(right - left, top - bottom);
+  const slider = { min: at[axis] - reach, max: at[axis] + reach, step: stepOf(reach) };
+  return {
+    kind: { field: `points[${index}].${symbol}`, id: `point-${index}-${symbol}`, key, n: name, symbol, role: "secondary", slider },
+    of: (document) => document.points[index].at[axis],
+    changed: (document, value) => ({
+      points: document.points.map((point, i) => (i === index ? { ...point, at: /** @type {const} */ ([axis ? point.at[0] : value, axis ? value : point.at[1]]) } : point)),
+      // The links that are hinged there stay as they are.
+      links: document.links.map((link, i) => (link.points.includes(name) ? kept(document, link, i) : link)),
+    }),
+  };
+}
+
+/**
+ * @param {LinkageDocument} linkage
+ * @param {LinkageDocument["links"][number]} link
+ * @param {number} index of the link
+ * @returns {LinkageDocument["links"][number]} the link with the dimensions that it has from the drawing
+ */
+function kept(linkage, link, index) {
+  if (link.length || link.shape || link.points.length < 2) return link;
+  if (link.points.length === 2) return { ...link, length: lengthOf(linkage, index) };
+  return { ...link, shape: link.points.map((name) => linkage.points.find((point) => point.name === name)?.at) };
+}
+
+/** @param {number} size of what a slider changes */
+function stepOf(size) {
+  return 10 ** (Math.floor(Math.log10(size)) - 2);
+}
+
+/**
+ * The hinges of the frame that can be moved by themselves: no guide goes through them, and no link that is fixed to
+ * another, and lies on it as drawn, depends on them.
+ * @param {LinkageDocument} linkage
+ * @returns {number[]} points, by their numbers
+ */
+function frameHinges({ points, frame, links, slides = [] }) {
+  const bound = new Set(slides.flatMap(({ point, line }) => [point, ...line]));
+  for (const { name, points: own, fixed_to: to } of links) {
+    if (to || links.some((link) => link.fixed_to === name)) own.forEach((point) => bound.add(point));
+  }
+  return points.flatMap(({ name }, index) => (
+    frame.includes(name) && !bound.has(name) && links.some((link) => link.points.includes(name)) ? [index] : []
+  ));
 }
 
 /**
@@ -178,11 +260,11 @@ function nameOf(engine, linkage, words) {
   return original ? words.text(`gallery.${original.id}`) : linkage.title || words.text("gallery.own");
 }
 
-/** @type {Readonly<Record<string, (summary: Summary, words: Words) => string>>} */
+/** @type {Readonly<Record<string, (summary: Summary, words: Words, state: LinkageState) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
   mobility: ({ mobility }, words) => words.numbers.exact(mobility),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
-  formula: ({ formula }) => formula,
+  formula: ({ formula, groups }, _, { view }) => (view.groups ? coloured(groups) : formula),
   "linkage-assembly": ({ assembly, assemblies }, words) =>
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
   "linkage-range": ({ cycle }, words) => (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => angle(end, words)).join("…")).join(", ")),
@@ -214,18 +296,27 @@ export class LinkageStatus {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ summary, words, revision, stale }) {
+  render({ state, summary, words, revision, stale }) {
     setData(this.#list, "faded", String(stale));
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
     const shown = `${revision} ${words.lang}`;
     if (shown === this.#shown) return;
     this.#shown = shown;
     for (const { name, entry, output } of this.#entries) {
-      const text = ENTRIES[name](summary, words);
-      entry.hidden = text === "";
-      write(output, text);
+      const said = ENTRIES[name](summary, words, state);
+      entry.hidden = said === "";
+      output.replaceChildren(...(typeof said === "string" ? [said] : said));
     }
   }
+}
+
+/**
+ * @param {Summary["groups"]} groups
+ * @returns {(Node | string)[]} the structural formula, beside each term the colour of its links in the drawing
+ */
+function coloured(groups) {
+  const swatch = (/** @type {string} */ role) => make("i", { class: "swatch", style: `--accent: var(--role-${role})`, "data-role": role, "aria-hidden": "true" });
+  return groups.flatMap(({ term, role }, i) => [...(i > 0 ? [" → "] : []), make("span", { class: "group" }, [swatch(role), term])]);
 }
 
 /**
