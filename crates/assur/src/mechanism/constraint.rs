@@ -97,10 +97,10 @@ pub(super) fn all(
         };
         draft.slides.iter().any(gives)
     };
-    let shared = |body: usize, point: usize| {
-        let mut others = (0..bodies.count()).filter(|other| *other != body);
-        others.any(|other| bodies.local(other, point).is_some())
-    };
+    let mut joined = vec![0; draft.points.len()];
+    for (point, _) in (0..bodies.count()).flat_map(|body| bodies.of(body)) {
+        joined[*point] += 1;
+    }
     let mut found = Vec::new();
     for (link, (drawn, seat)) in draft.links.iter().zip(seats).enumerate() {
         if drawn.fixed_to.is_some() {
@@ -108,7 +108,7 @@ pub(super) fn all(
         }
         let points = bodies.of(seat.body).iter();
         let points: Vec<_> = points
-            .filter(|(point, _)| shared(seat.body, *point) || on_slides(seat.body, *point))
+            .filter(|(point, _)| joined[*point] > 1 || on_slides(seat.body, *point))
             .collect();
         // Two for each point more than the first two: rigid, and none too many.
         for (k, (point, place)) in points.iter().enumerate() {
