@@ -3,27 +3,30 @@
 use anyhow::{Context, Result, bail};
 use oxc_allocator::Allocator;
 use oxc_codegen::{Codegen, CodegenOptions};
-use oxc_mangler::{MangleOptions, Mangler};
+use oxc_minifier::{CompressOptions, MangleOptions, Minifier, MinifierOptions};
 use oxc_parser::Parser;
 use oxc_span::SourceType;
 
-/// A module without comments and free space, its private names short. What it exports and imports
+/// A module without comments and free space, in fewer statements, its private names short. What it exports and imports
 /// keeps its name, so modules stay separate files.
 pub(crate) fn module(name: &str, source: &str) -> Result<String> {
     let allocator = Allocator::default();
-    let parsed = Parser::new(&allocator, source, SourceType::mjs()).parse();
+    let mut parsed = Parser::new(&allocator, source, SourceType::mjs()).parse();
     if let Some(error) = parsed.errors.first() {
         bail!("{name} is no module: {error}");
     }
-    let options = MangleOptions {
-        top_level: true,
-        ..MangleOptions::default()
-    };
-    let mangled = Mangler::new().with_options(options).build(&parsed.program);
+    let minifier = Minifier::new(MinifierOptions {
+        mangle: Some(MangleOptions {
+            top_level: true,
+            ..MangleOptions::default()
+        }),
+        compress: Some(CompressOptions::smallest()),
+    });
+    let minified = minifier.minify(&allocator, &mut parsed.program);
     let codegen = Codegen::new()
         .with_options(CodegenOptions::minify())
-        .with_scoping(Some(mangled.scoping))
-        .with_private_member_mappings(Some(mangled.class_private_mappings));
+        .with_scoping(minified.scoping)
+        .with_private_member_mappings(minified.class_private_mappings);
     Ok(codegen.build(&parsed.program).code)
 }
 
@@ -74,6 +77,10 @@ mod tests {
             (
                 "export const text = (a) => `/* ${a /* b */}  // \n  c`;",
                 "export const text=e=>`/* ${e}  // \n  c`;",
+            ),
+            (
+                "export const pick = (a) => {\n  if (a) return 1;\n  return 2;\n};",
+                "export const pick=e=>e?1:2;",
             ),
             (
                 "export const late = () => import(\"assur/late.js\");",

@@ -56,6 +56,7 @@ fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
     let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
     bindgen
         .args(["--target", "web", "--no-typescript"])
+        .args(["--encode-into", "always"])
         .args(["--remove-name-section", "--remove-producers-section"])
         .arg("--out-dir")
         .arg(place)
