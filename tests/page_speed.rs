@@ -19,52 +19,109 @@ use std::time::{Duration, Instant};
 use browser::{Page, setting};
 use serde_json::json;
 
-/// Keeps hold of the memory of every module that is made.
-const KEEP_MEMORY: &str = "for (const name of ['instantiate', 'instantiateStreaming']) {
+/// Put into the page before its own scripts: each is read once, however often it
+/// is used, so that the page's memory is its own.
+///
+/// `frames` waits for a number of animation frames. `drag` moves a slider by its
+/// own steps down and up, one a frame, as a hand does, and hands on what each kept
+/// the main thread busy for, in milliseconds: the event, and all of the frame after
+/// it, of which a message posted from within is the end. `live` plays and drags by
+/// turns until `living` is no more. `seen` is how long after it was handed over
+/// each painting was made, in milliseconds, if it is a list; `memory` is the
+/// engine's.
+const BENCH: &str = "globalThis.bench = {
+    seen: null,
+    frames: (left) => new Promise((done) => {
+        const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done([]));
+        requestAnimationFrame(frame);
+    }),
+    drag: (steps) => new Promise((done) => {
+        const slider = document.getElementById('slider-l3');
+        const spent = [];
+        const { port1, port2 } = new MessageChannel();
+        let event = 0, frame = 0;
+        const step = () => {
+            if (spent.length === steps) {
+                port1.close();
+                return done(spent);
+            }
+            requestAnimationFrame(() => { frame = performance.now(); });
+            const start = performance.now();
+            if (spent.length % 60 < 30) slider.stepUp(); else slider.stepDown();
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+            event = performance.now() - start;
+            requestAnimationFrame(() => port2.postMessage(0));
+        };
+        port1.onmessage = () => {
+            spent.push(event + performance.now() - frame);
+            setTimeout(step);
+        };
+        step();
+    }),
+    live: async () => {
+        const play = document.getElementById('play');
+        for (bench.living = true; bench.living;) {
+            await bench.frames(300);
+            play.click();
+            await bench.drag(120);
+            play.click();
+        }
+        bench.ended([]);
+    },
+    end: () => new Promise((ended) => {
+        bench.ended = ended;
+        bench.living = false;
+    }),
+};
+for (const name of ['instantiate', 'instantiateStreaming']) {
     const make = WebAssembly[name];
     WebAssembly[name] = async (...given) => {
         const made = await make.apply(WebAssembly, given);
-        globalThis.wasmMemory = (made.instance ?? made).exports.memory;
+        bench.memory = (made.instance ?? made).exports.memory;
         return made;
     };
-}";
+}
+globalThis.Worker = class extends Worker {
+    #sent = [];
+    constructor(...given) {
+        super(...given);
+        this.addEventListener('message', () => {
+            const sent = this.#sent.shift();
+            if (sent) bench.seen?.push(performance.now() - sent);
+        });
+    }
+    postMessage(message, ...rest) {
+        if (message.painted) this.#sent.push(performance.now());
+        super.postMessage(message, ...rest);
+    }
+};";
 
-/// Waits for a number of animation frames.
 const FRAMES: f64 = 300.0;
-const WAIT: &str = "const done = arguments[0]; let left = 300;
-    const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done([]));
-    requestAnimationFrame(frame);";
+const STEPS: usize = 120;
 
-/// Moves a slider by its own steps down and up, one a frame, as a hand does; what each
-/// kept the main thread busy for, in milliseconds: the event, and all of the frame
-/// after it, of which a message posted from within is the end.
-const DRAG: &str = "const done = arguments[0];
-    const slider = document.getElementById('slider-l3');
-    const steps = 120;
-    const spent = [];
-    const { port1, port2 } = new MessageChannel();
-    let event = 0, frame = 0;
-    const step = () => {
-        if (spent.length === steps) return done(spent);
-        requestAnimationFrame(() => { frame = performance.now(); });
-        const start = performance.now();
-        if (spent.length % 60 < 30) slider.stepUp(); else slider.stepDown();
-        slider.dispatchEvent(new Event('input', { bubbles: true }));
-        event = performance.now() - start;
-        requestAnimationFrame(() => port2.postMessage(0));
-    };
-    port1.onmessage = () => {
-        spent.push(event + performance.now() - frame);
-        setTimeout(step);
-    };
-    step();";
+/// Lets the page do something of [`BENCH`]; the numbers it hands on.
+async fn have(page: &Page, what: &str) -> Vec<f64> {
+    let script = format!("const done = arguments[0]; bench.{what}.then(done)");
+    page.numbers(&script).await
+}
+
+/// How many paintings there were, and how long each took after the page had handed
+/// it over. A frame that finds two on their way is not painted.
+async fn seen(page: &Page, of: &str) {
+    let script = "const { seen } = bench; bench.seen = null; arguments[0](seen)";
+    let mut seen = page.numbers(script).await;
+    seen.sort_by(f64::total_cmp);
+    let median = seen.get(seen.len() / 2).copied().unwrap_or(f64::NAN);
+    print(&format!("paintings in the worker, {of}"), seen.len() as f64);
+    print(&format!("one of them, {of}, median, ms"), median);
+}
 
 #[tokio::test]
 async fn page_speed() {
     let page = Page::open().await;
     page.tool(
         "Page.addScriptToEvaluateOnNewDocument",
-        json!({ "source": KEEP_MEMORY }),
+        json!({ "source": BENCH }),
     )
     .await;
     page.anew(&setting("ASSUR_URL")).await;
@@ -91,15 +148,21 @@ async fn page_speed() {
         page.tool("Performance.enable", json!({ "timeDomain": clock }))
             .await;
         let before = page.metric("TaskDuration").await;
-        page.numbers(WAIT).await;
+        have(&page, &format!("frames({FRAMES})")).await;
         let spent = page.metric("TaskDuration").await - before;
         print(name, spent / FRAMES * 1e3);
     }
 
+    page.ask("bench.seen = []").await;
+    have(&page, &format!("frames({FRAMES})")).await;
+    seen(&page, &format!("{FRAMES} frames")).await;
+
     page.click("play").await;
+    page.ask("bench.seen = []").await;
     let before = page.metric("TaskDuration").await;
-    let mut steps = page.numbers(DRAG).await;
+    let mut steps = have(&page, &format!("drag({STEPS})")).await;
     let spent = page.metric("TaskDuration").await - before;
+    seen(&page, &format!("{STEPS} steps of a dragged slider")).await;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     print(
@@ -126,15 +189,12 @@ async fn memory(page: &Page) {
     let start = Instant::now();
     for look in 0..=LOOKS {
         let until = Duration::from_secs_f64(minutes * 60.0) * look / LOOKS;
-        while start.elapsed() < until {
-            page.numbers(WAIT).await;
-            page.click("play").await;
-            page.numbers(DRAG).await;
-            page.click("play").await;
-        }
+        page.ask("bench.live()").await;
+        tokio::time::sleep(until.saturating_sub(start.elapsed())).await;
+        have(page, "end()").await;
         // What is still there after everything was thrown away that nobody needs.
         page.tool("HeapProfiler.collectGarbage", json!({})).await;
-        let wasm = "arguments[0]([globalThis.wasmMemory.buffer.byteLength])";
+        let wasm = "arguments[0]([bench.memory.buffer.byteLength])";
         held.push([
             page.metric("JSHeapUsedSize").await,
             page.numbers(wasm).await[0],

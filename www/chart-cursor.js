@@ -38,15 +38,16 @@ export class ChartCursor {
 
   /**
    * @param {HTMLCanvasElement} canvas
+   * @param {import("assur/studio.js").Studio} studio
    * @param {Theme} theme
    * @param {{ readonly panels: readonly Panel[] }} chart
    * @param {Engine} engine
    */
-  constructor(canvas, theme, chart, engine) {
+  constructor(canvas, studio, theme, chart, engine) {
     this.#theme = theme;
     this.#engine = engine;
     this.#chart = chart;
-    this.#surface = new Surface(canvas, () => this.redraw());
+    this.#surface = new Surface(canvas, studio, () => this.redraw());
   }
 
   /** @param {Snapshot} snapshot */
@@ -66,7 +67,7 @@ export class ChartCursor {
 
   redraw() {
     const snapshot = this.#snapshot;
-    if (!snapshot || !this.#surface.visible) return;
+    if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
     const hovered = this.#hovered;
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;

@@ -29,15 +29,16 @@ export class ChartView {
 
   /**
    * @param {HTMLCanvasElement} canvas
+   * @param {import("assur/studio.js").Studio} studio
    * @param {Engine} engine
    * @param {Theme} theme
    * @param {() => void} redrawn called when the panels may have changed their places
    */
-  constructor(canvas, engine, theme, redrawn) {
+  constructor(canvas, studio, engine, theme, redrawn) {
     this.#engine = engine;
     this.#theme = theme;
     this.#redrawn = redrawn;
-    this.#surface = new Surface(canvas, () => this.#draw());
+    this.#surface = new Surface(canvas, studio, () => this.#draw());
   }
 
   /** @param {Snapshot} snapshot */
@@ -52,7 +53,7 @@ export class ChartView {
 
   #draw() {
     const snapshot = this.#snapshot;
-    if (!snapshot || !this.#surface.visible) return;
+    if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
     this.panels = this.#paint(this.#surface, snapshot, this.#theme, false);
     this.#redrawn();

@@ -1,7 +1,7 @@
 // Reads the flat display lists of the engine into things a canvas can paint.
 
 /**
- * @typedef {Path2D | import("assur/export/svg.js").SvgPath} Path
+ * @typedef {Path2D | import("assur/recorder.js").Track | import("assur/export/svg.js").SvgPath} Path
  * @typedef {{ record: Float32Array, role: string, look: number, path: Path, loops?: Float32Array[] }} Shape
  * Where it stands in the list; of polygons also the corners of each.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label

@@ -16,9 +16,6 @@ import { paintSquares } from "assur/sheet.js";
  * @typedef {{ readonly width: number, readonly height: number }} Size in CSS pixels
  */
 
-/** Labels that hold a number: in motion they change in every frame. */
-const NUMBERS = Object.freeze(["phi1", "mu"]);
-
 export class Figure {
   #engine;
   #theme;
@@ -46,7 +43,7 @@ export class Figure {
   constructor(engine, theme, newPath = () => new Path2D()) {
     this.#engine = engine;
     this.#theme = theme;
-    this.#painter = new Painter(theme);
+    this.#painter = new Painter(theme, newPath);
     this.#newPath = newPath;
   }
 
@@ -97,7 +94,7 @@ export class Figure {
   paintLabels(sheet, view, small) {
     const snapshot = this.#legible;
     if (!snapshot) return;
-    const write = (/** @type {string} */ label) => ({ text: labelText(label, snapshot), lasting: !NUMBERS.includes(label) });
+    const write = (/** @type {string} */ label) => labelText(label, snapshot);
     const taken = small ? [] : null;
     for (const layers of [this.#still, this.#rigid, this.#changing]) {
       this.#painter.labels(sheet, layers, view, this.#poses, write, taken);

@@ -21,11 +21,12 @@ export class Lane {
 
   /**
    * @param {HTMLCanvasElement} canvas
+   * @param {import("assur/studio.js").Studio} studio
    * @param {Theme} theme
    */
-  constructor(canvas, theme) {
+  constructor(canvas, studio, theme) {
     this.#theme = theme;
-    this.#surface = new Surface(canvas, () => this.#draw());
+    this.#surface = new Surface(canvas, studio, () => this.#draw());
   }
 
   /**
@@ -39,7 +40,7 @@ export class Lane {
   }
 
   #draw() {
-    if (!this.#surface.visible) return;
+    if (!this.#surface.begin()) return;
     this.#surface.clear();
     const { context, width } = this.#surface;
     const { line, crank, paper } = this.#theme.colours;

@@ -26,7 +26,7 @@ const RING_OPACITY = 0.28;
 
 export class MechanismView {
   #surface;
-  #sheet = new Sheet();
+  #sheet;
   #figure;
   #theme;
   #engine;
@@ -42,14 +42,16 @@ export class MechanismView {
 
   /**
    * @param {HTMLCanvasElement} canvas
+   * @param {import("assur/studio.js").Studio} studio
    * @param {Engine} engine
    * @param {Theme} theme
    */
-  constructor(canvas, engine, theme) {
+  constructor(canvas, studio, engine, theme) {
     this.#engine = engine;
     this.#theme = theme;
-    this.#surface = new Surface(canvas, () => this.#draw(), { alpha: false });
-    this.#figure = new Figure(engine, theme);
+    this.#sheet = new Sheet(studio);
+    this.#surface = new Surface(canvas, studio, () => this.#draw(), { alpha: false });
+    this.#figure = new Figure(engine, theme, () => studio.path());
   }
 
   /** @param {Snapshot} snapshot */
@@ -184,7 +186,7 @@ export class MechanismView {
 
   #draw() {
     const snapshot = this.#snapshot;
-    if (!snapshot || !this.#surface.visible) return;
+    if (!snapshot || !this.#surface.begin()) return;
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#sheet.cover(this.#surface, key, () => this.#figure.paintGround(this.#sheet, this.#surface, view));

@@ -1,6 +1,5 @@
 // Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
 import { outlined } from "assur/outline.js";
-import { Stamps } from "assur/stamps.js";
 import { textWidth } from "assur/text-width.js";
 
 /**
@@ -9,7 +8,7 @@ import { textWidth } from "assur/text-width.js";
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {import("assur/transform.js").Transform} Transform
  *
- * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | import("assur/export/svg.js").Svg} Context
+ * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | import("assur/recorder.js").Recorder | import("assur/export/svg.js").Svg} Context
  * @typedef {{ readonly context: Context, readonly ratio: number }} Sheet
  * What is painted on: a context and its device pixels per CSS pixel.
  *
@@ -43,11 +42,15 @@ export class Painter {
   #theme;
   /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
   #bands = new WeakMap();
-  #stamps = new Stamps();
+  #newPath;
 
-  /** @param {Theme} theme */
-  constructor(theme) {
+  /**
+   * @param {Theme} theme
+   * @param {() => import("assur/display-list.js").Path} newPath
+   */
+  constructor(theme, newPath) {
     this.#theme = theme;
+    this.#newPath = newPath;
   }
 
   /**
@@ -74,7 +77,7 @@ export class Painter {
    * @param {readonly Layer[]} layers
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
-   * @param {(label: string) => { text: string, lasting: boolean }} write what stands for a label; whether it stays so in motion
+   * @param {(label: string) => string} write what stands for a label
    * @param {Box[] | null} taken where labels are on a small sheet; another in their place is left out
    */
   labels({ context, ratio }, layers, view, poses, write, taken) {
@@ -87,38 +90,13 @@ export class Painter {
       const [x, y, angle] = poses[layer.body];
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
       for (const label of layer.labels) {
-        const { text, lasting } = write(label.label);
+        const text = write(label.label);
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
         const [at, down] = [left + label.dx * size, top - label.dy * size];
-        const width = textWidth(context, font, text);
-        if (taken && !claim(taken, at, down, width, size)) continue;
-        const colour = this.#theme.colours[label.role];
-        if (lasting && context instanceof CanvasRenderingContext2D) this.#stamp({ context, ratio }, font, text, colour, at, down, width + 2 * HALO, 2 * size);
-        else this.#write(context, text, colour, at, down);
+        if (taken && !claim(taken, at, down, textWidth(context, font, text), size)) continue;
+        this.#write(context, text, this.#theme.colours[label.role], at, down);
       }
     }
-  }
-
-  /**
-   * @param {Readonly<{ context: CanvasRenderingContext2D, ratio: number }>} sheet
-   * @param {string} font
-   * @param {string} text
-   * @param {string} colour
-   * @param {number} x its middle
-   * @param {number} y
-   * @param {number} width room for it
-   * @param {number} height
-   */
-  #stamp({ context, ratio }, font, text, colour, x, y, width, height) {
-    const [wide, tall] = [Math.ceil(width * ratio), Math.ceil(height * ratio)];
-    const picture = this.#stamps.get(`${text} ${colour} ${font} ${this.#theme.sheet} ${ratio}`, wide, tall, (sheet) => {
-      sheet.scale(ratio, ratio);
-      sheet.font = font;
-      this.#write(sheet, text, colour, width / 2, height / 2);
-    });
-    // On whole pixels of the screen, where it stays as sharp as it was made.
-    const [left, top] = [Math.round((x - width / 2) * ratio), Math.round((y - height / 2) * ratio)];
-    context.drawImage(picture, left / ratio, top / ratio, wide / ratio, tall / ratio);
   }
 
   /**
@@ -155,7 +133,7 @@ export class Painter {
     }
     const pixel = this.#theme.weight / scale;
     // A recorder of pictures writes lines as lines.
-    if (stroke && loops && dash === NO_DASH && path instanceof Path2D) {
+    if (stroke && loops && dash === NO_DASH && !("data" in path)) {
       context.globalAlpha = opacity;
       context.fillStyle = colour;
       context.fill(this.#band(shape, loops, stroke * pixel));
@@ -177,7 +155,7 @@ export class Painter {
   #band(shape, loops, width) {
     let known = this.#bands.get(shape);
     if (known?.width !== width) {
-      known = { width, band: outlined(loops, width) };
+      known = { width, band: outlined(loops, width, /** @type {Path2D} */ (this.#newPath())) };
       this.#bands.set(shape, known);
     }
     return known.band;

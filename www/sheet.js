@@ -13,14 +13,12 @@
 const SQUARE = 44;
 
 export class Sheet {
-  #canvas = new OffscreenCanvas(1, 1);
   #painted = "";
   ratio = 1;
 
-  constructor() {
-    const context = this.#canvas.getContext("2d", { alpha: false });
-    if (!context) throw new Error("no 2d context");
-    this.context = context;
+  /** @param {import("assur/studio.js").Studio} studio */
+  constructor(studio) {
+    this.context = studio.context(new OffscreenCanvas(1, 1), { alpha: false });
   }
 
   /**
@@ -30,19 +28,20 @@ export class Sheet {
    * @param {() => void} paint called where the sheet has to be painted anew
    */
   cover(surface, key, paint) {
-    const { width, height } = surface.canvas;
+    const { canvas } = this.context;
+    const { width, height } = surface.context.canvas;
     const wanted = `${key} ${width}×${height} ${surface.ratio}`;
     if (wanted !== this.#painted) {
       this.#painted = wanted;
       this.ratio = surface.ratio;
       // A canvas is emptied and made anew by setting its size, even to what it was.
-      if (this.#canvas.width !== width) this.#canvas.width = width;
-      if (this.#canvas.height !== height) this.#canvas.height = height;
+      if (canvas.width !== width) canvas.width = width;
+      if (canvas.height !== height) canvas.height = height;
       this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
       paint();
     }
     surface.context.setTransform(1, 0, 0, 1, 0, 0);
-    surface.context.drawImage(this.#canvas, 0, 0);
+    surface.context.drawImage(canvas, 0, 0);
     surface.toPixels();
   }
 }

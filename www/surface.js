@@ -6,28 +6,29 @@ export class Surface {
   height = 0;
   /** Device pixels per CSS pixel. */
   ratio = 1;
-  #resized;
+  #studio;
+  #redraw;
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {() => void} resized called after the size changed, when the canvas is blank
+   * @param {import("assur/studio.js").Studio} studio where it is painted
+   * @param {() => void} redraw called when its size changed, or when it was out of date and now can be painted
    * @param {CanvasRenderingContext2DSettings} [settings]
    */
-  constructor(canvas, resized, settings) {
-    const context = canvas.getContext("2d", settings);
-    if (!context) throw new Error("no 2d context");
+  constructor(canvas, studio, redraw, settings) {
     this.canvas = canvas;
-    this.context = context;
-    this.#resized = resized;
+    this.context = studio.context(canvas, settings);
+    this.#studio = studio;
+    this.#redraw = redraw;
     new ResizeObserver(() => this.#measure()).observe(canvas);
     this.#watchRatio();
   }
 
   /** Blank, with one unit of the context being one CSS pixel. */
   clear() {
-    const { context, canvas } = this;
+    const { context } = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.clearRect(0, 0, context.canvas.width, context.canvas.height);
     this.toPixels();
   }
 
@@ -36,21 +37,31 @@ export class Surface {
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
   }
 
+  /**
+   * Makes it as large as it is shown, with what comes next: it is not to be seen blank.
+   * @returns {boolean} whether it can be painted now; if it only cannot yet, it is redrawn when it can
+   */
+  begin() {
+    if (!this.visible || !this.#studio.takes(this.#redraw)) return false;
+    const { canvas } = this.context;
+    const [width, height] = [this.width, this.height].map((pixels) => Math.max(Math.round(pixels * this.ratio), 1));
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    return true;
+  }
+
   get visible() {
     return this.width > 0 && this.height > 0;
   }
 
   #measure() {
-    const { canvas } = this;
     const ratio = globalThis.devicePixelRatio || 1;
-    const { clientWidth: width, clientHeight: height } = canvas;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === this.width && height === this.height && ratio === this.ratio) return;
     this.width = width;
     this.height = height;
     this.ratio = ratio;
-    canvas.width = Math.max(Math.round(width * ratio), 1);
-    canvas.height = Math.max(Math.round(height * ratio), 1);
-    this.#resized();
+    this.#redraw();
   }
 
   /** A window moved to another screen keeps its size: only the resolution tells. */

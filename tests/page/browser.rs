@@ -257,9 +257,14 @@ impl Page {
 
     /// Ends the visit: nothing may have been said on the console.
     pub(crate) async fn close(self) {
-        let said = self.driver.browser_log().await.unwrap();
-        let said: Vec<String> = said.iter().map(|entry| format!("{entry:?}")).collect();
+        let said = self.said().await;
         assert!(said.is_empty(), "on the console: {said:#?}");
+    }
+
+    /// What has been said on the console since this was asked last.
+    pub(crate) async fn said(&self) -> Vec<String> {
+        let said = self.driver.browser_log().await.unwrap();
+        said.iter().map(|entry| format!("{entry:?}")).collect()
     }
 
     /// Waits until something holds.
@@ -381,8 +386,11 @@ impl Page {
             .value
     }
 
-    /// A picture of an element as it is on the screen.
+    /// A picture of an element as it is on the screen. What a worker has painted is
+    /// seen some frames later.
     pub(crate) async fn picture(&self, id: &str) -> Picture {
+        self.settle().await;
+        self.settle().await;
         Picture::decode(&self.element(id).await.screenshot_as_png().await.unwrap())
     }
 

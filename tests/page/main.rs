@@ -25,6 +25,7 @@ mod plots;
 mod pointer;
 mod share;
 mod steps;
+mod studio;
 mod touch;
 mod tracers;
 mod undo;
