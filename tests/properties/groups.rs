@@ -1,11 +1,14 @@
 //! What holds of every group of Class III to V, whatever its dimensions.
 
+use std::f64::consts::TAU;
+
 use assur::Point;
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, DraftPoint, Mechanism};
-use assur::motion::Motion;
+use assur::motion::{DeadPointKind, Motion};
 
-use crate::following::{Random, closes, does_not_jump, inputs, leads_to_itself};
+use crate::closure::Closure;
+use crate::following::{Random, closes, does_not_jump, inputs, leads_to_itself, rate};
 
 const GROUPS: u64 = 400;
 
@@ -162,6 +165,87 @@ fn nothing_jumps() {
             let (_, motion) = moving(kind, seed);
             does_not_jump(seed, &motion);
         }
+    }
+}
+
+/// The engine's motion is the branch that is met in steps of a tenth of a degree by
+/// other equations and another method.
+#[test]
+fn small_steps_lead_the_same_way() {
+    for (kind, _) in KINDS {
+        let mut compared = 0;
+        for seed in 0..GROUPS / 20 {
+            let (draft, motion) = moving(kind, seed);
+            let mechanism = motion.mechanism();
+            // Where the crank goes to and fro over more than a turn, whole turns count.
+            let cycle = motion.cycle();
+            let home = cycle.wrap(mechanism.home());
+            let [from, to] = cycle.arcs()[0];
+            for turn in [TAU, -TAU] {
+                Closure::new(&draft).follow(turn, 3_600, |gone, place| {
+                    let input = home + gone;
+                    assert!(
+                        cycle.is_full() || (from - 1e-9..=to + 1e-9).contains(&input),
+                        "{kind:?} {seed}: goes on at {input} beyond {from} to {to}"
+                    );
+                    let Ok(pose) = motion.pose::<4>(input) else {
+                        return;
+                    };
+                    if rate(mechanism, &pose) > 1e3 {
+                        return;
+                    }
+                    for point in 0..draft.points.len() {
+                        let off = (mechanism.place(&pose, point).place() - place(point)).norm();
+                        assert!(
+                            off < 1e-8 * mechanism.size(),
+                            "{kind:?} {seed} at {input}: {} is off by {off:e}",
+                            draft.points[point].name
+                        );
+                    }
+                    compared += 1;
+                });
+            }
+        }
+        assert!(
+            compared as u64 > 3_600 * GROUPS / 80,
+            "{kind:?}: {compared}"
+        );
+    }
+}
+
+/// Dead points stand where an extended system, which is regular there, has them.
+#[test]
+fn dead_points_to_ten_digits() {
+    for (kind, _) in KINDS {
+        let mut compared = 0;
+        for seed in 0..GROUPS / 4 {
+            let (draft, motion) = moving(kind, seed);
+            for dead in motion.dead_points() {
+                if dead.kind != DeadPointKind::Singular {
+                    continue;
+                }
+                // From just inside the motion.
+                let [from, to] = motion.cycle().arcs()[0];
+                let inside = dead.input + 1e-4 * (0.5 * (from + to) - dead.input).signum();
+                let Ok(pose) = motion.pose::<1>(inside) else {
+                    continue;
+                };
+                let near: Vec<Point> = (0..draft.points.len())
+                    .map(|point| motion.mechanism().place(&pose, point).place())
+                    .collect();
+                let Some(exact) = Closure::new(&draft).dead_point(&near, inside) else {
+                    continue;
+                };
+                let off = (dead.input - exact).abs();
+                // Another one may be met where two are close together.
+                if off > 1e-3 {
+                    continue;
+                }
+                assert!(off < 1e-10, "{kind:?} {seed}: off by {off:e}");
+                compared += 1;
+            }
+        }
+        assert!(compared as u64 > GROUPS / 10, "{kind:?}: {compared}");
     }
 }
 

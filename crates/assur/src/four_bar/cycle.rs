@@ -74,12 +74,13 @@ impl Cycle {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// `crank` brought into the axis by whole periods.
+    /// `crank` brought into the axis by whole periods; where that is longer, into
+    /// the first period of it.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {
-            Some(_) if !(start..=end).contains(&crank) => {
-                start + (crank - start).rem_euclid(end - start)
+            Some(period) if !(start..=end).contains(&crank) => {
+                start + (crank - start).rem_euclid(period)
             }
             _ => crank,
         }
@@ -169,5 +170,24 @@ impl FourBar {
         } else {
             cycle.arcs.into_iter().flatten().collect()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::Cycle;
+
+    /// A crank may go to and fro over more than a turn: angles are brought in by whole turns all
+    /// the same.
+    #[test]
+    fn an_arc_longer_than_a_turn() {
+        let cycle = Cycle::swinging([2.7, 10.2], Some(TAU));
+        assert_eq!(cycle.wrap(3.0), 3.0);
+        assert_eq!(cycle.wrap(10.0), 10.0);
+        assert!((cycle.wrap(1.9) - (1.9 + TAU)).abs() < 1e-14);
+        assert!((cycle.wrap(10.5) - (10.5 - TAU)).abs() < 1e-14);
+        assert!((cycle.wrap(-20.0) - (-20.0 + 4.0 * TAU)).abs() < 1e-14);
     }
 }
