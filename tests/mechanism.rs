@@ -134,7 +134,7 @@ fn the_search_for_assemblies_is_bounded() {
     let mechanism = Mechanism::new(&draft).unwrap();
     assert!((1..=256).contains(&mechanism.assemblies()));
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let pose = motion.pose::<1>(mechanism.home()).unwrap();
+    let pose = motion.pose::<1>(motion.home()).unwrap();
     for (point, drawn) in draft.points.iter().enumerate() {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);

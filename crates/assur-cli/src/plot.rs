@@ -28,9 +28,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let point = |name: &String| mechanism.points().position(|point| point == name);
     let traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
     let figure = Figure::new(&document.draft(), motion, &traces).map_err(unsolved)?;
-    let home = figure.frame(mechanism.home());
-    let frame = home.or_else(|_| figure.frame(motion.cycle().home()));
-    let frame = frame.map_err(unsolved)?;
+    let frame = figure.frame(motion.home()).map_err(unsolved)?;
 
     let mut sheet = Svg::new(WIDTH);
     sheet.drawing(

@@ -70,11 +70,7 @@ impl Figure {
         in_groups: bool,
     ) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
-        let home = motion.pose::<1>(mechanism.home());
-        let home = match home {
-            Ok(home) => home,
-            Err(_) => motion.pose(motion.cycle().home())?,
-        };
+        let home = motion.pose::<1>(motion.home())?;
         let layout = Layout::new(draft, mechanism, &home, in_groups);
         let gearing = Gearing::new(draft, &layout, mechanism, &home);
         let samples = sampled(motion);

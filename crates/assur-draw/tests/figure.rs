@@ -118,7 +118,7 @@ fn beyond_dead_points_nothing_is_drawn() {
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
     assert!(!motion.cycle().is_full());
     let figure = Figure::new(&draft, &motion, &[2]).unwrap();
-    assert!(figure.frame(mechanism.home()).is_ok());
+    assert!(figure.frame(motion.home()).is_ok());
     assert!(figure.frame(3.0).is_err());
 }
 

@@ -301,7 +301,7 @@ fn the_catalogue_moves() {
             .mechanism()
             .unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
         let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-        assert!(motion.pose::<3>(mechanism.home()).is_ok(), "{name}");
+        assert!(motion.pose::<3>(motion.home()).is_ok(), "{name}");
         assert!(!names.contains(&name), "{name}");
         names.push(name);
     }
@@ -412,7 +412,7 @@ fn an_assembly_is_chosen() {
     let place = |document: &LinkageDocument| {
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
-        let pose = motion.pose::<1>(mechanism.home()).unwrap();
+        let pose = motion.pose::<1>(motion.home()).unwrap();
         mechanism.place(&pose, mechanism.points().len() - 1).place()
     };
     let usual = place(&document);

@@ -117,7 +117,7 @@ impl Design {
         let output: Option<Quantity> = plotted.and_then(|all| all.first().copied());
         let output = output.ok_or_else(|| refused(Refused::Output, &[]))?;
         // The search goes by the drawing: it is to show the assembly that moves.
-        let pose = motion.pose::<1>(mechanism.home());
+        let pose = motion.pose::<1>(motion.home());
         let pose = pose.map_err(|_| refused(Refused::Blocked, &[]))?;
         let draft = document.draft();
         let lengths = wishes.movable.iter().map(|Movement { link, by }| {

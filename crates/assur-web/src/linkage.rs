@@ -219,7 +219,6 @@ impl Shown for Linkage {
             role: self.role(*point),
         });
         let cycle = motion.cycle();
-        let home = mechanism.home();
         let links = structure.step_of.iter().flatten().count();
         // Of a mechanism there are as many drivers as freedoms.
         let mobility = drivers
@@ -227,11 +226,7 @@ impl Shown for Linkage {
             .count();
         to_js(&LinkageSummary {
             cycle: CycleSummary::new(cycle),
-            home: if motion.pose::<1>(home).is_ok() {
-                home
-            } else {
-                cycle.home()
-            },
+            home: motion.home(),
             bounds: self.figure.bounds(),
             counts: Counts {
                 links,

@@ -274,7 +274,7 @@ mod tests {
         let draft = draft();
         let mechanism = Mechanism::new(&draft).unwrap();
         let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-        let home = motion.pose::<1>(mechanism.home()).unwrap();
+        let home = motion.pose::<1>(motion.home()).unwrap();
         let layout = Layout::new(&draft, &mechanism, &home, false);
         let gearing = Gearing::new(&draft, &layout, &mechanism, &home);
         // The ring has an outer rim of teeth as well, for the train.

@@ -49,6 +49,7 @@ pub struct Motion {
     knots: Knots,
     dead_points: Vec<DeadPoint>,
     change_points: Vec<f64>,
+    home: f64,
 }
 
 impl Motion {
@@ -57,6 +58,7 @@ impl Motion {
     pub fn new(mechanism: &Mechanism, assembly: usize) -> Self {
         let mut walk = Walk::new(mechanism, assembly);
         let mut knots = Knots::default();
+        let mut turned = 0.0;
         let (cycle, dead_points) = match walk.go(1.0, &mut knots) {
             End::Closed(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
@@ -79,6 +81,7 @@ impl Motion {
                 // The arc is told by whole turns so that it begins within [−π, π).
                 let shift = period.map_or(0.0, |turn| turn * ((first.input + PI) / turn).floor());
                 knots.shift(-shift);
+                turned = shift;
                 let ends = [first, last].map(|end| DeadPoint {
                     input: end.input - shift,
                     ..end
@@ -87,13 +90,18 @@ impl Motion {
                 (Cycle::swinging(arc, period), ends.to_vec())
             }
         };
-        Self {
+        let mut motion = Self {
             mechanism: mechanism.clone(),
+            home: cycle.wrap(mechanism.home() - turned),
             cycle,
             knots,
             dead_points,
             change_points: walk.change_points,
+        };
+        if motion.pose::<1>(motion.home).is_err() {
+            motion.home = motion.cycle.home();
         }
+        motion
     }
 
     /// The mechanism that moves.
@@ -104,6 +112,12 @@ impl Motion {
     /// The inputs over which it moves.
     pub fn cycle(&self) -> &Cycle {
         &self.cycle
+    }
+
+    /// The input of the drawn pose, told by as many whole turns as the cycle is; where
+    /// there is no pose at it, one far from the ends.
+    pub fn home(&self) -> f64 {
+        self.home
     }
 
     /// Where the driver must turn back; none where it turns fully.

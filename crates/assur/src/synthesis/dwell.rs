@@ -367,7 +367,7 @@ fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
         residual: defects[0].hypot(defects[1]),
         conditioning,
     };
-    let pose = motion.pose::<1>(mechanism.home()).ok()?;
+    let pose = motion.pose::<1>(motion.home()).ok()?;
     let drawn = draft.drawn_in(&mechanism, &pose);
     reached.residual.is_finite().then_some((drawn, reached))
 }
