@@ -533,6 +533,60 @@ fn bad_linkages_are_refused() {
         ),
         ("text", json!("[1, 2"), "the whole"),
     ];
+    are_refused(&cases);
+}
+
+/// The same where the links are a group of Class IV.
+#[test]
+fn bad_higher_groups_are_refused() {
+    let good = include_str!("../../assur-file/catalogue/class4-dwell.json");
+    let good: Value = serde_json::from_str(good).unwrap();
+    let changed = |change: &dyn Fn(&mut Value)| {
+        let mut linkage = good.clone();
+        change(&mut linkage);
+        linkage
+    };
+    let links = |linkage: &mut Value| linkage["links"].as_array_mut().unwrap().clone();
+    let cases = [
+        (
+            "braced",
+            changed(&|linkage| {
+                let mut all = links(linkage);
+                all.push(json!({"name": "EH", "points": ["E", "H"]}));
+                linkage["links"] = Value::Array(all);
+            }),
+            "(W = 0); these links are locked: ",
+        ),
+        (
+            "loosened",
+            changed(&|linkage| {
+                let mut all = links(linkage);
+                all.retain(|link| link["name"] != "FK");
+                linkage["links"] = Value::Array(all);
+            }),
+            "fewer drivers than degrees of freedom",
+        ),
+        (
+            "flat",
+            changed(&|linkage| linkage["points"][3]["at"] = linkage["points"][2]["at"].clone()),
+            "Link EGF: its points E, G are at one place",
+        ),
+        (
+            "short",
+            changed(&|linkage| linkage["links"][6]["length"] = json!(0)),
+            "links[6].length: 0 will not do",
+        ),
+        (
+            "long",
+            changed(&|linkage| linkage["links"][5]["length"] = json!(40)),
+            "As drawn, BE, EGF, HGL, CLK, FK, CD cannot be joined: they miss each other by 35.99",
+        ),
+    ];
+    are_refused(&cases);
+}
+
+/// Linkages are refused with status 2 and a sentence that has the given part.
+fn are_refused(cases: &[(&str, Value, &str)]) {
     for (name, linkage, part) in cases {
         let file = Scratch::with(
             &format!("{}.json", name.replace(' ', "-")),

@@ -15,6 +15,7 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 wasm_bindgen_test_configure!(run_in_browser);
 
 const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank.json");
+const CLASS4: &str = include_str!("../../assur-file/catalogue/class4-dwell.json");
 const SCOTCH_YOKE: &str = include_str!("../../assur-file/catalogue/scotch-yoke.json");
 
 /// The state of a linkage's document, as JSON.
@@ -111,18 +112,62 @@ fn what_is_no_mechanism_names_links_and_points() {
             r#"[{"code":"open","links":["rod","slider"],"by":0.366"#,
         ),
     ] {
-        let mut simulator = Simulator::new();
-        simulator.set(state(SLIDER_CRANK)).unwrap();
-        let before = simulator.readouts(1.0).unwrap();
-        for thrown in [
-            simulator.set(state(&document)),
-            read_state(state(&document)),
-        ] {
-            let thrown = json(&thrown.unwrap_err());
-            assert!(thrown.starts_with(said), "{thrown}");
-        }
-        assert_eq!(simulator.readouts(1.0).unwrap(), before, "{said}");
+        is_refused(SLIDER_CRANK, &document, said);
     }
+}
+
+/// The same where the links are a group of Class IV.
+#[wasm_bindgen_test]
+fn what_is_no_higher_group_names_links_and_points() {
+    let of = |from: &str, to: &str| changed(CLASS4, from, to);
+    let fk = r#"{ "name": "FK", "points": ["F", "K"] }"#;
+    let cd = r#"{ "name": "CD", "points": ["D", "C"] }"#;
+    for (document, said) in [
+        (
+            of(
+                fk,
+                &format!(r#"{fk}, {{ "name": "EH", "points": ["E", "H"] }}"#),
+            ),
+            r#"[{"code":"locked","mobility":0,"links":["frame","AB","BE","EGF","HGL","#,
+        ),
+        (
+            of(&format!(",\n    {fk}"), ""),
+            r#"[{"code":"underdriven","mobility":2,"links":["BE","EGF","HGL","CLK","CD"]}]"#,
+        ),
+        (
+            of(r#"[{ "crank": "AB" }]"#, "[]"),
+            r#"[{"code":"no_driver"}]"#,
+        ),
+        (
+            of("[2, 0.5]", "[4.96, 0.01]"),
+            r#"[{"code":"coincident","link":"EGF","points":["E","G"]}]"#,
+        ),
+        (
+            of(cd, r#"{ "name": "CD", "points": ["D", "C"], "length": 0 }"#),
+            r#"[{"code":"bad_length","path":"links[6].length","value":0}]"#,
+        ),
+        (
+            of(
+                fk,
+                r#"{ "name": "FK", "points": ["F", "K"], "length": 40 }"#,
+            ),
+            r#"[{"code":"open","links":["BE","EGF","HGL","CLK","FK","CD"],"by":35.9"#,
+        ),
+    ] {
+        is_refused(CLASS4, &document, said);
+    }
+}
+
+/// A document is refused with a reason, and the linkage that was shown stays.
+fn is_refused(good: &str, document: &str, said: &str) {
+    let mut simulator = Simulator::new();
+    simulator.set(state(good)).unwrap();
+    let before = simulator.readouts(1.0).unwrap();
+    for thrown in [simulator.set(state(document)), read_state(state(document))] {
+        let thrown = json(&thrown.unwrap_err());
+        assert!(thrown.starts_with(said), "{thrown}");
+    }
+    assert_eq!(simulator.readouts(1.0).unwrap(), before, "{said}");
 }
 
 /// A dragged crank turns; any other point is put where it was dragged, and the

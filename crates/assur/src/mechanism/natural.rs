@@ -74,9 +74,16 @@ enum Follows {
 
 /// One equation, or two, in forms of its own.
 enum Condition {
-    Unit(Form),
+    /// A direction of length 1, and the length of the link along it.
+    Unit(Form, f64),
     Zero(Form),
-    Line { direction: Form, way: Form },
+    /// The length of the direction, if the way has one too; none where both are
+    /// directions.
+    Line {
+        direction: Form,
+        way: Form,
+        length: f64,
+    },
 }
 
 struct Plan<'a> {
@@ -184,7 +191,7 @@ impl Plan<'_> {
         }
         // A block with one point: its direction is the unknown.
         let turn = self.unknown(self.bodies.drawn_turn(body));
-        self.conditions.push(Condition::Unit(turn.clone()));
+        self.conditions.push(Condition::Unit(turn.clone(), 0.0));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {
             return;
         };
@@ -200,7 +207,8 @@ impl Plan<'_> {
                 let [p, q] = [first, second].map(|point| self.points[&point].clone());
                 let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
                 if !turn.unknowns.is_empty() {
-                    self.conditions.push(Condition::Unit(turn.clone()));
+                    let length = (b - a).norm();
+                    self.conditions.push(Condition::Unit(turn.clone(), length));
                 }
                 let origin = p.minus(&turn.by(a));
                 self.settle(body, [origin, turn], &[first, second]);
@@ -285,13 +293,18 @@ impl Plan<'_> {
                 let parallel = Condition::Line {
                     direction: direction.clone(),
                     way: other,
+                    length: 0.0,
                 };
                 self.conditions.push(parallel);
             }
             let way = self
                 .place_on(moving, point)
                 .minus(&self.place_on(on, start));
-            self.conditions.push(Condition::Line { direction, way });
+            self.conditions.push(Condition::Line {
+                direction,
+                way,
+                length: 1.0,
+            });
         }
     }
 
@@ -308,15 +321,22 @@ impl Plan<'_> {
         let mut equations = Vec::new();
         for condition in self.conditions {
             match condition {
-                Condition::Unit(form) => equations.push(Equation::Unit(index(form))),
+                Condition::Unit(form, length) => {
+                    equations.push((Equation::Unit(index(form)), length));
+                }
                 Condition::Zero(form) => {
                     let form = index(form);
-                    equations.extend([Equation::Real(form), Equation::Imaginary(form)]);
+                    let both = [Equation::Real(form), Equation::Imaginary(form)];
+                    equations.extend(both.map(|equation| (equation, 1.0)));
                 }
-                Condition::Line { direction, way } => equations.push(Equation::Line {
-                    direction: index(direction),
-                    way: index(way),
-                }),
+                Condition::Line {
+                    direction,
+                    way,
+                    length,
+                } => {
+                    let [direction, way] = [direction, way].map(&mut index);
+                    equations.push((Equation::Line { direction, way }, length));
+                }
             }
         }
         let bodies = self.placed.into_iter();

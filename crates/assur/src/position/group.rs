@@ -65,6 +65,8 @@ pub(crate) struct Group {
     sought: Vec<Term>,
     further: Vec<Term>,
     equations: Vec<Equation>,
+    /// What an equation is left with becomes a length by this; none for angles.
+    lengths: Vec<f64>,
     /// Each body with the forms of its origin and its turn.
     pub(crate) bodies: Vec<(usize, [usize; 2])>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
@@ -101,20 +103,21 @@ const MOST_STEPS: usize = 30;
 const CLOSED: f64 = 1e-12;
 
 impl Group {
-    /// None where the equations are not as many as the unknowns. Forms of
-    /// equations come first.
+    /// None where the equations, each with its length, are not as many as the
+    /// unknowns. Forms of equations come first.
     pub(crate) fn new(
         offset: usize,
         unknowns: usize,
         inputs: Vec<Input>,
         forms: &[Form],
-        equations: Vec<Equation>,
+        equations: Vec<(Equation, f64)>,
         bodies: Vec<(usize, [usize; 2])>,
     ) -> Option<Self> {
         let size = 2 * unknowns;
         if equations.len() != size {
             return None;
         }
+        let (equations, lengths): (Vec<Equation>, Vec<f64>) = equations.into_iter().unzip();
         let mut pattern = vec![false; size * size];
         let (mut entries, mut doubled) = (Vec::new(), Vec::new());
         for (row, equation) in equations.iter().enumerate() {
@@ -158,6 +161,7 @@ impl Group {
             sought: terms(|form| &form.unknowns, 0..equated),
             further: terms(|form| &form.unknowns, equated..forms.len()),
             equations,
+            lengths,
             bodies,
             pattern,
             entries,
@@ -180,10 +184,7 @@ impl Group {
             state.work.inputs[k] = state.taken(*input);
         }
         let work = &mut state.work;
-        let own = near.natural[2 * self.offset..].chunks_exact(2);
-        for (place, guess) in work.unknowns.iter_mut().zip(own) {
-            place[0] = Vector::new(guess[0], guess[1]);
-        }
+        self.guess(work, near);
         for (value, constant) in work.values.iter_mut().zip(&self.constants) {
             value.set_constant(*constant);
         }
@@ -193,7 +194,7 @@ impl Group {
         for (known, value) in work.known.iter_mut().zip(&work.values) {
             *known = value.value();
         }
-        self.newton(state, step)?;
+        self.newton(state, near, step)?;
         for order in 1..N {
             self.differentiate(&mut state.work, order);
         }
@@ -207,15 +208,17 @@ impl Group {
     }
 
     #[inline(never)]
-    fn newton<const N: usize>(&self, state: &mut State<N>, step: usize) -> Result<(), Obstacle> {
+    fn newton<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        near: Near<'_>,
+        step: usize,
+    ) -> Result<(), Obstacle> {
         let work = &mut state.work;
         let length = state.scale.sqrt();
         let mut last = f64::INFINITY;
         for turn in 0..MOST_STEPS {
-            for (value, known) in work.values.iter_mut().zip(&work.known) {
-                value[0] = *known;
-            }
-            self.add(work, 0);
+            self.evaluate(work);
             // The first derivative is solved for with the correction: it counts
             // where there is nothing to correct.
             for (left, equation) in work.left.iter_mut().zip(&self.equations) {
@@ -243,7 +246,9 @@ impl Group {
                 return Ok(());
             }
             if turn + 1 == MOST_STEPS {
-                return Err(Obstacle::Apart { by: left });
+                return Err(Obstacle::Apart {
+                    by: self.missed(work, near),
+                });
             }
             last = change;
             for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
@@ -251,6 +256,38 @@ impl Group {
             }
         }
         Err(Obstacle::DeadPoint)
+    }
+
+    /// The unknowns as they are guessed.
+    fn guess<const N: usize>(&self, work: &mut Work<N>, near: Near<'_>) {
+        let own = near.natural[2 * self.offset..].chunks_exact(2);
+        for (place, guess) in work.unknowns.iter_mut().zip(own) {
+            place[0] = Vector::new(guess[0], guess[1]);
+        }
+    }
+
+    /// The values of the forms that stand in equations.
+    fn evaluate<const N: usize>(&self, work: &mut Work<N>) {
+        for (value, known) in work.values.iter_mut().zip(&work.known) {
+            value[0] = *known;
+        }
+        self.add(work, 0);
+    }
+
+    /// By how far joints miss each other where they are guessed.
+    fn missed<const N: usize>(&self, work: &mut Work<N>, near: Near<'_>) -> f64 {
+        self.guess(work, near);
+        self.evaluate(work);
+        let equations = self.equations.iter().zip(&self.lengths);
+        equations.fold(0.0, |most, (equation, length)| {
+            let left = equation.left(&work.values);
+            let by = match equation {
+                // (|v|² − 1)/2 is left of it.
+                Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
+                Equation::Real(_) | Equation::Imaginary(_) | Equation::Line { .. } => left,
+            };
+            f64::max(most, by.abs() * length)
+        })
     }
 
     /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
