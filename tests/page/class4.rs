@@ -33,7 +33,16 @@ async fn its_dwell_is_measured_and_regulated() {
     assert!(svg.contains("↕ 0.1°"));
     page.click("export-close").await;
 
-    page.write("field-band", "0.01").await;
+    // As a person types: the page answers every key, also the 0 that is no band.
+    let field = page.element("field-band").await;
+    field.click().await.unwrap();
+    field.send_keys(Key::Control + "a").await.unwrap();
+    for typed in ["0", "0.", "0.0", "0.01"] {
+        field.send_keys(&typed[typed.len() - 1..]).await.unwrap();
+        page.settle().await;
+        assert_eq!(field.value().await.unwrap().unwrap(), typed);
+    }
+    page.press("field-band", Key::Enter).await;
     page.until("a narrower band", async || {
         dwell(&page).await.starts_with("170.19")
     })

@@ -150,14 +150,16 @@ export class CourseView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#design.render(snapshot);
-    const { summary, words, problems, stale } = snapshot;
+    const { state, summary, words, problems, stale } = snapshot;
     const { course, plotted } = summary;
+    // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
+    const { band = course?.width } = /** @type {{ band?: number }} */ (/** @type {unknown} */ (state.document));
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
-    const shown = [course, words, wrong];
+    const shown = [course, words, wrong, band, stale];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     if (!course) return;
-    this.#row.show(course.width, words, wrong);
+    this.#row.show(band ?? course.width, words, wrong);
     if (stale) return;
     const angle = plotted[0].endsWith(".angle");
     const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
