@@ -34,7 +34,7 @@ const BUILT: [(&str, &[&str]); 25] = [
         ],
     ),
     ("field.tracers.", &["www/rail-lists.js"]),
-    ("dead.", &["crates/assur-web/src/linkage.rs"]),
+    ("dead.", &["crates/assur/src/motion/trace.rs"]),
     (
         "dwell.",
         &["crates/assur-web/src/course.rs", "www/linkage/course.js"],

@@ -86,16 +86,8 @@ fn described(motion: &Motion) -> Value {
             } else {
                 end.input
             };
-            let kind = match end.kind {
-                DeadPointKind::Stretched => "stretched",
-                DeadPointKind::Folded => "folded",
-                DeadPointKind::Perpendicular => "perpendicular",
-                DeadPointKind::Parallel => "parallel",
-                DeadPointKind::Singular => "singular",
-                DeadPointKind::Range => "range",
-            };
             let links: Vec<&str> = motion.links_at(end).collect();
-            json!({key: at, "kind": kind, "links": links})
+            json!({key: at, "kind": end.kind.code(), "links": links})
         });
     json!({
         "links": mechanism.links().collect::<Vec<_>>(),

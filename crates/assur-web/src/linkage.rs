@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 use assur::mechanism::{Draft, Mechanism, Pose, Quantity, Unsolved};
-use assur::motion::{Column, DeadPointKind, Motion};
+use assur::motion::{Column, Motion};
 use assur::structure::{Step, roman};
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::Chart;
@@ -200,7 +200,7 @@ impl Shown for Linkage {
         let named = |link: usize| mechanism.body_name(link).to_owned();
         let ends = motion.dead_points().iter().map(|end| DeadPointSummary {
             phi: end.input,
-            kind: kind(end.kind),
+            kind: end.kind.code(),
             links: motion.links_at(end).collect(),
         });
         let plotted = self.plotted.iter().map(|one| one.name(mechanism, 0));
@@ -372,16 +372,5 @@ fn table(motion: &Motion, steps: u32) -> SweepTable {
             .iter()
             .map(|column| column.name(mechanism))
             .collect(),
-    }
-}
-
-fn kind(kind: DeadPointKind) -> &'static str {
-    match kind {
-        DeadPointKind::Stretched => "stretched",
-        DeadPointKind::Folded => "folded",
-        DeadPointKind::Perpendicular => "perpendicular",
-        DeadPointKind::Parallel => "parallel",
-        DeadPointKind::Singular => "singular",
-        DeadPointKind::Range => "range",
     }
 }

@@ -29,6 +29,20 @@ pub enum DeadPointKind {
     Range,
 }
 
+impl DeadPointKind {
+    /// Its name in what programs read.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Stretched => "stretched",
+            Self::Folded => "folded",
+            Self::Perpendicular => "perpendicular",
+            Self::Parallel => "parallel",
+            Self::Singular => "singular",
+            Self::Range => "range",
+        }
+    }
+}
+
 /// Where the driver can go no further.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadPoint {

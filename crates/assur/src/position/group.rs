@@ -170,8 +170,8 @@ impl Group {
         })
     }
 
-    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's determinant,
-    /// and `state.doubt` to the size of the first correction.
+    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
+    /// determinant, and `state.doubt` to the size of the first correction.
     #[inline(never)]
     pub(crate) fn solve<const N: usize>(
         &self,
@@ -232,7 +232,11 @@ impl Group {
             let left = largest(&work.left);
             let determinant = self.factor(work).ok_or(Obstacle::DeadPoint)?;
             state.margins[step] = [Jet::constant(determinant); 2];
-            work.substitute(&self.elimination);
+            self.suited(work.planned, &work.spare).solve(
+                &work.jacobian,
+                &mut work.left,
+                &mut work.step,
+            );
             let change = largest(&work.step);
             if !change.is_finite() {
                 return Err(Obstacle::DeadPoint);
@@ -303,6 +307,11 @@ impl Group {
         })
     }
 
+    /// The elimination that was done: as planned for the group, or for this pose.
+    fn suited<'a>(&'a self, planned: bool, spare: &'a Elimination) -> &'a Elimination {
+        if planned { &self.elimination } else { spare }
+    }
+
     /// Adds to the forms that stand in equations what the unknowns contribute to a
     /// coefficient.
     #[inline(always)]
@@ -353,12 +362,11 @@ impl Group {
             for (lack, equation) in work.lack.iter_mut().zip(&self.equations) {
                 *lack = [equation.coefficient(&work.values, order)];
             }
-            let elimination = if work.planned {
-                &self.elimination
-            } else {
-                &work.spare
-            };
-            elimination.solve(&work.jacobian, &mut work.lack, &mut work.gain);
+            self.suited(work.planned, &work.spare).solve(
+                &work.jacobian,
+                &mut work.lack,
+                &mut work.gain,
+            );
             for (place, step) in work.unknowns.iter_mut().zip(work.gain.chunks_exact(2)) {
                 place[order] = Vector::new(-step[0][0], -step[1][0]);
             }
@@ -483,11 +491,5 @@ impl<const N: usize> Work<N> {
         self.gain.resize(size, [0.0]);
         self.jacobian.resize(size * size, 0.0);
         self.spare.fit(size);
-    }
-
-    /// The steps that what is left asks for, by the eliminated Jacobian.
-    fn substitute(&mut self, planned: &Elimination) {
-        let elimination = if self.planned { planned } else { &self.spare };
-        elimination.solve(&self.jacobian, &mut self.left, &mut self.step);
     }
 }
