@@ -1,5 +1,5 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
-import init, * as mixer from "assur/pkg/assur_web.js";
+import init, * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state.js").State} State
@@ -78,22 +78,20 @@ export function attempt(work) {
 }
 
 export class Engine {
-  /** @type {typeof mixer} */
-  #module = mixer;
-  #simulator = new mixer.Simulator();
+  #simulator = new module.Simulator();
   /** @type {State | null} the last state the simulator took */
   #good = null;
 
   /** Whether it broke down since it last took a state. */
   trapped = false;
   /** @type {readonly string[]} */
-  roles = mixer.roleNames();
+  roles = module.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
   /** @type {readonly { id: string, document: Omit<MixerDocument, "tracers"> }[]} the dimensions of each; what is traced stays */
-  presets = mixer.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
-  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue, once they can be shown */
-  gallery = [];
+  presets = module.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
+  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue */
+  gallery = module.gallery();
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} the points whose coordinates can be plotted */
@@ -109,33 +107,10 @@ export class Engine {
     return this.gallery.find(({ document }) => document.title === /** @type {LinkageDocument} */ (linkage).title);
   }
 
-  /** @returns {readonly string[]} the tables of words for all that it knows */
-  get tables() {
-    return this.#module === mixer ? ["*"] : ["*", "linkages/*"];
-  }
-
   /** @returns {Promise<Engine>} */
   static async load() {
     await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });
     return new Engine();
-  }
-
-  /**
-   * Brings what knows any linkage, and writes tables: larger than what the first view needs, it comes when asked for.
-   * @returns {Promise<void>} refused where it does not arrive
-   */
-  async grow() {
-    if (this.#module !== mixer) return;
-    try {
-      const grown = await import("assur/pkg/linkages/assur_web.js");
-      await grown.default({ module_or_path: fetch(import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm")) });
-      this.#module = /** @type {typeof mixer} */ (grown);
-      this.gallery = grown.gallery();
-      this.#recover();
-    } catch (thrown) {
-      console.error(thrown);
-      throw new Refusal([{ code: "not_arrived" }]);
-    }
   }
 
   /**
@@ -159,7 +134,7 @@ export class Engine {
    * @returns {State} the same, read and checked
    */
   read(value) {
-    return this.ask(() => this.#module.readState(value));
+    return this.ask(() => module.readState(value));
   }
 
   /** @returns {Float32Array} display list of all that is rigid */
@@ -274,7 +249,7 @@ export class Engine {
 
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
   #recover() {
-    this.#simulator = new this.#module.Simulator();
+    this.#simulator = new module.Simulator();
     if (this.#good) this.#simulator.set(this.#good);
   }
 }

@@ -63,7 +63,6 @@ function run(engine, studio, habits, opening, startWords) {
   const take = async (/** @type {Promise<import("assur/opening.js").Taken | null>} */ coming) => {
     const taken = await coming;
     if (!taken) return;
-    await learn();
     notices.tell(taken.failure ? [taken.failure] : []);
     const { state } = taken;
     if (state) history.step(() => store.update(() => state));
@@ -76,15 +75,13 @@ function run(engine, studio, habits, opening, startWords) {
     save: () => saveFile(model.good),
     copy: () => copyLink(model.good, () => notices.tell(["copied"])),
     export: async () => {
-      // The table comes of the larger engine.
-      const [part] = await Promise.all([import("assur/export/dialog.js"), engine.grow()]).catch(() => []);
+      const part = await import("assur/export/dialog.js").catch(() => null);
       if (part) part.openExport({ engine, model, mechanism, chart, words });
       else notices.tell(LOST);
     },
     gallery: async () => {
       const part = await import("assur/linkage/gallery.js").catch(() => null);
-      const grown = part && (await engine.grow().then(learn).catch(() => false));
-      if (grown) part.openGallery({ engine, words, store, choose });
+      if (part) part.openGallery({ engine, words, store, choose });
       else notices.tell(LOST);
     },
   });
@@ -178,14 +175,7 @@ function run(engine, studio, habits, opening, startWords) {
     speak(words);
     loop.request();
   };
-  // With linkages come their words.
-  const learn = async () => {
-    const { lang } = words;
-    const more = await Words.load(lang, engine.tables);
-    if (lang === words.lang) hear(more);
-    return true;
-  };
-  chooseLanguage(store, engine, hear);
+  chooseLanguage(store, hear);
   speak(words);
   notices.tell(opening.failures);
   byId("boot", HTMLElement).hidden = true;
@@ -202,10 +192,9 @@ function run(engine, studio, habits, opening, startWords) {
 /**
  * The select of languages and the state's language are one; words come when they are loaded.
  * @param {Store<import("assur/state.js").State>} store
- * @param {Engine} engine
  * @param {(words: Words) => void} changed
  */
-function chooseLanguage(store, engine, changed) {
+function chooseLanguage(store, changed) {
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
@@ -213,7 +202,7 @@ function chooseLanguage(store, engine, changed) {
   store.subscribe(async ({ view: { lang } }, previous) => {
     if (lang === previous.view.lang) return;
     select.value = lang;
-    const words = await Words.load(lang, engine.tables).catch(() => null);
+    const words = await Words.load(lang).catch(() => null);
     // Another choice may have been made while these words were on their way.
     if (store.get().view.lang !== lang) return;
     if (words) changed(words);
@@ -245,7 +234,7 @@ try {
   // Most often these words are those of the state, too.
   const [engine, studio] = await Promise.all([Engine.load(), Studio.open(), Words.load(lang)]);
   const opening = await open(engine, habits);
-  run(engine, studio, habits, opening, await Words.load(opening.state.view.lang, engine.tables));
+  run(engine, studio, habits, opening, await Words.load(opening.state.view.lang));
 } catch (thrown) {
   console.error(thrown);
   fail();

@@ -1,6 +1,6 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file.
 import { fromAddress, fromFile } from "assur/carrier.js";
-import { Refusal, attempt } from "assur/engine.js";
+import { attempt } from "assur/engine.js";
 import { addressed, kept, putAside } from "assur/keeper.js";
 import { initialState } from "assur/state.js";
 import { LANGUAGES } from "assur/words.js";
@@ -27,27 +27,11 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   let { problems } = unwrapped;
   /** @type {State | null} */
   let value = null;
-  if (problems.length === 0) ({ value, problems } = await read(unwrapped.value, engine));
+  if (problems.length === 0) ({ value, problems } = attempt(() => engine.read(unwrapped.value)));
   if (!value) return { state: null, failure: { kind, problems } };
   const { lesson, document, view } = value;
   const playing = view.playing && !calm;
   return { state: initialState(document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, lesson), failure: null };
-}
-
-/**
- * Has the engine read a state; one with a linkage first brings what knows linkages.
- * @param {unknown} value from outside
- * @param {Engine} engine
- * @returns {Promise<{ value: State | null, problems: readonly Problem[] }>}
- */
-export async function read(value, engine) {
-  try {
-    if (/** @type {{ lesson?: unknown } | null} */ (value)?.lesson === "linkage") await engine.grow();
-  } catch (thrown) {
-    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
-    throw thrown;
-  }
-  return attempt(() => engine.read(value));
 }
 
 /**

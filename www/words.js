@@ -39,7 +39,7 @@ export class Words {
    * @param {readonly string[]} [places] of the tables, the language standing for *
    * @returns {Promise<Words>}
    */
-  static async load(lang, places = ["*"]) {
+  static async load(lang, places = ["*", "linkages/*"]) {
     const names = places.map((place) => place.replace("*", lang));
     const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
     return new Words(lang, new Map(entries));

@@ -186,8 +186,8 @@ export class DesignView {
     });
     worker.addEventListener("error", () => this.#hear({ problems: [{ code: "not_arrived" }] }));
     worker.postMessage({
-      engine: import.meta.resolve("assur/pkg/linkages/assur_web.js"),
-      wasm: import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm"),
+      engine: import.meta.resolve("assur/pkg/assur_web.js"),
+      wasm: import.meta.resolve("assur/pkg/assur_web_bg.wasm"),
       state,
       wishes,
     });

@@ -5,7 +5,6 @@ use assur::motion::Input;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
-#[cfg(feature = "linkages")]
 use crate::LinkageDocument;
 use crate::{MixerDocument, Problem};
 
@@ -42,7 +41,6 @@ pub enum Document {
     /// Crank-rocker and gears.
     Mixer(MixerDocument),
     /// Any linkage.
-    #[cfg(feature = "linkages")]
     Linkage(LinkageDocument),
 }
 
@@ -51,7 +49,6 @@ impl Document {
     pub fn mixer(&self) -> Option<&MixerDocument> {
         match self {
             Self::Mixer(document) => Some(document),
-            #[cfg(feature = "linkages")]
             Self::Linkage(_) => None,
         }
     }
@@ -76,7 +73,6 @@ struct Body<D> {
 #[serde(rename_all = "snake_case")]
 enum Lesson {
     Mixer,
-    #[cfg(feature = "linkages")]
     Linkage,
 }
 
@@ -106,7 +102,6 @@ pub struct View {
     #[serde(default)]
     pub transmission: bool,
     /// Links in the colours of their Assur groups.
-    #[cfg(feature = "linkages")]
     #[serde(default)]
     pub groups: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
@@ -183,7 +178,6 @@ impl Default for View {
             vectors: false,
             loop_vectors: false,
             transmission: false,
-            #[cfg(feature = "linkages")]
             groups: false,
             plot: angles(),
             axes: Axes::default(),
@@ -231,7 +225,6 @@ impl State {
                 let Body { document, view } = part(source())?;
                 (Document::Mixer(document), view)
             }
-            #[cfg(feature = "linkages")]
             Lesson::Linkage => {
                 let Body { document, view } = part(source())?;
                 (Document::Linkage(document), view)
@@ -283,7 +276,6 @@ impl State {
     /// # Errors
     /// Every problem of the view, and of a mixer. What is wrong with the linkage
     /// is told by [`LinkageDocument::mechanism`].
-    #[cfg(feature = "linkages")]
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         match &self.document {
@@ -395,7 +387,6 @@ mod tests {
                 vectors: true,
                 loop_vectors: false,
                 transmission: true,
-                #[cfg(feature = "linkages")]
                 groups: true,
                 plot: "C2".to_owned(),
                 axes: Axes::Physical,

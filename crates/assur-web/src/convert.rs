@@ -2,11 +2,9 @@
 
 use assur::Assembly;
 use assur::catalog::mixer::{Dragged, Joint, Tracer};
-#[cfg(feature = "linkages")]
 use assur::mechanism::Draft;
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
-#[cfg(feature = "linkages")]
 use assur_file::{LinkDocument, LinkageDocument, PointDocument};
 use assur_file::{Problem, TracerDocument};
 use plotters::style::RGBColor;
@@ -32,7 +30,6 @@ pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> 
 pub(crate) enum Change {
     Phi(f64),
     Document(Edit),
-    #[cfg(feature = "linkages")]
     #[serde(rename = "document")]
     Redrawn(Redrawn),
     #[serde(rename = "document")]
@@ -43,7 +40,6 @@ pub(crate) enum Change {
 
 /// The fields of a linkage that a dragged point changes: it is drawn anew in the
 /// assembly that moves.
-#[cfg(feature = "linkages")]
 #[derive(Serialize)]
 pub(crate) struct Redrawn {
     points: Vec<PointDocument>,
@@ -51,7 +47,6 @@ pub(crate) struct Redrawn {
     assembly: Option<usize>,
 }
 
-#[cfg(feature = "linkages")]
 impl Redrawn {
     pub(crate) fn new(draft: &Draft) -> Self {
         Self::of(LinkageDocument::new(draft))

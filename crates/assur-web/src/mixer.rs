@@ -10,7 +10,6 @@ use wasm_bindgen::prelude::JsValue;
 use crate::convert::{Change, to_js};
 use crate::shown::{Shown, rates, settings, strokes, unknown};
 use crate::summary::Summary;
-#[cfg(feature = "linkages")]
 use crate::table::SweepTable;
 
 /// A mixer with all that is drawn of it.
@@ -129,7 +128,6 @@ impl Shown for Loaded {
         &self.chart
     }
 
-    #[cfg(feature = "linkages")]
     fn table(&self, steps: u32) -> SweepTable {
         SweepTable::new(&self.mixer, steps)
     }

@@ -8,7 +8,6 @@ use assur_file::{Axes, Problem, View};
 use wasm_bindgen::prelude::JsValue;
 
 use crate::convert::Change;
-#[cfg(feature = "linkages")]
 use crate::table::SweepTable;
 
 /// A mechanism with all that is drawn of it. [`crate::Simulator`] says what each
@@ -26,10 +25,8 @@ pub(crate) trait Shown {
     fn trace(&self, phi: f64, place: Point) -> Result<Change, Problem>;
     fn cycle(&self) -> &Cycle;
     fn chart(&self) -> &Chart;
-    #[cfg(feature = "linkages")]
     fn table(&self, steps: u32) -> SweepTable;
     /// A mixer has none: closed forms place it.
-    #[cfg(feature = "linkages")]
     fn equations(&self, _phi: f64, _order: usize) -> Result<Vec<f64>, Problem> {
         Ok(Vec::new())
     }

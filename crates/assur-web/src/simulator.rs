@@ -3,7 +3,6 @@
 use assur::Point;
 use assur::catalog::mixer::Case;
 use assur_draw::ROLES;
-#[cfg(feature = "linkages")]
 use assur_file::Document;
 use assur_file::{MixerDocument, Problem, State};
 use plotters::prelude::IntoDrawingArea;
@@ -13,7 +12,6 @@ use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
 use crate::convert::{ChartLayout, ChartRequest, thrown, to_js};
-#[cfg(feature = "linkages")]
 use crate::linkage::Linkage;
 use crate::mixer::Loaded as LoadedMixer;
 use crate::shown::Shown;
@@ -23,14 +21,8 @@ use crate::shown::Shown;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
-    shown: Option<Any>,
+    shown: Option<Box<dyn Shown>>,
 }
-
-/// The mechanism with all that is drawn of it: where there are no linkages, a mixer.
-#[cfg(not(feature = "linkages"))]
-type Any = LoadedMixer;
-#[cfg(feature = "linkages")]
-type Any = Box<dyn Shown>;
 
 #[wasm_bindgen]
 impl Simulator {
@@ -180,7 +172,6 @@ impl Simulator {
     ///
     /// # Errors
     /// Before the first `set`.
-    #[cfg(feature = "linkages")]
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.shown()?.table(steps)))
     }
@@ -191,26 +182,22 @@ impl Simulator {
     ///
     /// # Errors
     /// Why there are none: no pose, or derivatives unbounded.
-    #[cfg(feature = "linkages")]
     pub fn equations(&self, phi: f64, order: usize) -> Result<Vec<f64>, JsValue> {
         self.shown()?.equations(phi, order).map_err(one)
     }
 
-    fn shown(&self) -> Result<&Any, JsValue> {
-        let shown = self.shown.as_ref();
+    fn shown(&self) -> Result<&dyn Shown, JsValue> {
+        let shown = self.shown.as_deref();
         shown.ok_or_else(|| one(bad("", "no state has been set".to_owned())))
     }
 }
 
 /// The mechanism of a state with all that is drawn of it.
-fn shown(state: &State) -> Result<Any, Vec<Problem>> {
-    #[cfg(feature = "linkages")]
-    return Ok(match &state.document {
+fn shown(state: &State) -> Result<Box<dyn Shown>, Vec<Problem>> {
+    Ok(match &state.document {
         Document::Mixer(_) => Box::new(LoadedMixer::new(state)?),
         Document::Linkage(document) => Box::new(Linkage::new(state, document)?),
-    });
-    #[cfg(not(feature = "linkages"))]
-    LoadedMixer::new(state)
+    })
 }
 
 /// One problem as it is thrown.

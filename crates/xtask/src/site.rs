@@ -34,13 +34,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     copy(&root.join("www"), &fresh)?;
     copy(&root.join("lang"), &fresh.join("lang"))?;
     fill_words(&fresh)?;
-    let engines = fresh.join("pkg");
-    for (place, features) in [
-        (engines.clone(), &["--no-default-features"][..]),
-        (engines.join("linkages"), &[]),
-    ] {
-        bind(workspace, &compile(workspace, features)?, &place)?;
-    }
+    bind(workspace, &compile(workspace)?, &fresh.join("pkg"))?;
     minify_all(&fresh)?;
 
     remove(&site)?;
@@ -65,7 +59,7 @@ fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
 }
 
 /// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.
-fn compile(workspace: &Workspace, features: &[&str]) -> Result<PathBuf> {
+fn compile(workspace: &Workspace) -> Result<PathBuf> {
     // In a file of their own, the flags add to those of the user and the command stays short.
     let flags = workspace.target().join("wasm-flags.toml");
     let mut list = path_remapping(workspace);
@@ -75,7 +69,6 @@ fn compile(workspace: &Workspace, features: &[&str]) -> Result<PathBuf> {
         .with_context(|| format!("{} cannot be written", flags.display()))?;
 
     let mut cargo = workspace.cargo(["build", "--profile", "page", "--package", "assur-web"]);
-    cargo.args(features);
     cargo.args(["--target", WASM, "--config"]).arg(flags);
     run(&mut cargo, "building the wasm side")?;
     Ok(workspace
