@@ -523,7 +523,7 @@ fn bad_linkages_are_refused() {
         ),
         (
             "version",
-            json!({"format": 2, "lesson": "linkage", "document": four_bar()}),
+            json!({"format": 3, "kind": "linkage", "document": four_bar()}),
             "Format: there is no such choice",
         ),
         (

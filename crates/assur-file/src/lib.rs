@@ -3,16 +3,18 @@
 //! happens here and in the constructors of `assur`, once.
 
 mod catalogue;
-mod linkage;
-mod mixer;
+mod kinds;
 mod problem;
 mod state;
+mod view;
 
 pub use catalogue::{catalogue, from_catalogue, from_text, gallery};
-pub use linkage::{
+pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     PointDocument, SlideDocument,
 };
-pub use mixer::{MixerDocument, TracerDocument, WheelDocument};
+pub use kinds::mixer::{MixerDocument, TracerDocument, WheelDocument};
+pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
-pub use state::{Axes, Document, SpeedUnit, State, View};
+pub use state::{FORMAT, State};
+pub use view::{Axes, OpenLesson, SpeedUnit, View};

@@ -33,7 +33,7 @@ fn good() -> Value {
 fn problems(text: &str) -> Vec<Problem> {
     match State::parse(text) {
         Err(problem) => vec![problem],
-        Ok(state) => state.mixer().err().unwrap_or_default(),
+        Ok(state) => state.moved().err().unwrap_or_default(),
     }
 }
 

@@ -13,7 +13,8 @@ use assur::mechanism::{
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
-use crate::Problem;
+use super::Kind;
+use crate::{Problem, catalogue};
 pub use problem::LinkageProblem;
 
 /// A linkage: things name each other, lengths are in any one unit. A key that it
@@ -27,6 +28,9 @@ pub struct LinkageDocument {
     /// Where its dimensions are from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
+    /// The mechanism of the catalogue that it was made from, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub origin: Option<String>,
     /// Every point with its place in the drawing.
     pub points: Vec<PointDocument>,
     /// The points of the frame.
@@ -150,7 +154,26 @@ pub struct DriverDocument {
     pub range: Option<[f64; 2]>,
 }
 
+impl Kind for LinkageDocument {
+    fn origin(&self) -> Option<&str> {
+        self.origin.as_deref()
+    }
+
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        Ok(self.clone())
+    }
+}
+
 impl LinkageDocument {
+    /// Says where a document of the first version came from, which only its title told.
+    pub(crate) fn recognise(&mut self) {
+        let title = self.title.as_deref();
+        let known = |name: &&str| catalogue::title(name).as_deref() == title;
+        if self.origin.is_none() && title.is_some() {
+            self.origin = catalogue::gallery().find(known).map(str::to_owned);
+        }
+    }
+
     /// The saved form of a draft.
     pub fn new(draft: &Draft) -> Self {
         let place = |at: &Point| [at.x, at.y];

@@ -5,7 +5,8 @@ use assur::catalog::mixer::{Carrier, Dimensions, Mixer, Tracer};
 use assur::gears::{Mate, Mesh};
 use serde::{Deserialize, Serialize};
 
-use crate::Problem;
+use super::Kind;
+use crate::{LinkageDocument, Problem};
 
 /// The mixer: lengths in metres, numbers of teeth, how the wheels are set, and
 /// which points are traced. Numbers are taken as they come;
@@ -134,6 +135,16 @@ impl From<&Tracer> for TracerDocument {
             x: tracer.x,
             y: tracer.y,
         }
+    }
+}
+
+impl Kind for MixerDocument {
+    fn origin(&self) -> Option<&str> {
+        None
+    }
+
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])
     }
 }
 
