@@ -2,12 +2,14 @@
 //! and the engine's and computes nothing.
 
 mod canvas;
+mod change;
+mod chart;
 mod convert;
-mod course;
 mod design;
 mod equations;
-mod linkage;
-mod mixer;
+mod kinds;
+mod moving;
+mod profile;
 mod shown;
 mod simulator;
 mod summary;
@@ -15,5 +17,4 @@ mod table;
 mod thin;
 
 pub use design::Design;
-pub use linkage::gallery;
-pub use simulator::{Simulator, presets, read_state, role_names, version};
+pub use simulator::{Simulator, gallery, presets, read_state, role_names};

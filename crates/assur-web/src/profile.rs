@@ -9,7 +9,7 @@ const BAND: f64 = 0.1;
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
-pub(crate) struct CourseSummary {
+pub(crate) struct ProfileSummary {
     /// Degrees, or in the unit of the lengths.
     width: f64,
     /// From the least value to the greatest; none of what turns on and on.
@@ -44,7 +44,7 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
     }
 }
 
-impl CourseSummary {
+impl ProfileSummary {
     /// Of a quantity, with dwells within a band of a width in degrees, or in the
     /// unit of the lengths.
     pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
