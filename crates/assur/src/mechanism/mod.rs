@@ -6,15 +6,21 @@
 
 mod body;
 mod check;
+mod closed;
 mod constraint;
+mod counts;
 mod draft;
+mod dyads;
+mod multiple;
 mod natural;
 mod plan;
 mod quantity;
+mod tracer;
 
 use std::f64::consts::TAU;
 use std::fmt;
 
+pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, Demand, LinkOrFrame, Sides};
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 
@@ -23,8 +29,12 @@ use crate::position::{Anchor, Followed, Near, Stand, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
+pub use counts::Counts;
+pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
+pub use multiple::Multiple;
 use plan::Step;
 pub use quantity::Quantity;
+pub use tracer::DraftTracer;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
@@ -38,6 +48,7 @@ pub struct Mechanism {
     /// Of each body its points, with their places on it.
     bodies: Vec<Vec<(usize, Vector)>>,
     constraints: Vec<Constraint>,
+    counts: Counts,
     size: f64,
     /// The drawn pose: input, signs of the steps, how the bodies stand.
     home: f64,
@@ -127,6 +138,7 @@ impl Mechanism {
             });
             points.push((point.name.clone(), anchor));
         }
+        points.extend(tracer::anchored(draft, &bodies, &seats));
         let links = draft.links.iter().zip(&seats).map(|(link, seat)| Part {
             name: link.name.clone(),
             body: seat.body,
@@ -157,6 +169,7 @@ impl Mechanism {
                 .map(|body| bodies.of(body).to_vec())
                 .collect(),
             constraints: Vec::new(),
+            counts: counts::counts(draft, &bodies),
         };
         mechanism.settle(draft)?;
         mechanism.constraints = constraint::all(draft, &bodies, &seats, &mechanism.stands);
@@ -222,7 +235,8 @@ impl Mechanism {
             found.push(self.signs.clone());
         }
         let mut state = self.blank_state();
-        found.retain(|signs| self.entry(signs, &mut state).is_some());
+        let whole = self.whole_closed_form();
+        found.retain(|signs| whole || self.entry(signs, &mut state).is_some());
         if !found.contains(&self.signs) {
             let last = self.steps.len() - 1;
             return Err(vec![self.open(last, None)]);
@@ -291,7 +305,7 @@ impl Mechanism {
         self.links.iter().map(|link| link.name.as_str())
     }
 
-    /// The points in the order of the draft, by name.
+    /// The points in the order of the draft, then its tracers, by name.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.points.iter().map(|(name, _)| name.as_str())
     }
@@ -384,13 +398,15 @@ impl Mechanism {
         point: usize,
     ) -> Option<JetPoint<N>> {
         let body = self.links[link].body;
-        let (_, local) = self.bodies[body]
-            .iter()
-            .find(|(index, _)| *index == point)?;
-        let anchor = Anchor {
+        let mut joints = self.bodies[body].iter();
+        let joint = joints.find(|(index, _)| *index == point);
+        let joint = joint.map(|(_, local)| Anchor {
             body,
             local: *local,
-        };
+        });
+        // A tracer is among the points of one body only.
+        let own = self.points.get(point).map(|(_, anchor)| *anchor);
+        let anchor = joint.or(own.filter(|anchor| anchor.body == body))?;
         Some(pose.state.place(anchor).into())
     }
 
@@ -426,6 +442,12 @@ impl Mechanism {
         let mut state = self.blank_state();
         let input = self.entry(signs, &mut state).unwrap_or(self.home);
         (input, signs, state)
+    }
+
+    /// Signs of an assembly and how the bodies are drawn.
+    pub(crate) fn drawn_in(&self, assembly: usize) -> (&[f64], &[Stand]) {
+        let signs = self.assemblies.get(assembly).unwrap_or(&self.signs);
+        (signs, &self.stands)
     }
 
     /// The input at, or beside, the drawn one where the pose has derivatives.
