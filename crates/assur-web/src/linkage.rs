@@ -8,7 +8,7 @@ use assur::motion::{Column, Motion};
 use assur::structure::{Step, roman};
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::Chart;
-use assur_draw::{Figure, List};
+use assur_draw::{Annotations, Figure, List, Overlays, View};
 use assur_file::{LinkageDocument, LinkageProblem, Problem, State, from_catalogue};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -116,17 +116,20 @@ impl Linkage {
         });
         let mut traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
         traces.extend(of_plot);
-        traces.retain(|_| state.view.traces);
         let draft = document.draft();
-        let figure = if state.view.groups {
-            Figure::in_groups(&draft, &motion, &traces)
-        } else {
-            Figure::new(&draft, &motion, &traces)
+        let view = View {
+            overlays: Overlays {
+                traces: state.view.traces,
+                centres: state.view.centres,
+                vectors: state.view.vectors,
+                groups: state.view.groups,
+                ..Overlays::default()
+            },
+            traced: traces,
+            annotations: Annotations::default(),
         };
-        let mut figure = figure.map_err(|unsolved| vec![problem(&unsolved, mechanism)])?;
-        if state.view.vectors {
-            figure = figure.with_vectors();
-        }
+        let figure = Figure::new(&draft, &motion, &view);
+        let figure = figure.map_err(|unsolved| vec![problem(&unsolved, mechanism)])?;
         let points = 0..mechanism.points().len();
         Ok(Self {
             quantities: Quantity::all(mechanism),
@@ -263,8 +266,11 @@ impl Shown for Linkage {
     }
 
     fn frame(&self, phi: f64) -> Result<Vec<f32>, Problem> {
-        let frame = self.figure.frame(phi);
-        frame.map_err(|unsolved| problem(&unsolved, self.mechanism()))
+        // Next to a dead point there are no derivatives.
+        match self.pose::<3>(phi) {
+            Ok(pose) => Ok(self.figure.frame(&pose)),
+            Err(_) => Ok(self.figure.frame(&self.pose::<1>(phi)?)),
+        }
     }
 
     fn readout_names(&self) -> Vec<String> {

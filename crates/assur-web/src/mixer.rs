@@ -32,6 +32,7 @@ impl Loaded {
             vectors: state.view.vectors,
             loop_vectors: state.view.loop_vectors,
             transmission: state.view.transmission,
+            groups: state.view.groups,
         };
         Ok(Self {
             cycle: mixer.linkage.cycle(),
