@@ -4,13 +4,14 @@
 mod check;
 mod problem;
 
-use assur::Point;
 use assur::catalog::mixer::Mixer;
 use assur::gears::Mesh;
 use assur::mechanism::{
-    Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism, Quantity,
+    Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, DraftTracer, FRAME,
+    Mechanism, Quantity,
 };
 use assur::motion::Motion;
+use assur::{Point, Vector};
 use serde::{Deserialize, Serialize};
 
 use crate::Problem;
@@ -41,6 +42,9 @@ pub struct LinkageDocument {
     pub gears: Vec<GearDocument>,
     /// What is driven.
     pub drivers: Vec<DriverDocument>,
+    /// Points that links carry besides their joints.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tracers: Vec<TracerDocument>,
     /// What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub plots: Vec<String>,
@@ -64,6 +68,37 @@ pub struct PointDocument {
     pub name: String,
     /// Where it is drawn: x, y.
     pub at: [f64; 2],
+}
+
+/// A point that a link carries and that joins nothing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TracerDocument {
+    /// Its name, unlike that of any point.
+    pub name: String,
+    /// The link that carries it.
+    pub link: String,
+    /// Its place on the link: x from the link's first point towards its second, y
+    /// to the left.
+    pub at: [f64; 2],
+}
+
+impl TracerDocument {
+    fn new(tracer: &DraftTracer) -> Self {
+        Self {
+            name: tracer.name.clone(),
+            link: tracer.link.clone(),
+            at: tracer.at.into(),
+        }
+    }
+
+    fn draft(&self) -> DraftTracer {
+        DraftTracer {
+            name: self.name.clone(),
+            link: self.link.clone(),
+            at: Vector::from(self.at),
+        }
+    }
 }
 
 /// A moving link.
@@ -206,6 +241,7 @@ impl LinkageDocument {
             slides: slides.collect(),
             gears: gears.collect(),
             drivers: drivers.collect(),
+            tracers: draft.tracers.iter().map(TracerDocument::new).collect(),
             ..Self::default()
         }
     }
@@ -222,11 +258,8 @@ impl LinkageDocument {
             .filter(|name| *name != "wheel4")
             .map(|name| format!("{name}.angle"))
             .collect();
-        let traced = document.points.iter().map(|point| &point.name);
-        document.traces = traced
-            .filter(|name| name.starts_with('P'))
-            .cloned()
-            .collect();
+        let traced = document.tracers.iter().map(|tracer| tracer.name.clone());
+        document.traces = traced.collect();
         document.traces.extend(["B", "C"].map(str::to_owned));
         Ok(document)
     }
@@ -271,6 +304,7 @@ impl LinkageDocument {
             slides: slides.collect(),
             gears: gears.collect(),
             drivers: self.drivers.iter().filter_map(driver).collect(),
+            tracers: self.tracers.iter().map(TracerDocument::draft).collect(),
         }
     }
 

@@ -27,6 +27,7 @@ fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let lists = [
         ("points".to_owned(), document.points.len(), MOST_POINTS),
         ("frame".to_owned(), document.frame.len(), MOST_POINTS),
+        ("tracers".to_owned(), document.tracers.len(), MOST_POINTS),
         ("links".to_owned(), document.links.len(), MOST_LINKS),
         ("slides".to_owned(), document.slides.len(), MOST_PAIRS),
         ("gears".to_owned(), document.gears.len(), MOST_PAIRS),
@@ -53,11 +54,14 @@ fn names(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let points = points.map(|(k, point)| (format!("points[{k}].name"), &point.name));
     let links = document.links.iter().enumerate();
     let links = links.map(|(k, link)| (format!("links[{k}].name"), &link.name));
+    let tracers = document.tracers.iter().enumerate();
+    let tracers = tracers.map(|(k, tracer)| (format!("tracers[{k}].name"), &tracer.name));
     let sound = |name: &str, longest: usize| {
         name.chars().count() <= longest && !name.chars().any(char::is_control)
     };
     let names = points
         .chain(links)
+        .chain(tracers)
         .filter(|(_, name)| name.is_empty() || !sound(name, LONGEST_NAME));
     let texts = [("title", &document.title), ("source", &document.source)];
     let texts = texts.into_iter().filter_map(|(path, text)| {
@@ -109,7 +113,9 @@ fn links(document: &LinkageDocument) -> Vec<LinkageProblem> {
 
 /// What is plotted and traced must be there.
 fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
-    let is_point = |name: &str| document.points.iter().any(|point| point.name == name);
+    let points = document.points.iter().map(|point| &point.name);
+    let points = points.chain(document.tracers.iter().map(|tracer| &tracer.name));
+    let is_point = |name: &str| points.clone().any(|point| point == name);
     let is_link = |name: &str| document.links.iter().any(|link| link.name == name);
     let plotted = |name: &String| match name.rsplit_once('.') {
         Some((link, "angle")) => is_link(link),

@@ -4,7 +4,8 @@
 use std::collections::BTreeSet;
 
 use super::body::driven;
-use super::draft::{Defect, Draft, DraftDriver, FRAME};
+use super::draft::{Defect, Draft, DraftDriver, FRAME, extent};
+use super::tracer;
 use crate::gears::{Mesh, TEETH};
 
 /// Coordinates and lengths beyond this are no drawing.
@@ -17,6 +18,7 @@ pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
     let mut found = Vec::new();
     names(draft, &mut found);
     numbers(draft, &mut found);
+    found.extend(tracer::defects(draft, sound));
     for link in &draft.links {
         points_of(draft, &link.name, &link.points, &mut found);
         shape(draft, link, &mut found);
@@ -77,8 +79,12 @@ fn names(draft: &Draft, found: &mut Vec<Defect>) {
     );
 }
 
+/// Whether a coordinate or a length can be.
+fn sound(value: f64) -> bool {
+    value.is_finite() && value.abs() <= FARTHEST
+}
+
 fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
-    let sound = |value: f64| value.is_finite() && value.abs() <= FARTHEST;
     for point in &draft.points {
         if !sound(point.at.x) || !sound(point.at.y) {
             found.push(Defect::NotFinite(point.name.clone()));
@@ -105,21 +111,28 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
 
 /// The points of a link, or of the frame: none twice, no two at one place.
 fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defect>) {
-    let own = draft.link(link).and_then(|link| link.shape.as_ref());
-    let place = |k: usize| match own {
-        Some(shape) => shape.get(k).copied(),
-        None => draft.place(&points[k]),
+    // What is fixed to a link has its points where that one has them.
+    let own = draft.link(root_of(draft, link));
+    let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
+    let in_shape = |name: &String| {
+        let (own, shape) = own?;
+        let index = own.points.iter().position(|point| point == name)?;
+        shape.get(index).copied()
+    };
+    let coincide = |a: &String, b: &String| {
+        // A link may be small in the drawing: its own shape tells its size.
+        let (ends, size) = match (in_shape(a), in_shape(b), own) {
+            (Some(a), Some(b), Some((_, shape))) => ((Some(a), Some(b)), extent(shape.iter())),
+            _ => ((draft.place(a), draft.place(b)), draft.size()),
+        };
+        matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= CLOSEST * size)
     };
     for (k, point) in points.iter().enumerate() {
-        for (earlier, other) in points[..k].iter().enumerate() {
+        for other in &points[..k] {
             if point == other {
                 let (link, point) = (link.to_owned(), point.clone());
                 found.push(Defect::Repeated { link, point });
-            } else if link != FRAME
-                && k < 2
-                && let (Some(a), Some(b)) = (place(earlier), place(k))
-                && (a - b).norm() <= CLOSEST * draft.size()
-            {
+            } else if link != FRAME && k < 2 && coincide(other, point) {
                 let (link, points) = (link.to_owned(), [other.clone(), point.clone()]);
                 found.push(Defect::Coincident { link, points });
             }

@@ -1,7 +1,7 @@
 //! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::{Mechanism, Pose};
+use super::{DraftTracer, Mechanism, Pose};
 use crate::gears::Mesh;
 use crate::{Point, Vector};
 
@@ -23,6 +23,8 @@ pub struct Draft {
     pub gears: Vec<DraftGear>,
     /// What is driven. The input is the first one's coordinate.
     pub drivers: Vec<DraftDriver>,
+    /// Points that links carry and that join nothing: tracer points.
+    pub tracers: Vec<DraftTracer>,
 }
 
 /// A point. The drawing shows one pose: it says which of the assemblies is meant
@@ -260,7 +262,7 @@ impl Draft {
 
     /// The same linkage drawn in a pose of its mechanism, with one point, by its
     /// number, drawn elsewhere: the links that list it are then as drawn, the
-    /// others keep their dimensions.
+    /// others keep their dimensions. A tracer is moved on its link.
     #[must_use]
     pub fn redrawn(&self, mechanism: &Mechanism, pose: &Pose<1>, point: usize, to: Point) -> Self {
         let mut draft = self.drawn_in(mechanism, pose);
@@ -271,6 +273,8 @@ impl Draft {
                     link.shape = None;
                 }
             }
+        } else if let Some(tracer) = draft.tracers.get_mut(point - self.points.len()) {
+            tracer.at = tracer.seen_from_its_link(mechanism, pose, to);
         }
         draft
     }
@@ -288,11 +292,16 @@ impl Draft {
 
     /// The diagonal of the drawing: the size of the mechanism.
     pub(crate) fn size(&self) -> f64 {
-        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
-        for point in &self.points {
-            low = low.inf(&point.at.coords);
-            high = high.sup(&point.at.coords);
-        }
-        (high - low).norm()
+        extent(self.points.iter().map(|point| &point.at))
     }
+}
+
+/// The diagonal of the box around places.
+pub(super) fn extent<'a>(places: impl Iterator<Item = &'a Point>) -> f64 {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
+    for place in places {
+        low = low.inf(&place.coords);
+        high = high.sup(&place.coords);
+    }
+    (high - low).norm()
 }

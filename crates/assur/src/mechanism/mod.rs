@@ -11,6 +11,7 @@ mod draft;
 mod natural;
 mod plan;
 mod quantity;
+mod tracer;
 
 use std::f64::consts::TAU;
 use std::fmt;
@@ -25,6 +26,7 @@ use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
 use plan::Step;
 pub use quantity::Quantity;
+pub use tracer::DraftTracer;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
@@ -127,6 +129,7 @@ impl Mechanism {
             });
             points.push((point.name.clone(), anchor));
         }
+        points.extend(tracer::anchored(draft, &bodies, &seats));
         let links = draft.links.iter().zip(&seats).map(|(link, seat)| Part {
             name: link.name.clone(),
             body: seat.body,
@@ -291,7 +294,7 @@ impl Mechanism {
         self.links.iter().map(|link| link.name.as_str())
     }
 
-    /// The points in the order of the draft, by name.
+    /// The points in the order of the draft, then its tracers, by name.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.points.iter().map(|(name, _)| name.as_str())
     }
@@ -384,13 +387,15 @@ impl Mechanism {
         point: usize,
     ) -> Option<JetPoint<N>> {
         let body = self.links[link].body;
-        let (_, local) = self.bodies[body]
-            .iter()
-            .find(|(index, _)| *index == point)?;
-        let anchor = Anchor {
+        let mut joints = self.bodies[body].iter();
+        let joint = joints.find(|(index, _)| *index == point);
+        let joint = joint.map(|(_, local)| Anchor {
             body,
             local: *local,
-        };
+        });
+        // A tracer is among the points of one body only.
+        let own = self.points.get(point).map(|(_, anchor)| *anchor);
+        let anchor = joint.or(own.filter(|anchor| anchor.body == body))?;
         Some(pose.state.place(anchor).into())
     }
 

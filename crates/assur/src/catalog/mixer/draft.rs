@@ -1,8 +1,10 @@
 //! The mixer as a linkage like any other.
 
+use nalgebra::Rotation2;
+
 use super::{Carrier, Mixer};
-use crate::mechanism::{Draft, DraftGear, DraftLink, DraftPoint, FRAME};
-use crate::{Link, Point, Unsolved};
+use crate::mechanism::{Draft, DraftGear, DraftLink, DraftPoint, DraftTracer, FRAME};
+use crate::{Link, Point, Unsolved, Vector};
 
 /// The crank angle at which a mixer is drawn whose crank turns fully.
 const DRAWN: f64 = 1.0;
@@ -17,8 +19,8 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 impl Mixer {
     /// The mixer as a draft. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to
     /// the rocker, `wheel5`, … on the frame; joints A, B, C, D, centres of mass
-    /// C1, C2, C3 in the middle of their links, the wheels' centres E5, …, and the
-    /// points traced, P1, …
+    /// C1, C2, C3 in the middle of their links, the wheels' centres E5, …; the points
+    /// traced, P1, …, are tracers.
     ///
     /// # Errors
     /// Why there is no pose to draw.
@@ -49,27 +51,16 @@ impl Mixer {
                 place(Carrier::Wheel(wheel), 0.0, 0.0),
             );
         }
-        for (k, tracer) in self.tracers().iter().enumerate() {
-            let at = self.traced(&pose, tracer).place();
-            point(&format!("P{}", k + 1), at);
-        }
-        for (link, carrier, [name, from, to, centre]) in BARS {
+        for (link, _, [name, from, to, centre]) in BARS {
             let length = self.linkage.length(link);
-            let mut bar = DraftLink {
+            let along = |x: f64| Point::new(x, 0.0);
+            draft.links.push(DraftLink {
                 name: name.to_owned(),
                 points: [from, to, centre].map(str::to_owned).to_vec(),
+                shape: Some([0.0, length, 0.5 * length].map(along).to_vec()),
                 centre_of_mass: Some(centre.to_owned()),
                 ..DraftLink::default()
-            };
-            let mut shape = [0.0, length, 0.5 * length]
-                .map(|x| Point::new(x, 0.0))
-                .to_vec();
-            for (traced, tracer) in self.tracers_of(carrier) {
-                bar.points.push(traced);
-                shape.push(tracer);
-            }
-            bar.shape = Some(shape);
-            draft.links.push(bar);
+            });
         }
         draft.links.push(DraftLink {
             name: "wheel4".to_owned(),
@@ -80,10 +71,9 @@ impl Mixer {
         for (wheel, pair) in self.gears.pairs().iter().enumerate() {
             let centre = format!("E{}", wheel + 5);
             let name = format!("wheel{}", wheel + 5);
-            let traced = self.tracers_of(Carrier::Wheel(wheel)).map(|(name, _)| name);
             draft.links.push(DraftLink {
                 name: name.clone(),
-                points: [centre.clone()].into_iter().chain(traced).collect(),
+                points: vec![centre.clone()],
                 ..DraftLink::default()
             });
             draft.frame.push(centre);
@@ -95,14 +85,28 @@ impl Mixer {
                 mesh: pair.mesh(),
             });
         }
+        draft.tracers.extend(self.draft_tracers());
         Ok(draft.crank("crank"))
     }
 
-    /// The points traced on a body: names and places on it.
-    fn tracers_of(&self, carrier: Carrier) -> impl Iterator<Item = (String, Point)> {
-        let tracers = self.tracers().iter().enumerate();
-        tracers
-            .filter(move |(_, tracer)| tracer.carrier == carrier)
-            .map(|(k, tracer)| (format!("P{}", k + 1), Point::new(tracer.x, tracer.y)))
+    /// The points traced, on the links of the draft. A tooth of a wheel is not at
+    /// the wheel's zero direction but where it was mounted.
+    fn draft_tracers(&self) -> impl Iterator<Item = DraftTracer> {
+        self.tracers().iter().enumerate().map(|(k, tracer)| {
+            let at = Vector::new(tracer.x, tracer.y);
+            let (link, at) = match tracer.carrier {
+                Carrier::Crank => ("crank".to_owned(), at),
+                Carrier::Coupler => ("coupler".to_owned(), at),
+                Carrier::Rocker => ("rocker".to_owned(), at),
+                Carrier::Wheel(wheel) => {
+                    let pair = self.gears.pairs().get(wheel);
+                    let mounting = pair.map_or(0.0, |pair| pair.driven_wheel().mounting);
+                    let turn = Rotation2::new(mounting);
+                    (format!("wheel{}", wheel + 5), turn * at)
+                }
+            };
+            let name = format!("P{}", k + 1);
+            DraftTracer { name, link, at }
+        })
     }
 }

@@ -1,0 +1,102 @@
+//! Tracer points: carried by a link, among nobody's joints. They change neither
+//! the structure nor the assemblies, and follow their link through every redraw.
+
+use std::collections::BTreeSet;
+
+use super::body::{Bodies, Seat};
+use super::draft::{Defect, Draft, FRAME};
+use super::{Mechanism, Pose};
+use crate::position::{Anchor, product};
+use crate::{Point, Vector};
+
+/// A point carried by a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftTracer {
+    /// Its name, unlike that of any point and of any other tracer.
+    pub name: String,
+    /// The link that carries it, or the frame.
+    pub link: String,
+    /// Its place in the link's own coordinates: the origin at the link's first
+    /// point, x along its angle, so towards its second point; of a wheel with one
+    /// point, along its zero direction. Of the frame: those of the drawing.
+    pub at: Vector,
+}
+
+impl Draft {
+    /// With a tracer point at (x, y) in the coordinates of a link.
+    #[must_use]
+    pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
+        self.tracers.push(DraftTracer {
+            name: name.to_owned(),
+            link: link.to_owned(),
+            at: Vector::new(x, y),
+        });
+        self
+    }
+}
+
+impl DraftTracer {
+    /// The place on the link that is at `place` in a pose.
+    pub(super) fn seen_from_its_link(
+        &self,
+        mechanism: &Mechanism,
+        pose: &Pose<1>,
+        place: Point,
+    ) -> Vector {
+        let Some(link) = mechanism.links().position(|link| link == self.link) else {
+            return place.coords;
+        };
+        let [first, ..] = mechanism.points_of(link) else {
+            return self.at;
+        };
+        let origin = mechanism.place(pose, *first).place();
+        let (sin, cos) = mechanism.angle(pose, link).value().sin_cos();
+        product(place - origin, Vector::new(cos, -sin))
+    }
+}
+
+/// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
+pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
+    let mut names: BTreeSet<&String> = draft.points.iter().map(|point| &point.name).collect();
+    let mut found = Vec::new();
+    for DraftTracer { name, link, at } in &draft.tracers {
+        if !names.insert(name) {
+            found.push(Defect::Twice(name.clone()));
+        }
+        if link != FRAME && draft.link(link).is_none() {
+            found.push(Defect::Unknown(link.clone()));
+        }
+        if !sound(at.x) || !sound(at.y) {
+            found.push(Defect::NotFinite(name.clone()));
+        }
+    }
+    found
+}
+
+/// The tracers with their places on bodies, of a draft whose references are sound.
+pub(super) fn anchored<'a>(
+    draft: &'a Draft,
+    bodies: &'a Bodies,
+    seats: &'a [Seat],
+) -> impl Iterator<Item = (String, Anchor)> + 'a {
+    draft.tracers.iter().map(move |tracer| {
+        let mut links = draft.links.iter().zip(seats);
+        let carrier = links.find(|(link, _)| link.name == tracer.link);
+        let anchor = carrier.map_or(
+            Anchor {
+                body: 0,
+                local: tracer.at,
+            },
+            |(link, seat)| {
+                let first = draft.points.iter().position(|p| p.name == link.points[0]);
+                let origin = first.and_then(|first| bodies.local(seat.body, first));
+                let (sin, cos) = seat.lead.sin_cos();
+                Anchor {
+                    body: seat.body,
+                    local: origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin)),
+                }
+            },
+        );
+        (tracer.name.clone(), anchor)
+    })
+}
