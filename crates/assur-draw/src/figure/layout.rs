@@ -281,7 +281,7 @@ fn pinned(
 /// The links that list a point, or the one that carries it.
 fn lists(draft: &Draft, mechanism: &Mechanism, point: usize) -> Vec<usize> {
     if let Some(tracer) = point.checked_sub(draft.points.len()) {
-        let tracer = super::shim::tracers(draft).get(tracer);
+        let tracer = draft.tracers.get(tracer);
         let link = tracer.and_then(|tracer| index_of(draft, &tracer.link));
         return link.into_iter().collect();
     }
