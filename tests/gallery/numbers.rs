@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::motion::DeadPointKind;
 use assur::{Assembly, FourBar};
-use assur_draw::Figure;
+use assur_draw::{Figure, Overlays, View};
 use assur_file::from_catalogue;
 use assur_tests::{angle_between, assert_near};
 
@@ -194,7 +194,15 @@ fn peaucellier() {
     // As drawn it is straight to its very ends, where B and D fall into one.
     let draft = from_catalogue("peaucellier").unwrap().unwrap().draft();
     let e = draft.points.iter().position(|point| point.name == "E");
-    let figure = Figure::new(&draft, &motion, &[e.unwrap()]).unwrap();
+    let view = View {
+        overlays: Overlays {
+            traces: true,
+            ..Overlays::default()
+        },
+        traced: vec![e.unwrap()],
+        ..View::default()
+    };
+    let figure = Figure::new(&draft, &motion, &view).unwrap();
     let [kind, _, _, count, path @ ..] = figure.rigid().numbers() else {
         panic!("an empty drawing");
     };

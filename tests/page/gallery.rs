@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use assur::mechanism::Quantity;
 use assur::{Point, Vector};
-use assur_draw::Figure;
+use assur_draw::{Figure, View};
 use assur_file::{LinkageDocument, from_catalogue, gallery};
 use thirtyfour::prelude::*;
 
@@ -280,7 +280,8 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
 /// Where the fitted drawing has a place of a linkage.
 async fn on_screen(page: &Page, document: &LinkageDocument, places: &[Point]) -> Vec<(f64, f64)> {
     let area = page.element("mechanism").await.rect().await.unwrap();
-    let figure = Figure::new(&document.draft(), &document.motion().unwrap(), &[]).unwrap();
+    let motion = document.motion().unwrap();
+    let figure = Figure::new(&document.draft(), &motion, &View::default()).unwrap();
     let [left, bottom, right, top] = figure.bounds();
     let scale = ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
     let at = |p: &Point| {

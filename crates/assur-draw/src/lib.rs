@@ -3,6 +3,7 @@
 //! a chart is drawn by plotters on any of its backends. No text is drawn here,
 //! only said where it stands.
 
+mod annotations;
 pub mod chart;
 mod figure;
 mod gear;
@@ -15,7 +16,8 @@ pub mod svg;
 mod tracers;
 mod wheels;
 
-pub use figure::Figure;
+pub use annotations::{Annotations, Tag};
+pub use figure::{Figure, View};
 pub use list::{LABELS, List, ROLES, Role};
 pub use mixer::Scene;
 pub use overlays::Overlays;

@@ -106,7 +106,8 @@ impl Scene {
             overlays::loop_vectors(list, joints, self.unit);
         }
         if self.overlays.transmission {
-            overlays::transmission(list, joints, self.unit);
+            let [_, b, c, d] = joints;
+            overlays::transmission(list, [b, c, d], Label::Mu as usize, self.unit);
         }
         // At a dead point there is a pose without derivatives.
         if let Some(scales) = self.scales

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur::catalog::mixer::Mixer;
-use assur::{JetPoint, Link, Offset, Point, Pose, Vector};
+use assur::{JetPoint, Offset, Point, Pose, Vector};
 
 use crate::list::{Label, List, Look, Role};
 use crate::parts;
@@ -12,16 +12,20 @@ use crate::parts;
 /// What is shown over the mechanism.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
-    /// The paths of B and C.
+    /// The paths of the points asked for.
     pub traces: bool,
-    /// The centres of mass C₁, C₂, C₃, each in the middle of its link.
+    /// The centre of mass of each link: where it is given, else the middle of a bar
+    /// and the centroid of a plate.
     pub centres: bool,
-    /// First and second derivatives of B and C by the crank angle.
+    /// First and second derivatives of the moving points by the input.
     pub vectors: bool,
-    /// l₁ … l₄ of the loop and its diagonal l₅.
+    /// The vectors of the loops: along links and frame, and the diagonal of each
+    /// RRR dyad.
     pub loop_vectors: bool,
-    /// The arc of the transmission angle μ at C.
+    /// The arc of the transmission angle μ at the inner hinge of each RRR dyad.
     pub transmission: bool,
+    /// Each link in the colour of its Assur group.
+    pub groups: bool,
 }
 
 /// How long the vectors of a motion are drawn: lengths of the drawing per
@@ -32,42 +36,46 @@ pub(crate) struct Scales([f64; 2]);
 impl Scales {
     /// Crank angles that are looked at.
     const SAMPLES: u32 = 180;
-    /// The longest usual vector beside the drawing's size.
+    /// The longest usual vector relative to the drawing's size.
     const LONGEST: f64 = 0.3;
-
-    /// Of the longest, what is made room for beside the drawing's size.
+    /// The longest for which room is made, relative to the drawing's size.
     const ROOM: f64 = 0.5;
+    /// Vectors shorter than this, relative to the drawing's size, are none.
+    const LEAST: f64 = 1e-9;
 
-    /// The scales for a drawing of this size: constant over the cycle. Next to
-    /// dead points C's vectors grow without bounds, so the longest tenth of them
-    /// does not count. With them the tips for which there must be room.
+    /// The scales for a drawing of this size: constant over the cycle. With them the
+    /// tips for which there must be room.
     pub(crate) fn new(mixer: &Mixer, size: f64) -> (Self, Vec<Point>) {
-        let (mut all, mut of_c) = (Vec::new(), Vec::new());
+        let mut paths = vec![Vec::new(), Vec::new()];
         for [from, to] in mixer.linkage.cycle().arcs() {
             for i in 0..Self::SAMPLES {
                 let share = (f64::from(i) + 0.5) / f64::from(Self::SAMPLES);
                 let crank = from + (to - from) * share;
                 if let Ok(pose) = mixer.linkage.pose::<3>(mixer.assembly, crank) {
                     let [_, b, c, _] = mixer.linkage.joints(&pose);
-                    of_c.push(c);
-                    all.extend([b, c]);
+                    paths[0].push(b);
+                    paths[1].push(c);
                 }
             }
         }
-        let scales = Self::of(&of_c, mixer.linkage.length(Link::Crank), size);
-        let tips = scales.tips(&all, size);
+        let scales = Self::of(&paths, size);
+        let tips = scales.tips(&paths.concat(), size);
         (scales, tips)
     }
 
-    /// The scales by which nine tenths of the vectors of these points, and one of
-    /// the length `least`, have room.
-    pub(crate) fn of(points: &[JetPoint<3>], least: f64, size: f64) -> Self {
+    /// The scales by which nine tenths of the vectors of every point have room, from
+    /// the points over a motion. Next to dead points some grow without bound, so the
+    /// longest tenth of them does not count.
+    pub(crate) fn of(paths: &[Vec<JetPoint<3>>], size: f64) -> Self {
         Self([1, 2].map(|order| {
-            let norms = points.iter().map(|point| point.derivative(order).norm());
-            let mut lengths: Vec<f64> = norms.collect();
-            lengths.sort_unstable_by(f64::total_cmp);
-            let usual = lengths.get(lengths.len() * 9 / 10).copied();
-            Self::LONGEST * size / usual.unwrap_or(least).max(least)
+            let usual = |path: &Vec<JetPoint<3>>| {
+                let norms = path.iter().map(|point| point.derivative(order).norm());
+                let mut lengths: Vec<f64> = norms.collect();
+                lengths.sort_unstable_by(f64::total_cmp);
+                lengths.get(lengths.len() * 9 / 10).copied()
+            };
+            let longest = paths.iter().filter_map(usual).fold(0.0, f64::max);
+            Self::LONGEST * size / longest.max(Self::LEAST * size)
         }))
     }
 
@@ -109,33 +117,33 @@ pub(crate) fn analogues(list: &mut List, mixer: &Mixer, pose: &Pose<3>, scales: 
         (b, [Label::BVelocity, Label::BAcceleration]),
         (c, [Label::CVelocity, Label::CAcceleration]),
     ] {
-        let tips = arrows(list, &point, scales, unit);
-        for ((role, tip), label) in tips.into_iter().zip(labels) {
-            if let Some(tip) = tip {
-                let off = (tip - point.place()).normalize() * 0.95;
-                list.label(role, label, tip, [off.x, off.y]);
-            }
-        }
+        let names = labels.map(|label| label as usize);
+        vectors(list, &point, Some(names), scales, unit);
     }
 }
 
-/// The derivatives of a point as arrows; the tip of each that is drawn.
-pub(crate) fn arrows(
+/// The first two derivatives of a point as arrows, with names at their tips; next to
+/// a dead point, where they leave every sheet, none.
+pub(crate) fn vectors<const N: usize>(
     list: &mut List,
-    point: &JetPoint<3>,
+    point: &JetPoint<N>,
+    names: Option<[usize; 2]>,
     scales: Scales,
     unit: f64,
-) -> [(Role, Option<Point>); 2] {
-    [(Role::Velocity, 1), (Role::Acceleration, 2)].map(|(role, order)| {
+) {
+    for (role, order) in [(Role::Velocity, 1), (Role::Acceleration, 2)] {
         let vector = point.derivative(order) * scales.0[order - 1];
         let length = vector.norm();
-        if length > 1000.0 * unit || length < 0.2 * unit {
-            return (role, None);
+        if !(0.2 * unit..=1000.0 * unit).contains(&length) {
+            continue;
         }
         let tip = point.place() + vector;
         parts::arrow(list, role, point.place(), tip, unit);
-        (role, Some(tip))
-    })
+        if let Some(names) = names {
+            let off = vector / length * 0.95;
+            list.name(role, names[order - 1], tip, [off.x, off.y]);
+        }
+    }
 }
 
 /// l₁ + l₂ = l₄ + l₃, and l₅ from B to D.
@@ -147,22 +155,29 @@ pub(crate) fn loop_vectors(list: &mut List, [a, b, c, d]: [Point; 4], unit: f64)
         (a, d, Label::L4),
         (b, d, Label::L5),
     ] {
-        let along = to - from;
-        let length = along.norm();
-        if length < 3.0 * unit {
-            continue;
-        }
-        let along = along / length;
-        // Hinges stay free.
-        let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
-        parts::arrow(list, Role::Ink, start, tip, unit);
-        let left = [-1.1 * along.y, 1.1 * along.x];
-        list.label(Role::Ink, label, from + along * (0.26 * length), left);
+        loop_vector(list, [from, to], label as usize, unit);
     }
 }
 
-/// The acute angle at C between the lines of coupler and rocker.
-pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64) {
+/// A vector of a loop from hinge to hinge, and its name; none between hinges that
+/// all but touch.
+pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, unit: f64) {
+    let along = to - from;
+    let length = along.norm();
+    if length < 3.0 * unit {
+        return;
+    }
+    let along = along / length;
+    // Hinges stay free.
+    let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
+    parts::arrow(list, Role::Ink, start, tip, unit);
+    let left = [-1.1 * along.y, 1.1 * along.x];
+    list.name(Role::Ink, name, from + along * (0.26 * length), left);
+}
+
+/// The acute angle at a dyad's inner hinge c between the lines to its outer ones,
+/// b and d.
+pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, unit: f64) {
     let direction = |to: Point| (to.y - c.y).atan2(to.x - c.x);
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
     let from = direction(b);
@@ -170,7 +185,7 @@ pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64)
     let at = |angle: f64, radius: f64| c + Vector::new(angle.cos(), angle.sin()) * radius;
     let mut turn = wrapped(direction(d) - from);
     if turn.abs() > FRAC_PI_2 {
-        // The rocker's line beyond C.
+        // The line of d beyond c.
         turn = wrapped(turn + PI);
         list.polyline(
             Role::Secondary,
@@ -184,7 +199,7 @@ pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64)
     list.polyline(Role::Ink, Look::Line, &arc);
     let middle = from + 0.5 * turn;
     let off = [2.6 * middle.cos(), 1.0 * middle.sin()];
-    list.label(Role::Ink, Label::Mu, at(middle, radius), off);
+    list.name(Role::Ink, name, at(middle, radius), off);
 }
 
 #[cfg(test)]
@@ -277,7 +292,8 @@ mod tests {
             let (mixer, pose) = pose(crank);
             let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
             let mut list = List::default();
-            transmission(&mut list, joints, 0.02);
+            let [_, b, c, d] = joints;
+            transmission(&mut list, [b, c, d], 0, 0.02);
             let (lines, _) = parts_of(&list);
             let arc = lines.last().unwrap();
             let angle = |i: usize| {

@@ -113,7 +113,9 @@ impl DrawnWheel {
         list.polygons(self.role, Look::Pale, &loops);
         let reach = 0.72 * teeth.pitch_radius() * module;
         let slender = (0.075 * reach).min(0.8 * unit);
-        parts::blades(list, self.role, self.blades, reach, slender);
+        for blade in parts::blades(self.blades, reach, slender) {
+            list.polygons(self.role, Look::Soft, &[blade]);
+        }
         // Wheel 4 is on the rocker's hinge.
         if self.role != Role::Wheel4 {
             list.circle(Role::Ink, Look::Hollow, Point::origin(), 0.7 * unit);

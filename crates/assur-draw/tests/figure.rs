@@ -4,7 +4,7 @@
 use assur::Point;
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
-use assur_draw::{Figure, Role};
+use assur_draw::{Figure, Overlays, Role, View};
 
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.
@@ -28,6 +28,25 @@ fn draft() -> Draft {
         .slide("block", "M", "lever", ["D", "E"])
         .crank("crank")
 }
+
+/// The drawing of the slider-crank's motion with these overlays and the path of M.
+fn figure(motion: &Motion, overlays: Overlays) -> Figure {
+    let view = View {
+        overlays,
+        traced: vec![5],
+        ..View::default()
+    };
+    Figure::new(&draft(), motion, &view).unwrap()
+}
+
+const TRACES: Overlays = Overlays {
+    traces: true,
+    centres: false,
+    vectors: false,
+    loop_vectors: false,
+    transmission: false,
+    groups: false,
+};
 
 /// Every record of the list, cut apart by its own counts.
 fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
@@ -58,7 +77,7 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     let draft = draft();
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[5]).unwrap();
+    let figure = figure(&motion, TRACES);
     let rigid = records(figure.rigid().numbers());
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
     let bodies = 1 + draft.links.len();
@@ -76,7 +95,7 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     let [left, bottom, right, top] = figure.bounds();
     for k in 0..36 {
         let input = 0.1745 * f64::from(k);
-        let frame = figure.frame(input).unwrap();
+        let frame = figure.frame(&motion.pose::<1>(input).unwrap());
         assert_eq!(frame[0] as usize, bodies);
         let pose = motion.pose::<1>(input).unwrap();
         for link in 0..draft.links.len() {
@@ -117,9 +136,10 @@ fn beyond_dead_points_nothing_is_drawn() {
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
     assert!(!motion.cycle().is_full());
-    let figure = Figure::new(&draft, &motion, &[2]).unwrap();
-    assert!(figure.frame(motion.home()).is_ok());
-    assert!(figure.frame(3.0).is_err());
+    let figure = Figure::new(&draft, &motion, &View::default()).unwrap();
+    let home = motion.pose::<3>(motion.home()).unwrap();
+    assert!(figure.frame(&home).iter().all(|x| x.is_finite()));
+    assert!(motion.pose::<1>(3.0).is_err());
 }
 
 /// The arrows lie along the derivatives and keep one scale for each order.
@@ -128,12 +148,16 @@ fn vectors_are_derivatives_to_scale() {
     let draft = draft();
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[]).unwrap().with_vectors();
+    let vectors = Overlays {
+        vectors: true,
+        ..Overlays::default()
+    };
+    let figure = figure(&motion, vectors);
     let mut scales = [Vec::new(), Vec::new()];
     for k in 0..24 {
         let input = 0.26 * f64::from(k);
-        let frame = figure.frame(input).unwrap();
         let pose = motion.pose::<3>(input).unwrap();
+        let frame = figure.frame(&pose);
         let lines = records(&frame[1 + 3 * (1 + draft.links.len())..]);
         for (role, order) in [(Role::Velocity, 1), (Role::Acceleration, 2)] {
             let of = |kind: f32| {
@@ -178,9 +202,9 @@ fn groups_have_their_colours() {
         formula,
         "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
     );
-    let [plain, grouped] = [Figure::new, Figure::in_groups].map(|draw| {
-        let figure = draw(&draft, &motion, &[5]);
-        figure.unwrap()
+    let [plain, grouped] = [false, true].map(|groups| {
+        let overlays = Overlays { groups, ..TRACES };
+        figure(&motion, overlays)
     });
     let roles: Vec<Role> = grouped.step_roles().collect();
     assert_eq!(roles, [Role::Crank, Role::Coupler, Role::Rocker]);
@@ -211,5 +235,6 @@ fn groups_have_their_colours() {
         assert_eq!(grouped.drawn_role(link), role);
         assert_eq!(grouped.role(link), plain.drawn_role(link));
     }
-    assert_eq!(plain.frame(0.4).unwrap(), grouped.frame(0.4).unwrap());
+    let pose = motion.pose::<1>(0.4).unwrap();
+    assert_eq!(plain.frame(&pose), grouped.frame(&pose));
 }

@@ -13,6 +13,10 @@ const SAMPLES: usize = 720;
 /// Every so many samples a difference is shown beside the exact derivative.
 const DIFFERENCED: usize = 10;
 
+/// Values that differ by less than this share of what a plot shows look the same:
+/// the dots at them lie on each other.
+const TOLD_APART: f64 = 0.02;
+
 /// The quantities of a chart at one crank angle.
 #[derive(Clone, Debug)]
 pub struct Sample {
@@ -194,10 +198,31 @@ fn range(values: impl Iterator<Item = f64>) -> Range {
 }
 
 impl Curve {
-    /// The marks between `min` and `max`.
+    /// The marks between `min` and `max` that can be told apart, in ascending crank
+    /// angle. In a dwell one follows the other at all but the same value: there the
+    /// first and the last of them stand for all, and the curve's greatest or least
+    /// value for itself.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
-        self.marks.iter().filter(inside).copied().collect()
+        let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();
+        marks.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+        let level = TOLD_APART * (max - min);
+        let by_value = |a: &&Mark, b: &&Mark| a.value.total_cmp(&b.value);
+        let peaks = [marks.iter().max_by(by_value), marks.iter().min_by(by_value)];
+        let peaks = peaks.map(Option::<&Mark>::copied);
+        let mut kept = Vec::new();
+        let mut rest = &marks[..];
+        while let Some(first) = rest.first() {
+            let alike = |mark: &&Mark| (mark.value - first.value).abs() < level;
+            let (dwell, beyond) = rest.split_at(rest.iter().take_while(alike).count().max(1));
+            let last = dwell.len() - 1;
+            let ends = dwell.iter().enumerate();
+            let ends =
+                ends.filter(|(k, mark)| [0, last].contains(k) || peaks.contains(&Some(**mark)));
+            kept.extend(ends.map(|(_, mark)| *mark));
+            rest = beyond;
+        }
+        kept
     }
 
     /// The runs cut to the values between `min` and `max`.
@@ -333,6 +358,52 @@ mod tests {
             vec![(3.375, -1.0), (3.625, 1.0)],
         ];
         assert_eq!(parts, expected);
+    }
+
+    /// Of a dwell only the ends are marked, of everything else all.
+    #[test]
+    fn a_dwell_is_marked_at_its_ends() {
+        let mark = |(crank, value): (f64, f64)| Mark {
+            kind: if value == 0.0 {
+                MarkKind::Zero
+            } else {
+                MarkKind::Max
+            },
+            crank,
+            value,
+        };
+        let dwell = [
+            (2.0, 0.003),
+            (2.3, 0.0),
+            (2.6, -0.004),
+            (2.8, 0.0),
+            (3.0, 0.005),
+        ];
+        let rest = [(1.0, 0.9), (1.5, -0.6), (4.0, -0.08), (5.0, 0.5)];
+        let curve = Curve {
+            marks: dwell.into_iter().chain(rest).map(mark).collect(),
+            ..Curve::default()
+        };
+        let marked: Vec<f64> = curve
+            .marks(-1.0, 1.0)
+            .iter()
+            .map(|mark| mark.crank)
+            .collect();
+        assert_eq!(marked, [1.0, 1.5, 2.0, 3.0, 4.0, 5.0]);
+        // The least value is said, wherever it is.
+        let marked = Curve {
+            marks: dwell.into_iter().map(mark).collect(),
+            ..Curve::default()
+        };
+        let marked: Vec<f64> = marked
+            .marks(-1.0, 1.0)
+            .iter()
+            .map(|mark| mark.crank)
+            .collect();
+        assert_eq!(marked, [2.0, 2.6, 3.0]);
+        // Where the dwell fills the plot, its extrema are told apart.
+        let marked = curve.marks(-0.01, 0.01);
+        assert_eq!(marked.len(), dwell.len());
     }
 
     #[test]

@@ -4,6 +4,7 @@ use assur::mechanism::{Draft, Mechanism, Pose};
 use assur::{Point, Vector};
 
 use super::layout::{self, Layout, LinkOrFrame};
+use super::paths::Run;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
@@ -32,7 +33,7 @@ pub(super) fn guides(
     layout: &Layout,
     mechanism: &Mechanism,
     home: &Pose<1>,
-    samples: &[Vec<Pose<1>>],
+    runs: &[Run],
 ) -> Vec<Guide> {
     let index = |name: &str| draft.points.iter().position(|point| point.name == name);
     let guide = |slide: &assur::mechanism::DraftSlide| -> Option<Guide> {
@@ -46,7 +47,7 @@ pub(super) fn guides(
             let at = layout::local(mechanism, pose, on, point);
             (at - start).dot(&along)
         };
-        let ways = samples.iter().flatten().map(way);
+        let ways = runs.iter().flatten().map(|(_, pose)| way(pose));
         let [low, high] = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| {
             [low.min(way), high.max(way)]
         });

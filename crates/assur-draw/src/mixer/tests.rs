@@ -77,6 +77,7 @@ fn overlays_are_whole() {
         vectors: true,
         loop_vectors: true,
         transmission: true,
+        groups: false,
     };
     for lengths in [[0.37, 0.85, 0.55, 0.85], [0.6, 0.85, 0.3, 0.85], [0.5; 4]] {
         let dimensions = assur::catalog::mixer::Dimensions {
