@@ -69,7 +69,13 @@ const KEYS: &[(&str, i64)] = &[
 ];
 
 /// Sizes of windows.
-const SIZES: &[(u32, u32)] = &[(1280, 800), (1920, 1080), (360, 640), (740, 360), (1024, 768)];
+const SIZES: &[(u32, u32)] = &[
+    (1280, 800),
+    (1920, 1080),
+    (360, 640),
+    (740, 360),
+    (1024, 768),
+];
 
 /// Addresses that are none, or not quite.
 const ADDRESSES: &[&str] = &[
@@ -194,7 +200,8 @@ impl Hand<'_> {
                 self.page
                     .tool("Input.insertText", json!({ "text": text }))
                     .await;
-                self.key(*self.dice.one(&[("Enter", 13), ("Tab", 9)]), 0).await;
+                self.key(*self.dice.one(&[("Enter", 13), ("Tab", 9)]), 0)
+                    .await;
             }
             "select" => {
                 let turn = self.dice.below(1000);

@@ -11,9 +11,9 @@ mod view;
 pub use catalogue::{catalogue, from_catalogue, from_text, gallery};
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument,
+    PointDocument, SlideDocument, TracerDocument,
 };
-pub use kinds::mixer::{MixerDocument, TracerDocument, WheelDocument};
+pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};

@@ -7,8 +7,9 @@ use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, State};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{Redrawn, thrown, to_js};
-use crate::course::band;
+use crate::convert::{thrown, to_js};
+use crate::kinds::Redrawn;
+use crate::profile::band;
 
 /// What is wanted of the first output that is plotted; within which band it stands
 /// still, the document says.

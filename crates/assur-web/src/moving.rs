@@ -2,13 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Mechanism, Pose, Quantity, Unsolved};
-use assur::motion::{Column, Input, Motion};
+use assur::mechanism::{Mechanism, Pose, Quantity, RrrDyad, Unsolved};
+use assur::motion::{Column, Motion};
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::{Chart, Settings};
-use assur_draw::{Annotations, Figure, Overlays};
-use assur_file::{Axes, LinkageDocument, LinkageProblem, Moved, Problem, State, View};
-use assur_draw::View as Drawing;
+use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
+use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
 use crate::equations::sides;
 use crate::table::{SweepRow, SweepTable};
@@ -20,6 +19,7 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
+    dyads: Vec<RrrDyad>,
     quantities: Vec<Quantity>,
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
@@ -90,13 +90,19 @@ impl Moving {
         });
         let drawing = Drawing {
             overlays: overlays(view),
-            traced: document.traces.iter().filter_map(point).chain(of_plot).collect(),
+            traced: document
+                .traces
+                .iter()
+                .filter_map(point)
+                .chain(of_plot)
+                .collect(),
             annotations,
         };
         let figure = Figure::new(&document.draft(), &motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
         let points = 0..mechanism.points().len();
         Ok(Self {
+            dyads: mechanism.rrr_dyads(),
             quantities: told(&document, mechanism),
             driven: Driven::of(&document, mechanism),
             handles: points.filter(|point| figure.is_drawn(*point)).collect(),
@@ -137,6 +143,16 @@ impl Moving {
         &self.plotted
     }
 
+    /// Which of the assemblies at the drawn input moves, from 1.
+    pub(crate) fn assembly(&self) -> usize {
+        let drawn = self.mechanism().drawn_assembly() + 1;
+        self.document.assembly.unwrap_or(drawn)
+    }
+
+    pub(crate) fn dyads(&self) -> &[RrrDyad] {
+        &self.dyads
+    }
+
     pub(crate) fn handles(&self) -> &[usize] {
         &self.handles
     }
@@ -145,13 +161,19 @@ impl Moving {
     /// every quantity with its first (′) and second (″) derivative.
     pub(crate) fn readout_names(&self) -> Vec<String> {
         let mechanism = self.mechanism();
-        let dyads = mechanism.rrr_dyads().iter();
-        let angles = dyads.map(|dyad| dyad.readout(mechanism));
+        let angles = self.dyads.iter().map(|dyad| {
+            let joint = mechanism.points().nth(dyad.inner).unwrap_or_default();
+            format!("{joint}.transmission")
+        });
         let quantities = self.quantities.iter().flat_map(|one| {
             let name = one.name(mechanism, 0);
             ["", "′", "″"].map(|stroke| [&name, stroke].concat())
         });
-        ["input".to_owned()].into_iter().chain(angles).chain(quantities).collect()
+        ["input".to_owned()]
+            .into_iter()
+            .chain(angles)
+            .chain(quantities)
+            .collect()
     }
 
     /// All of a place of the motion, from one pose. Where derivatives are unbounded there
@@ -163,8 +185,10 @@ impl Moving {
         match self.motion.pose::<3>(input) {
             Ok(pose) => {
                 let mechanism = self.mechanism();
-                let dyads = mechanism.rrr_dyads().iter();
-                let angles = dyads.map(|dyad| mechanism.transmission_angle(&pose, dyad));
+                let angles = self
+                    .dyads
+                    .iter()
+                    .map(|dyad| mechanism.transmission_angle(&pose, dyad));
                 Ok(Here {
                     frame: self.figure.frame(&pose),
                     handles: self.places(&pose),
@@ -221,8 +245,15 @@ impl Moving {
         })
     }
 
+    /// The role that a link with the point is drawn in; of the frame's points none is.
+    pub(crate) fn role(&self, point: usize) -> &'static str {
+        let mut links = 0..self.mechanism().links().len();
+        let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
+        link.map_or("ink", |link| self.figure.drawn_role(link).name())
+    }
+
     /// Where a point is.
-    pub(crate) fn place<const N: usize>(&self, pose: &Pose<N>, point: usize) -> Point {
+    fn place<const N: usize>(&self, pose: &Pose<N>, point: usize) -> Point {
         self.mechanism().place(pose, point).place()
     }
 
@@ -233,7 +264,12 @@ impl Moving {
 
     /// Where the input goes if this point is dragged to a place; none where the point is
     /// not the driven one.
-    pub(crate) fn driven_to(&self, point: usize, input: f64, to: Point) -> Option<Result<f64, Problem>> {
+    pub(crate) fn driven_to(
+        &self,
+        point: usize,
+        input: f64,
+        to: Point,
+    ) -> Option<Result<f64, Problem>> {
         let driven = self.driven.filter(|driven| driven.end() == point)?;
         Some(self.pose(input).map(|pose| {
             let at = |point: usize| self.place(&pose, point);
@@ -246,10 +282,13 @@ impl Moving {
                     let by = angle(to) - angle(at(end));
                     input + by - TAU * ((by + PI) / TAU).floor()
                 }
-                Driven::Slide { line: [from, towards], end } => {
+                Driven::Slide {
+                    line: [from, towards],
+                    end,
+                } => {
                     let along = (at(towards) - at(from)).normalize();
-                    let [start, end] = self.cycle().arcs()[0];
-                    (input + along.dot(&(to - at(end)))).clamp(start, end)
+                    let [least, most] = self.cycle().arcs()[0];
+                    (input + along.dot(&(to - at(end)))).clamp(least, most)
                 }
             }
         }))
@@ -277,14 +316,21 @@ impl Moving {
             let row = self.motion.row(&columns, input);
             SweepRow {
                 // Not from radians: whole degrees stay whole.
-                input: if mechanism.turns() { 360.0 * f64::from(step) / f64::from(steps) } else { input },
+                input: if mechanism.turns() {
+                    360.0 * f64::from(step) / f64::from(steps)
+                } else {
+                    input
+                },
                 values: row.values,
                 reason: row.reason.map(|unsolved| self.problem(&unsolved)),
             }
         };
         SweepTable {
             rows: (0..=turns * steps).map(row).collect(),
-            columns: columns.iter().map(|column| column.name(mechanism)).collect(),
+            columns: columns
+                .iter()
+                .map(|column| column.name(mechanism))
+                .collect(),
         }
     }
 
@@ -338,13 +384,21 @@ impl Driven {
 /// What is told of a linkage in numbers: all but the input itself, what stands still, and
 /// what turns as one with another link.
 fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
-    let driven = document.drivers.iter().filter_map(|driver| driver.crank.as_ref());
+    let driven = document
+        .drivers
+        .iter()
+        .filter_map(|driver| driver.crank.as_ref());
     let driven: Vec<&String> = driven.collect();
     let links = document.links.iter();
     let idle = links.filter(|link| link.fixed_to.is_some() || driven.contains(&&link.name));
     let still: Vec<String> = idle
         .map(|link| format!("{}.angle", link.name))
-        .chain(document.frame.iter().flat_map(|point| [format!("{point}.x"), format!("{point}.y")]))
+        .chain(
+            document
+                .frame
+                .iter()
+                .flat_map(|point| [format!("{point}.x"), format!("{point}.y")]),
+        )
         .collect();
     let mut quantities = Quantity::all(mechanism);
     quantities.retain(|one| !still.contains(&one.name(mechanism, 0)));

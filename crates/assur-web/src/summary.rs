@@ -1,10 +1,11 @@
 //! What the page shows of a whole motion.
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
-use assur::mechanism::{Mechanism, Quantity};
-use assur::motion::Motion;
-use assur::structure::{Step, roman};
+use assur::mechanism::{FRAME, LinkOrFrame, Quantity};
+use assur::motion::{Course, Motion};
+use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
 use serde::Serialize;
 
@@ -131,8 +132,31 @@ impl<'a> MotionSummary<'a> {
             kind: end.kind.code(),
             links: motion.links_at(end).collect(),
         });
-        let link = |link: usize| mechanism.links().nth(link).unwrap_or_default();
         let point = |point: usize| mechanism.points().nth(point).unwrap_or_default();
+        let link = |link: LinkOrFrame| {
+            let name = link.and_then(|link| mechanism.links().nth(link));
+            name.unwrap_or(FRAME)
+        };
+        let four_bars = mechanism.four_bars().into_iter();
+        let four_bars = four_bars.map(|one| FourBarSummary {
+            links: [
+                Some(one.crank),
+                Some(one.coupler),
+                Some(one.rocker),
+                one.base,
+            ]
+            .map(link),
+            grashof: grashof(one.grashof()),
+        });
+        let transmissions = moving.dyads().iter().filter_map(|dyad| {
+            let least = motion.least_transmission(dyad)?;
+            Some(TransmissionSummary {
+                joint: point(dyad.inner),
+                links: dyad.links.map(|one| link(Some(one))),
+                min: least.angle,
+                input: least.input,
+            })
+        });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
             name: point(*handle),
             role: moving.role(*handle),
@@ -146,8 +170,8 @@ impl<'a> MotionSummary<'a> {
             bounds: figure.bounds(),
             counts: CountsSummary {
                 links: counts.links,
-                lower: counts.lower,
-                higher: counts.higher,
+                lower: counts.lower_pairs,
+                higher: counts.higher_pairs,
                 mobility: counts.mobility,
             },
             class: roman(structure.class()),
@@ -162,9 +186,16 @@ impl<'a> MotionSummary<'a> {
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
+            assembly: moving.assembly(),
+            assemblies: mechanism.assemblies(),
             dead_points: dead_points.collect(),
             change_points: motion.change_points(),
-            outputs: plotted.clone().map(|one| OutputSummary::new(motion, *one)).collect(),
+            four_bars: four_bars.collect(),
+            transmissions: transmissions.collect(),
+            outputs: plotted
+                .clone()
+                .map(|one| OutputSummary::new(motion, *one))
+                .collect(),
             roles: (mechanism.links().enumerate())
                 .map(|(link, name)| (name, figure.role(link).name()))
                 .collect(),
@@ -176,5 +207,60 @@ impl<'a> MotionSummary<'a> {
                 .next()
                 .map(|output| ProfileSummary::new(motion, *output, moving.document().band)),
         }
+    }
+}
+
+impl OutputSummary {
+    fn new(motion: &Motion, output: Quantity) -> Self {
+        let profile = Course::new(motion, output);
+        let limits = profile.limits().into_iter();
+        Self {
+            name: output.name(motion.mechanism(), 0),
+            swing: profile.swings().into_iter().map(between).collect(),
+            turns: (profile.travels().into_iter())
+                .map(|travel| travel / TAU)
+                .collect(),
+            limits: limits
+                .map(|limit| LimitSummary {
+                    input: limit.input,
+                    value: limit.value,
+                })
+                .collect(),
+            time_ratio: profile.time_ratio(),
+        }
+    }
+}
+
+impl CycleSummary {
+    fn new(cycle: &Cycle) -> Self {
+        let [start, end] = cycle.axis();
+        Self {
+            start,
+            end,
+            full: cycle.is_full(),
+            arcs: cycle.arcs().to_vec(),
+        }
+    }
+}
+
+fn between(swing: Swing) -> Option<Between> {
+    match swing {
+        Swing::Turns => None,
+        Swing::Between { min, max } => Some(Between {
+            min,
+            max,
+            stroke: swing.stroke()?,
+        }),
+    }
+}
+
+fn grashof(class: Grashof) -> &'static str {
+    match class {
+        Grashof::CrankRocker => "crank_rocker",
+        Grashof::RockerCrank => "rocker_crank",
+        Grashof::DoubleCrank => "double_crank",
+        Grashof::DoubleRocker => "double_rocker",
+        Grashof::TripleRocker => "triple_rocker",
+        Grashof::ChangePoint => "change_point",
     }
 }

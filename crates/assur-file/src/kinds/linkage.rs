@@ -341,11 +341,7 @@ impl LinkageDocument {
         if !problems.is_empty() {
             return Err(problems.into_iter().map(Problem::from).collect());
         }
-        let defects = Mechanism::new(&self.draft());
-        defects.map_err(|defects| {
-            let problems = defects.into_iter().map(LinkageProblem::from);
-            problems.map(Problem::from).collect()
-        })
+        Mechanism::new(&self.draft()).map_err(LinkageProblem::all)
     }
 }
 

@@ -1,12 +1,13 @@
 //! The mixer's dimensions as they are saved.
 
 use assur::Assembly;
-use assur::catalog::mixer::{Carrier, Dimensions, Mixer, Tracer};
+use assur::catalog::mixer::{Carrier, Dimensions, Mixer, Tracer, Unmoved};
 use assur::gears::{Mate, Mesh};
+use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use crate::{LinkageDocument, Problem};
+use crate::{LinkageDocument, LinkageProblem, Problem};
 
 /// The mixer: lengths in metres, numbers of teeth, how the wheels are set, and
 /// which points are traced. Numbers are taken as they come;
@@ -33,7 +34,7 @@ pub struct MixerDocument {
     /// 1 or 2.
     pub assembly: f64,
     /// The points traced: P₁, P₂, …
-    pub tracers: Vec<TracerDocument>,
+    pub tracers: Vec<MixerTracerDocument>,
 }
 
 /// A peripheral wheel.
@@ -47,7 +48,7 @@ pub struct WheelDocument {
 
 /// A traced point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TracerDocument {
+pub struct MixerTracerDocument {
     /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,
     /// Along the link from its first joint, metres.
@@ -71,7 +72,7 @@ struct AnyDocument {
     module: f64,
     assembly: f64,
     #[serde(default)]
-    tracers: Vec<TracerDocument>,
+    tracers: Vec<MixerTracerDocument>,
 }
 
 impl TryFrom<AnyDocument> for MixerDocument {
@@ -128,7 +129,14 @@ fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
     found.map(|(value, _)| *value)
 }
 
-impl From<&Tracer> for TracerDocument {
+impl MixerTracerDocument {
+    /// What a saved name of a link stands for.
+    pub fn carrier(link: &str) -> Option<Carrier> {
+        value_of(&CARRIERS, link)
+    }
+}
+
+impl From<&Tracer> for MixerTracerDocument {
     fn from(tracer: &Tracer) -> Self {
         Self {
             link: name_of(&CARRIERS, &tracer.carrier).to_owned(),
@@ -145,6 +153,15 @@ impl Kind for MixerDocument {
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])
+    }
+
+    /// Over every arc of the crank on which the loop can be closed.
+    fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.mixer()?.motion().map_err(|unmoved| match unmoved {
+            Unmoved::Unsolved(unsolved) => vec![unsolved.into()],
+            Unmoved::Defects(defects) => LinkageProblem::all(defects),
+            Unmoved::Unjoinable(_) => vec![LinkageProblem::Unreached.into()],
+        })
     }
 }
 
@@ -193,8 +210,8 @@ impl MixerDocument {
             unknown("assembly".into());
         }
         let mut tracers = Vec::new();
-        for (index, TracerDocument { link, x, y }) in self.tracers.iter().enumerate() {
-            let carrier = value_of(&CARRIERS, link);
+        for (index, MixerTracerDocument { link, x, y }) in self.tracers.iter().enumerate() {
+            let carrier = MixerTracerDocument::carrier(link);
             if carrier.is_none() {
                 unknown(format!("tracers[{index}].link").into());
             }

@@ -3,7 +3,7 @@ use assur::catalog::mixer::Case;
 use assur::motion::Input;
 use serde_json::json;
 
-use crate::{Axes, MixerDocument, SpeedUnit, TracerDocument, WheelDocument};
+use crate::{Axes, MixerDocument, MixerTracerDocument, SpeedUnit, WheelDocument};
 
 fn state() -> State {
     State {
@@ -301,7 +301,7 @@ fn bad_numbers_name_their_fields() {
     (document.mesh, document.assembly) = ("worm".to_owned(), 3.0);
     let wheel = |z, centre_line_deg| WheelDocument { z, centre_line_deg };
     document.wheels = vec![wheel(18.0, 0.0), wheel(1.5, f64::NAN)];
-    let tracer = |link: &str, x, y| TracerDocument {
+    let tracer = |link: &str, x, y| MixerTracerDocument {
         link: link.to_owned(),
         x,
         y,

@@ -3,8 +3,7 @@
 use assur::Point;
 use assur_draw::{Annotations, List};
 use assur_file::{
-    LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
-    TracedDocument,
+    LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State, TracerDocument,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -21,10 +20,14 @@ pub(crate) struct Linkage(Moving);
 impl Linkage {
     pub(crate) fn new(state: &State, _document: &LinkageDocument) -> Result<Self, Vec<Problem>> {
         let moved = state.moved()?;
-        let explain = |mechanism: &_, unsolved: &_| {
-            LinkageProblem::unsolved(unsolved, mechanism).into()
-        };
-        let moving = Moving::new(&state.view, moved, Annotations::default(), Box::new(explain))?;
+        let explain =
+            |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
+        let moving = Moving::new(
+            &state.view,
+            moved,
+            Annotations::default(),
+            Box::new(explain),
+        )?;
         Ok(Self(moving))
     }
 }
@@ -35,7 +38,7 @@ impl Linkage {
 pub(crate) struct Redrawn {
     points: Vec<PointDocument>,
     links: Vec<LinkDocument>,
-    tracers: Vec<TracedDocument>,
+    tracers: Vec<TracerDocument>,
     assembly: Option<usize>,
 }
 
@@ -53,7 +56,7 @@ impl Redrawn {
 /// The fields of a linkage that carries one more traced point.
 #[derive(Serialize)]
 struct Traced {
-    tracers: Vec<TracedDocument>,
+    tracers: Vec<TracerDocument>,
 }
 
 impl Shown for Linkage {
@@ -89,7 +92,10 @@ impl Edited for Linkage {
             return driven.map(Change::input);
         }
         let pose = moving.pose(input)?;
-        let draft = mechanism.redrawn(&pose, index, to);
+        let draft = moving
+            .document()
+            .draft()
+            .redrawn(mechanism, &pose, index, to);
         Ok(Change::document(&Redrawn::of(LinkageDocument::new(&draft))))
     }
 
@@ -103,9 +109,9 @@ impl Edited for Linkage {
         let mut names = (1..).map(|k| format!("P{k}"));
         let name = names.find(|name| !taken(name)).unwrap_or_default();
         let [x, y] = mechanism.on_link(&pose, link, at).into();
-        tracers.push(TracedDocument {
+        tracers.push(TracerDocument {
             name,
-            link: mechanism.link_name(link).to_owned(),
+            link: mechanism.links().nth(link).unwrap_or_default().to_owned(),
             at: [x, y],
         });
         Ok(Change::document(&Traced { tracers }))

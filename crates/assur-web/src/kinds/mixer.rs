@@ -1,11 +1,11 @@
 //! The mixer on the page: a linkage that its parameters describe.
 
-use assur::gears::GearPair;
 use assur::catalog::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
+use assur::gears::GearPair;
 use assur::mechanism::{Mechanism, Unsolved};
 use assur::{Assembly, Point, Pose};
 use assur_draw::{Annotations, List};
-use assur_file::{LinkageProblem, MixerDocument, Problem, State, TracerDocument};
+use assur_file::{LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
@@ -48,7 +48,7 @@ struct Lengths {
 /// The traced points, where one of them was put somewhere.
 #[derive(Serialize)]
 struct Tracers {
-    tracers: Vec<TracerDocument>,
+    tracers: Vec<MixerTracerDocument>,
 }
 
 impl Tracers {
@@ -65,11 +65,11 @@ impl Mixer {
         let linkage = parameters.linkage.clone();
         let assembly = parameters.assembly;
         // Of a four-bar more can be said than that two links do not meet.
-        let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| {
-            match linkage.pose::<3>(assembly, unsolved.input) {
-                Err(closed) => closed.into(),
-                Ok(_) => LinkageProblem::unsolved(unsolved, mechanism).into(),
-            }
+        let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
+            .pose::<3>(assembly, unsolved.input)
+        {
+            Err(closed) => closed.into(),
+            Ok(_) => LinkageProblem::unsolved(unsolved, mechanism).into(),
         };
         let annotations = Annotations::from(&parameters);
         let moving = Moving::new(&state.view, moved, annotations, Box::new(explain))?;
@@ -77,7 +77,9 @@ impl Mixer {
     }
 
     fn pose(&self, input: f64) -> Result<Pose<1>, Problem> {
-        let Parameters { linkage, assembly, .. } = &self.parameters;
+        let Parameters {
+            linkage, assembly, ..
+        } = &self.parameters;
         Ok(linkage.pose(*assembly, input)?)
     }
 }
@@ -148,7 +150,7 @@ impl Edited for Mixer {
         let pose = self.moving.pose(input)?;
         let link = self.moving.figure().link_at(&pose, at);
         let carrier = link.and_then(|link| {
-            assur_file::carrier(self.moving.mechanism().link_name(link))
+            MixerTracerDocument::carrier(self.moving.mechanism().links().nth(link)?)
         });
         let carrier = carrier.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = self.parameters.tracers().to_vec();

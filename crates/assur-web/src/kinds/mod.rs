@@ -4,6 +4,8 @@
 mod linkage;
 mod mixer;
 
+pub(crate) use linkage::Redrawn;
+
 use assur_file::{Document, Problem, State};
 
 use crate::shown::Shown;

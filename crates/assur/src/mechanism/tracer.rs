@@ -43,14 +43,20 @@ impl DraftTracer {
         pose: &Pose<1>,
         place: Point,
     ) -> Vector {
-        let Some(link) = mechanism.links().position(|link| link == self.link) else {
-            return place.coords;
-        };
-        let [first, ..] = mechanism.points_of(link) else {
-            return self.at;
-        };
-        let origin = mechanism.place(pose, *first).place();
-        let (sin, cos) = mechanism.angle(pose, link).value().sin_cos();
+        let link = mechanism.links().position(|link| link == self.link);
+        link.map_or(place.coords, |link| mechanism.on_link(pose, link, place))
+    }
+}
+
+impl Mechanism {
+    /// Where a place is in the coordinates of a link, those of [`DraftTracer::at`].
+    pub fn on_link(&self, pose: &Pose<1>, link: usize, place: Point) -> Vector {
+        // A link without points is no link: `Mechanism::new` refuses it.
+        let origin = self
+            .points_of(link)
+            .first()
+            .map_or(Point::origin(), |first| self.place(pose, *first).place());
+        let (sin, cos) = self.angle(pose, link).value().sin_cos();
         product(place - origin, Vector::new(cos, -sin))
     }
 }

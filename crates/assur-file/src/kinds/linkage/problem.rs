@@ -5,7 +5,7 @@ use assur::mechanism::{Defect, Mechanism, Obstacle, Unsolved};
 use assur::synthesis::dwell::{Freedom, Movable, Refused};
 use serde::Serialize;
 
-use crate::Field;
+use crate::{Field, Problem};
 
 /// A problem of a linkage; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -147,6 +147,14 @@ impl LinkageProblem {
             Refused::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
             Refused::Blocked => Self::Blocked,
         }]
+    }
+}
+
+impl LinkageProblem {
+    /// What is wrong with a draft.
+    pub(crate) fn all(defects: Vec<Defect>) -> Vec<Problem> {
+        let problems = defects.into_iter().map(Self::from);
+        problems.map(Problem::from).collect()
     }
 }
 
