@@ -63,7 +63,7 @@ async fn its_dwell_is_measured_and_regulated() {
     // Nothing dwells in no band: the last good one stays, and a sentence says why.
     page.write("field-band", "-1").await;
     page.until("a sentence", async || {
-        page.text("problem").await.contains("band")
+        page.text("problem").await.contains("tolerance")
     })
     .await;
     assert!(dwell(&page).await.starts_with("65.63"));

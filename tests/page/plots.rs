@@ -170,7 +170,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
         page.write(field, bad).await;
         let problem = page.text("problem").await;
         assert!(
-            problem.contains(says) && problem.contains("crank"),
+            problem.contains(says) && problem.contains("driver"),
             "{problem}"
         );
         let invalid = page.attribute(field, "aria-invalid").await;
@@ -195,7 +195,7 @@ async fn true_time_is_true() {
     page.choose("speed", "true_time").await;
     page.write("omega", "0.5").await;
     page.write("epsilon", "3").await;
-    assert!(page.text("input-note").await.contains("ω₁ alone"));
+    assert!(page.text("input-note").await.contains("uniformly with ω₁; ε₁ is not used"));
     let turned = |view: &str| {
         format!(
             "const done = arguments[0];
