@@ -123,7 +123,9 @@ async fn a_search_in_the_one_file() {
     lengthened(&page).await;
     page.click("design-start").await;
     page.until("a better mechanism", async || {
-        page.text("design-progress").await.contains("Mechanisms tried")
+        page.text("design-progress")
+            .await
+            .contains("Mechanisms tried")
             && page.written(&format!("field-length-{FK}")).await != "4.062"
     })
     .await;

@@ -195,7 +195,11 @@ async fn true_time_is_true() {
     page.choose("speed", "true_time").await;
     page.write("omega", "0.5").await;
     page.write("epsilon", "3").await;
-    assert!(page.text("input-note").await.contains("uniformly with ω₁; ε₁ is not used"));
+    assert!(
+        page.text("input-note")
+            .await
+            .contains("uniformly with ω₁; ε₁ is not used")
+    );
     let turned = |view: &str| {
         format!(
             "const done = arguments[0];
