@@ -187,7 +187,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
     page.close().await;
 }
 
-/// In true time the crank turns by ω₁ in a second, whatever the speed was.
+/// In real time the crank turns by ω₁ in a second, whatever the speed was.
 #[tokio::test]
 async fn true_time_is_true() {
     let page = Page::open().await;
