@@ -145,7 +145,7 @@ async fn a_search_is_stopped_and_wishes_are_refused() {
     page.ask(
         "const told = document.getElementById('design-progress');
         const watch = new MutationObserver(() => {
-            if (!told.textContent.includes('judged')) return;
+            if (!told.textContent.includes('Mechanisms tried')) return;
             watch.disconnect();
             document.getElementById('design-stop').click();
         });
