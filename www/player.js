@@ -25,7 +25,7 @@ export function played(state, dt, engine, model) {
   if (!view.playing) return state;
   // Where nothing can be assembled there is no motion to go on with: it starts at home.
   const from = model.placed ? radians(view.phi_deg) : model.summary.home;
-  // In true time the crank turns with ω₁ alone: ε₁ is what it has at the instant, it does not hasten.
+  // In real time the driver turns with ω₁ alone: ε₁ is what it has at the instant, it does not hasten.
   const speed = view.true_time ? view.omega : view.speed * CRANK_SPEED;
   const moved = attempt(() => engine.advance(from, view.direction * speed * dt));
   if (!moved.value) return withView(state, { playing: false });

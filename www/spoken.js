@@ -17,7 +17,7 @@ import { wheelLink } from "assur/state.js";
 /** So long nothing changes before it is told, in milliseconds: nobody listens to every value of a drag. */
 const PAUSE = 500;
 
-/** So near a special position the crank is said to be there, in radians. */
+/** So near a special position the driver is said to be there, in radians. */
 const NEAR = radians(0.5);
 
 export class Spoken {
@@ -120,11 +120,11 @@ function linkage({ summary, readouts, phiDeg, words }, key) {
     return name.endsWith(".angle") ? angleText(readouts[name], words) : words.numbers.fixed(readouts[name], 3);
   };
   const values = plotted.map((name) => `${quantityName(name, words)} ${value(name)}`).join(", ");
-  return words.text(key, { formula, crank: angleText(radians(phiDeg), words), values });
+  return words.text(key, { formula, input: angleText(radians(phiDeg), words), values });
 }
 
 /**
- * The special positions that the crank is at.
+ * The special positions that the driver is at.
  * @param {Summary} summary
  * @param {number} crank
  * @param {Words} words

@@ -58,12 +58,14 @@ export class Words {
 
   /**
    * A text that says how many: its forms stand under `key.one`, `key.few`, `key.many`, `key.other`, as the language has them.
+   * A browser without the language's plural rules goes by those of another, whose forms the table may lack: every table has `other`.
    * @param {string} key
    * @param {number} count stands in the place {count}
    * @param {Readonly<Record<string, string>>} [places]
    */
   counted(key, count, places = {}) {
-    return this.text(`${key}.${this.numbers.form(count)}`, { count: this.numbers.exact(count), ...places });
+    const form = `${key}.${this.numbers.form(count)}`;
+    return this.text(this.has(form) ? form : `${key}.other`, { count: this.numbers.exact(count), ...places });
   }
 
   /** @param {string} key */

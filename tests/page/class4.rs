@@ -63,7 +63,7 @@ async fn its_dwell_is_measured_and_regulated() {
     // Nothing dwells in no band: the last good one stays, and a sentence says why.
     page.write("field-band", "-1").await;
     page.until("a sentence", async || {
-        page.text("problem").await.contains("band")
+        page.text("problem").await.contains("tolerance")
     })
     .await;
     assert!(dwell(&page).await.starts_with("65.63"));
@@ -114,6 +114,21 @@ async fn its_lesson_is_answered() {
     }
     // The driver of step 3 made it a mechanism of Class II, and step 4 brought it back.
     assert!(page.text("out-formula").await.contains("IV₃"));
+    // A number in a formula has the decimal sign of the reader's language.
+    page.click("lesson-back").await;
+    page.click("lesson-back").await;
+    for (lang, expected) in [
+        ("en", "FK = 4.112"),
+        ("ru", "FK = 4,112"),
+        ("kk", "FK = 4,112"),
+    ] {
+        page.speak(lang).await;
+        page.until(&format!("the formula in {lang}"), async || {
+            let formula = page.driver.find(By::Css("#lesson .formula")).await.unwrap();
+            formula.text().await.unwrap() == expected
+        })
+        .await;
+    }
     page.close().await;
 }
 

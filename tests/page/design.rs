@@ -95,7 +95,7 @@ async fn a_dwell_is_searched_for_while_the_page_moves() {
     assert!(drawn.len() > 12, "{} frames", drawn.len());
     let residual = page.value("design-progress").await;
     assert!(residual <= 0.5 * before, "{before} {told}");
-    assert!(told.contains("Over the whole turn it keeps to its branch."));
+    assert!(told.contains("It stays on its branch over the whole turn."));
     page.stop_at("75").await;
     // Drawing and read-outs are those of the length that was found.
     let found = exactly(&page, &format!("field-length-{FK}")).await;
@@ -123,7 +123,9 @@ async fn a_search_in_the_one_file() {
     lengthened(&page).await;
     page.click("design-start").await;
     page.until("a better mechanism", async || {
-        page.text("design-progress").await.contains("judged")
+        page.text("design-progress")
+            .await
+            .contains("Mechanisms tried")
             && page.written(&format!("field-length-{FK}")).await != "4.062"
     })
     .await;
@@ -143,7 +145,7 @@ async fn a_search_is_stopped_and_wishes_are_refused() {
     page.ask(
         "const told = document.getElementById('design-progress');
         const watch = new MutationObserver(() => {
-            if (!told.textContent.includes('judged')) return;
+            if (!told.textContent.includes('Mechanisms tried')) return;
             watch.disconnect();
             document.getElementById('design-stop').click();
         });
@@ -178,7 +180,7 @@ async fn a_search_is_stopped_and_wishes_are_refused() {
     let told = page.text("design-progress").await;
     assert_eq!(
         told,
-        "Wanted dwell: it must be greater than zero, an arc at most a full turn."
+        "Wanted dwell: it must be greater than zero, and an arc no more than a full turn."
     );
     page.write("field-design-arc", "184").await;
     for index in [1, FK, 6] {

@@ -140,11 +140,11 @@ async fn unfold_of(page: &Page, name: &str) {
 #[tokio::test]
 async fn misprints_are_a_click_away() {
     for (url, lang, title) in [
-        (setting("ASSUR_URL"), "en-US", "Misprints of the paper"),
+        (setting("ASSUR_URL"), "en-US", "Misprints in the paper"),
         (
             format!("file://{}", setting("ASSUR_BUNDLE")),
             "kk-KZ",
-            "Мақаладағы қателер",
+            "Мақаладағы баспа қателері",
         ),
     ] {
         let page = Page::open_at(&url, lang).await;

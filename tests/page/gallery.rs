@@ -386,7 +386,7 @@ async fn what_is_no_mechanism_names_links_and_points() {
         ),
         (
             broken(|one| one.links[1].length = Some(0.0)),
-            "links[1].length: 0 will not do, a length must be greater than zero.",
+            "links[1].length: 0 is not allowed; a length must be greater than zero.",
         ),
         (
             guides(),

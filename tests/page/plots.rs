@@ -170,7 +170,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
         page.write(field, bad).await;
         let problem = page.text("problem").await;
         assert!(
-            problem.contains(says) && problem.contains("crank"),
+            problem.contains(says) && problem.contains("driver"),
             "{problem}"
         );
         let invalid = page.attribute(field, "aria-invalid").await;
@@ -187,7 +187,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
     page.close().await;
 }
 
-/// In true time the crank turns by ω₁ in a second, whatever the speed was.
+/// In real time the crank turns by ω₁ in a second, whatever the speed was.
 #[tokio::test]
 async fn true_time_is_true() {
     let page = Page::open().await;
@@ -195,7 +195,11 @@ async fn true_time_is_true() {
     page.choose("speed", "true_time").await;
     page.write("omega", "0.5").await;
     page.write("epsilon", "3").await;
-    assert!(page.text("input-note").await.contains("ω₁ alone"));
+    assert!(
+        page.text("input-note")
+            .await
+            .contains("uniformly with ω₁; ε₁ is not used")
+    );
     let turned = |view: &str| {
         format!(
             "const done = arguments[0];

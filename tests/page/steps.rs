@@ -405,3 +405,21 @@ async fn in_every_language() {
     }
     page.close().await;
 }
+
+/// A browser without the plural rules of Kazakh goes by those of another language: where
+/// the table lacks the form they ask for, it says the general one.
+#[tokio::test]
+async fn a_form_the_table_lacks() {
+    let page = Page::open().await;
+    let script = "const done = arguments[0];
+        import('assur/words.js').then(({ Words }) => {
+            const said = (lang, forms) => new Words(lang, new Map(forms)).counted('teeth', 22);
+            const both = [['teeth.one', '{count} тіс (бір)'], ['teeth.other', '{count} тіс']];
+            const few = [['teeth.few', '{count} зуба'], ['teeth.other', '{count} зубьев']];
+            done([said('ru', both), said('ru', few)]);
+        });";
+    let said = page.driver.execute_async(script, Vec::new()).await.unwrap();
+    let said: Vec<String> = said.convert().unwrap();
+    assert_eq!(said, ["22 тіс", "22 зуба"]);
+    page.close().await;
+}

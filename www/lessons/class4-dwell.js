@@ -42,7 +42,7 @@ export const STEPS = Object.freeze([
   },
   {
     id: "regulator",
-    formula: "FK = 4.112",
+    formula: (numbers) => `FK = ${numbers.exact(REGULATED)}`,
     shows: [{ preset: PRESET, change: regulated, play: true }],
     question: { unit: "°", within: 0.5, answer: dwell },
   },

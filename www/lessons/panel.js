@@ -8,6 +8,7 @@ import { withSubscripts } from "assur/subscripts.js";
 /**
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/words.js").Words} Words
  *
@@ -26,8 +27,8 @@ import { withSubscripts } from "assur/subscripts.js";
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
  *
- * @typedef {Readonly<{ id: string, formula: string, shows: readonly Show[], question: Question, errata?: string }>} Step
- * `errata`: the lesson whose paper's misprints concern the step.
+ * @typedef {Readonly<{ id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show[], question: Question, errata?: string }>} Step
+ * `formula`: one with a number in it is written with the reader's decimal sign; `errata`: the lesson whose paper's misprints concern the step.
  *
  * @typedef {Readonly<{
  *   store: import("assur/store.js").Store<State>,
@@ -150,7 +151,7 @@ export class Panel {
 
     write(this.#title, words.text(`${id}.title`));
     const paragraphs = words.text(`${id}.text`).split("\n").map((text) => make("p", {}, withSubscripts(text)));
-    this.#text.replaceChildren(...paragraphs, make("p", { class: "formula" }, withSubscripts(formula)));
+    this.#text.replaceChildren(...paragraphs, make("p", { class: "formula" }, withSubscripts(typeof formula === "string" ? formula : formula(words.numbers))));
     this.#shows.replaceChildren(...shows.map((show) => {
       const text = words.text(show.name ? `${id}.show.${show.name}` : "show");
       const button = make("button", { id: `lesson-show${show.name ? `-${show.name}` : ""}`, class: "segment", type: "button" }, [text]);

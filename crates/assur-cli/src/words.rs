@@ -102,7 +102,7 @@ mod tests {
         };
         assert_eq!(
             sentence(&form),
-            "These settings cannot be read: the whole has not the form it should have. (no {code} here)"
+            "These settings cannot be read: the whole record has the wrong format. (no {code} here)"
         );
     }
 

@@ -479,7 +479,7 @@ fn bad_linkages_are_refused() {
         (
             "undriven",
             changed("/drivers", json!([])),
-            "Nothing is driven",
+            "No driver is given",
         ),
         (
             "coincident",
@@ -493,7 +493,7 @@ fn bad_linkages_are_refused() {
                 linkage["links"][2]["length"] = json!(0);
                 linkage
             },
-            "links[2].length: 0 will not do",
+            "links[2].length: 0 is not allowed",
         ),
         ("parallel", blocks, "The guides of low, high are parallel"),
         (
@@ -574,7 +574,7 @@ fn bad_higher_groups_are_refused() {
         (
             "short",
             changed(&|linkage| linkage["links"][6]["length"] = json!(0)),
-            "links[6].length: 0 will not do",
+            "links[6].length: 0 is not allowed",
         ),
         (
             "long",

@@ -34,7 +34,7 @@ pub enum Problem {
     NotWhole { field: Field, value: f64 },
     /// A field holds none of the values it may have.
     UnknownChoice { field: Field },
-    /// In true time a crank that stands still shows nothing.
+    /// In real time a driver that stands still shows nothing.
     AtRest { field: Field },
     /// A link is at least as long as the others together.
     TooLong { field: Field, by: f64 },
