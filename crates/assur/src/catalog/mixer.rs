@@ -4,6 +4,7 @@
 
 mod draft;
 mod drag;
+mod motion;
 mod quantity;
 mod table;
 mod tracer;
@@ -11,6 +12,7 @@ mod tracer;
 use std::f64::consts::PI;
 
 pub use drag::{Dragged, Joint};
+pub use motion::Unmoved;
 pub use quantity::{Axis, Quantity, Tracked, Turning};
 pub use tracer::{Carrier, Tracer};
 

@@ -6,8 +6,12 @@
 
 mod body;
 mod check;
+mod closed;
 mod constraint;
+mod counts;
 mod draft;
+mod dyads;
+mod multiple;
 mod natural;
 mod plan;
 mod quantity;
@@ -16,6 +20,7 @@ mod tracer;
 use std::f64::consts::TAU;
 use std::fmt;
 
+pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, Demand, LinkOrFrame, Sides};
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 
@@ -24,6 +29,9 @@ use crate::position::{Anchor, Followed, Near, Stand, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
 use body::{Bodies, Seat};
+pub use counts::Counts;
+pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
+pub use multiple::Multiple;
 use plan::Step;
 pub use quantity::Quantity;
 pub use tracer::DraftTracer;
@@ -40,6 +48,7 @@ pub struct Mechanism {
     /// Of each body its points, with their places on it.
     bodies: Vec<Vec<(usize, Vector)>>,
     constraints: Vec<Constraint>,
+    counts: Counts,
     size: f64,
     /// The drawn pose: input, signs of the steps, how the bodies stand.
     home: f64,
@@ -160,6 +169,7 @@ impl Mechanism {
                 .map(|body| bodies.of(body).to_vec())
                 .collect(),
             constraints: Vec::new(),
+            counts: counts::counts(draft, &bodies),
         };
         mechanism.settle(draft)?;
         mechanism.constraints = constraint::all(draft, &bodies, &seats, &mechanism.stands);
@@ -225,7 +235,8 @@ impl Mechanism {
             found.push(self.signs.clone());
         }
         let mut state = self.blank_state();
-        found.retain(|signs| self.entry(signs, &mut state).is_some());
+        let whole = self.whole_closed_form();
+        found.retain(|signs| whole || self.entry(signs, &mut state).is_some());
         if !found.contains(&self.signs) {
             let last = self.steps.len() - 1;
             return Err(vec![self.open(last, None)]);
@@ -431,6 +442,12 @@ impl Mechanism {
         let mut state = self.blank_state();
         let input = self.entry(signs, &mut state).unwrap_or(self.home);
         (input, signs, state)
+    }
+
+    /// Signs of an assembly and how the bodies are drawn.
+    pub(crate) fn drawn_in(&self, assembly: usize) -> (&[f64], &[Stand]) {
+        let signs = self.assemblies.get(assembly).unwrap_or(&self.signs);
+        (signs, &self.stands)
     }
 
     /// The input at, or beside, the drawn one where the pose has derivatives.

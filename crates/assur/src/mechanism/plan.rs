@@ -419,7 +419,7 @@ fn rpp(inner: &Slide, [i, j]: [usize; 2], outer: Anchor, hinge: Vector, slide: &
 }
 
 /// The closed form of a four-bar where the dyad joins the driven crank and the
-/// frame, and the motion comes near a change point.
+/// frame: exact next to change points, and it tells arcs and dead points as well.
 fn closed(bodies: &Bodies, arms: &[Arm; 2], crank: Option<usize>) -> Option<Step> {
     let crank = crank?;
     let [coupler, rocker] = match (arms[0].outer.body, arms[1].outer.body) {
@@ -432,9 +432,6 @@ fn closed(bodies: &Bodies, arms: &[Arm; 2], crank: Option<usize>) -> Option<Step
     let base = rocker.outer.local - a;
     let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
     let linkage = FourBar::new(lengths).ok()?;
-    if !linkage.nears_change_point() {
-        return None;
-    }
     let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
     let arms = [coupler, rocker];
     let leads = arms.each_ref().map(|arm| {

@@ -34,7 +34,8 @@ impl Dwell {
     }
 }
 
-/// A quantity over a motion as a chain of monotone pieces.
+/// A quantity over a motion as a chain of monotone pieces; of a motion over several
+/// arcs, over that of the drawn pose.
 #[derive(Clone, Debug)]
 pub struct Course<'a> {
     pub(super) motion: &'a Motion,
@@ -45,7 +46,9 @@ pub struct Course<'a> {
     /// How many of them there are until the motion repeats.
     once: usize,
     /// What the value grows by in a full cycle.
-    gain: f64,
+    pub(super) gain: f64,
+    /// Inputs and values of all extrema, on every arc of the motion.
+    pub(super) extrema: Vec<[f64; 2]>,
     /// It has no extremum at all: it only grows, or falls.
     pub(super) monotone: bool,
 }
@@ -72,10 +75,13 @@ impl<'a> Course<'a> {
             stations: Vec::new(),
             once: 0,
             gain: 0.0,
+            extrema: extrema.iter().map(|e| [e.crank, e.value]).collect(),
             monotone: extrema.is_empty(),
         };
         let inputs = extrema.iter().map(|extremum| extremum.crank);
-        let arcs = motion.cycle().arcs();
+        // Of several arcs the one of the drawn pose.
+        let mut arcs = motion.cycle().arcs().iter();
+        let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
             course.gain = course.gained(period);
             let mut inputs: Vec<f64> = inputs.collect();
@@ -89,15 +95,15 @@ impl<'a> Course<'a> {
                 .flat_map(|turn| inputs.iter().map(move |input| input + turn));
             course.stations = course.valued(all.take(2 * inputs.len() + 1));
         } else {
-            let ends = arcs.first().zip(arcs.last());
-            let [from, to] = ends.map_or([0.0, 0.0], |(first, last)| [first[0], last[1]]);
+            let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
+            let inputs = inputs.filter(|input| (from..=to).contains(input));
             course.stations = course.valued([from].into_iter().chain(inputs).chain([to]));
             course.once = course.stations.len();
         }
         course
     }
 
-    fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
+    pub(super) fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
         inputs
             .filter_map(|input| Some([input, self.value(input)?]))
             .collect()

@@ -35,6 +35,24 @@ impl Knots {
         });
     }
 
+    /// The one knot that a motion in closed form needs.
+    pub(super) fn alone(input: f64, signs: &[f64], stands: &[Stand]) -> Self {
+        Self {
+            list: vec![Knot {
+                input,
+                signs: signs.to_vec(),
+                stands: stands.to_vec(),
+                natural: Vec::new(),
+            }],
+        }
+    }
+
+    /// With the knots of another motion over other inputs.
+    pub(super) fn join(&mut self, mut other: Self) {
+        self.list.append(&mut other.list);
+        self.list.sort_by(|a, b| a.input.total_cmp(&b.input));
+    }
+
     pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
         self.list.iter().map(|knot| knot.input)
     }

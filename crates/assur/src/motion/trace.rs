@@ -58,18 +58,23 @@ pub struct DeadPoint {
 /// once, by going through the motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    mechanism: Mechanism,
-    cycle: Cycle,
-    knots: Knots,
-    dead_points: Vec<DeadPoint>,
-    change_points: Vec<f64>,
-    home: f64,
+    pub(super) mechanism: Mechanism,
+    pub(super) cycle: Cycle,
+    pub(super) knots: Knots,
+    pub(super) dead_points: Vec<DeadPoint>,
+    pub(super) change_points: Vec<f64>,
+    pub(super) home: f64,
 }
 
 impl Motion {
     /// The motion of a mechanism from its assembly of this number (0 … count − 1;
     /// others: the drawn one).
     pub fn new(mechanism: &Mechanism, assembly: usize) -> Self {
+        let known = Self::in_closed_form(mechanism, assembly);
+        known.unwrap_or_else(|| Self::followed(mechanism, assembly))
+    }
+
+    fn followed(mechanism: &Mechanism, assembly: usize) -> Self {
         let mut walk = Walk::new(mechanism, assembly);
         let mut knots = Knots::default();
         let mut turned = 0.0;
@@ -104,15 +109,37 @@ impl Motion {
                 (Cycle::swinging(arc, period), ends.to_vec())
             }
         };
+        let home = cycle.wrap(mechanism.home() - turned);
+        let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
+        let passed = walk.change_points.into_iter();
+        let passed: Vec<f64> = passed.map(|at| motion.cycle.wrap(at - turned)).collect();
+        motion.change_points.extend(passed);
+        motion.change_points.sort_by(f64::total_cmp);
+        motion
+    }
+
+    /// A motion that has been found out, with the change points of its closed forms.
+    pub(super) fn of(
+        mechanism: &Mechanism,
+        cycle: Cycle,
+        knots: Knots,
+        dead_points: Vec<DeadPoint>,
+        home: f64,
+    ) -> Self {
+        let arcs = cycle.arcs().iter();
+        let change_points = arcs.flat_map(|arc| {
+            let closed = mechanism.closed_steps();
+            closed.flat_map(|closed| closed.change_points(*arc))
+        });
         let mut motion = Self {
             mechanism: mechanism.clone(),
-            home: cycle.wrap(mechanism.home() - turned),
+            change_points: change_points.collect(),
             cycle,
             knots,
             dead_points,
-            change_points: walk.change_points,
+            home,
         };
-        if motion.pose::<1>(motion.home).is_err() {
+        if motion.pose::<1>(home).is_err() {
             motion.home = motion.cycle.home();
         }
         motion

@@ -5,6 +5,7 @@ use crate::mechanism::Mechanism;
 use crate::position::{Followed, Near, Obstacle, ROUNDING, Stand, State};
 use crate::{Jet, Vector};
 
+use super::closed::dead_point;
 use super::knots::Knots;
 use super::trace::{DeadPoint, DeadPointKind};
 
@@ -96,12 +97,15 @@ impl<'a> Walk<'a> {
         knots.push(self.input, &self.signs, &self.here);
         let home = self.input;
         let cell = self.mechanism.span() / GRID as f64;
+        // A four-bar in closed form repeats after its own cycle, no sooner.
+        let turns = self.mechanism.closed_steps().map(|closed| closed.turns());
+        let least = turns.max().unwrap_or(1);
         for sample in 1..=GRID * MOST_TURNS {
             let target = home + sense * cell * sample as f64;
             if let Some(dead) = self.walk_to(target, knots) {
                 return End::Dead(dead);
             }
-            if sample % GRID == 0
+            if sample % (GRID * least) == 0
                 && self.mechanism.turns()
                 && self.mechanism.stands_alike(&start, &self.here, SAME)
             {
@@ -175,6 +179,9 @@ impl<'a> Walk<'a> {
     /// What lies between here and the next input. Where links are just in line
     /// there, it may look a little beyond.
     fn look(&mut self, next: f64, beyond: bool) -> Ahead {
+        if let Some(dead) = self.arc_ends(next) {
+            return Ahead::Blocked(dead);
+        }
         let solved = self.mechanism.solve(
             next,
             &self.signs,
@@ -211,6 +218,27 @@ impl<'a> Walk<'a> {
             }
         }
         Ahead::Clear(next)
+    }
+
+    /// The dead point of a four-bar in closed form before an input.
+    fn arc_ends(&self, next: f64) -> Option<DeadPoint> {
+        let sense = (next - self.input).signum();
+        let ends = self.mechanism.closed_steps().filter_map(|closed| {
+            let arc = closed.arc(self.input)?;
+            let end = if sense > 0.0 { arc[1] } else { arc[0] };
+            ((next - end) * sense > 0.0).then(|| dead_point(&closed, arc, end))
+        });
+        ends.min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)))
+    }
+
+    /// The same for an input that is no pose: within rounding of a dead point there
+    /// are no derivatives either.
+    fn arc_ends_at(&self, step: usize, bad: f64) -> Option<DeadPoint> {
+        let mut closed = self.mechanism.closed_steps();
+        let closed = closed.find(|closed| closed.step == step)?;
+        let arc = closed.arc(self.input)?;
+        let end = arc[usize::from(bad > self.input)];
+        Some(dead_point(&closed, arc, end))
     }
 
     /// Where everything should be at another input, by the derivatives here.
@@ -305,7 +333,11 @@ impl<'a> Walk<'a> {
             return Ahead::Doubt;
         }
         let mut probe: State<1> = self.mechanism.blank_state();
-        if beyond && obstacle == Obstacle::DeadPoint {
+        if let Some(dead) = self.arc_ends_at(step, bad) {
+            return Ahead::Blocked(dead);
+        }
+        // Of a deltoid the pose is undetermined at one input, and goes on beyond it.
+        if beyond && matches!(obstacle, Obstacle::DeadPoint | Obstacle::Undetermined) {
             let past = bad + 1e-3 * (bad - self.input);
             if self
                 .mechanism

@@ -26,7 +26,21 @@ impl Mixer {
     /// Why there is no pose to draw.
     pub fn draft(&self) -> Result<Draft, Unsolved> {
         let cycle = self.linkage.cycle();
-        let crank = if cycle.is_full() { DRAWN } else { cycle.home() };
+        if cycle.is_full() {
+            return self.draft_at(DRAWN);
+        }
+        self.draft_on(cycle.arcs()[0])
+    }
+
+    /// The same, drawn in the middle of an arc, or beside it: a deltoid's pose may be
+    /// undetermined there.
+    pub(super) fn draft_on(&self, [from, to]: [f64; 2]) -> Result<Draft, Unsolved> {
+        let drawn = self.draft_at(0.5 * (from + to));
+        drawn.or_else(|_| self.draft_at(0.6 * from + 0.4 * to))
+    }
+
+    /// The same, drawn at a crank angle.
+    fn draft_at(&self, crank: f64) -> Result<Draft, Unsolved> {
         let pose = self.linkage.pose::<1>(self.assembly, crank)?;
         let joints = self.linkage.joints(&pose).map(|joint| joint.place());
         let mut draft = Draft::default().fixed(&["A", "D"]);

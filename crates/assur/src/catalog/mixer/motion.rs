@@ -1,0 +1,42 @@
+//! The motion of a mixer, as of a linkage like any other.
+
+use super::Mixer;
+use crate::Unsolved;
+use crate::mechanism::{Defect, Mechanism};
+use crate::motion::{Motion, Unjoinable};
+
+/// Why a mixer has no motion as a linkage.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unmoved {
+    /// It cannot be drawn.
+    Unsolved(Unsolved),
+    /// Its draft is no mechanism.
+    Defects(Vec<Defect>),
+    /// Its arcs are not those of one linkage.
+    Unjoinable(Unjoinable),
+}
+
+impl Mixer {
+    /// The motion over all arcs of [`FourBar::cycle`](crate::FourBar::cycle), in the
+    /// assembly of the mixer.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn motion(&self) -> Result<Motion, Unmoved> {
+        let mut motion = self.moved(&self.draft().map_err(Unmoved::Unsolved)?)?;
+        let cycle = self.linkage.cycle();
+        for arc in cycle.arcs().iter().skip(1) {
+            let draft = self.draft_on(*arc);
+            let other = self.moved(&draft.map_err(Unmoved::Unsolved)?)?;
+            motion = motion.joined(other).map_err(Unmoved::Unjoinable)?;
+        }
+        Ok(motion)
+    }
+
+    fn moved(&self, draft: &crate::mechanism::Draft) -> Result<Motion, Unmoved> {
+        let mechanism = Mechanism::new(draft).map_err(Unmoved::Defects)?;
+        let assembly = mechanism.assembly_with(self.assembly);
+        let drawn = mechanism.drawn_assembly();
+        Ok(Motion::new(&mechanism, assembly.unwrap_or(drawn)))
+    }
+}
