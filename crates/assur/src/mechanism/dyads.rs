@@ -62,7 +62,7 @@ impl Mechanism {
 
     /// The transmission angle of a dyad in a pose: between the lines of its two links,
     /// acute, radians; 0 where they are in line.
-    pub fn transmission_angle(&self, pose: &Pose<1>, dyad: &RrrDyad) -> f64 {
+    pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
         let at = |point: usize| self.place(pose, point).place();
         let inner = at(dyad.inner);
         let [u, v] = dyad.outer.map(|outer| at(outer.point) - inner);
