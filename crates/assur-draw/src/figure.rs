@@ -2,7 +2,6 @@
 //! and what is laid over it.
 
 mod bounds;
-mod dyads;
 mod layout;
 mod names;
 mod nearest;
@@ -10,7 +9,6 @@ mod overlaid;
 mod paths;
 mod plots;
 mod roles;
-mod shim;
 mod slides;
 mod wheels;
 
@@ -22,7 +20,6 @@ use crate::annotations::Annotations;
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Overlays};
 use crate::parts;
-use dyads::RrrDyad;
 use layout::Layout;
 use names::Names;
 use overlaid::Overlaid;
@@ -66,7 +63,6 @@ pub struct Figure {
     gearing: Gearing,
     names: Names,
     overlaid: Overlaid,
-    dyads: Vec<RrrDyad>,
     /// Numbers of wheels: each where it stands in a pose, and its name.
     tags: Vec<(usize, crate::annotations::Tag, usize)>,
     bounds: [f64; 4],
@@ -91,9 +87,7 @@ impl Figure {
             Some((link, tag.clone(), names.add(tag.text.clone())))
         });
         let tags = tags.collect();
-        let dyads = RrrDyad::all(draft, mechanism, &layout);
-        let mut overlaid =
-            Overlaid::new(draft, mechanism, &layout, &home, view, &dyads, &mut names);
+        let mut overlaid = Overlaid::new(draft, mechanism, &layout, &home, view, &mut names);
 
         let runs = paths::sampled(motion);
         let guides = slides::guides(draft, &layout, mechanism, &home, &runs);
@@ -139,7 +133,6 @@ impl Figure {
             gearing,
             names,
             overlaid,
-            dyads,
             tags,
             rigid: List::default(),
         };

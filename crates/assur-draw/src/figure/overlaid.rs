@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Draft, DraftDriver, Mechanism, Pose};
+use assur::mechanism::{Draft, DraftDriver, Mechanism, Pose, RrrDyad};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
 use super::View;
-use super::dyads::RrrDyad;
 use super::layout::{self, Layout, LinkOrFrame};
 use super::names::Names;
 use crate::list::{List, Look, Role};
@@ -49,10 +48,10 @@ impl Overlaid {
         layout: &Layout,
         home: &Pose<1>,
         view: &View,
-        dyads: &[RrrDyad],
         names: &mut Names,
     ) -> Self {
         let shown = view.overlays;
+        let dyads = mechanism.rrr_dyads();
         let mut overlaid = Self {
             input: InputArc::new(draft, mechanism, layout, home, view, names),
             loop_vectors: Vec::new(),
@@ -66,14 +65,14 @@ impl Overlaid {
                 let name = names.add(symbol);
                 ([from, to], name)
             };
-            let vectors = loop_vectors(draft, mechanism, layout, dyads);
+            let vectors = loop_vectors(draft, mechanism, layout, &dyads);
             overlaid.loop_vectors = vectors.into_iter().map(named).collect();
         }
         if shown.transmission {
             let named = |dyad: &RrrDyad| {
-                let [_, inner, _] = dyad.hinges;
-                let label = format!("μ={}.transmission", names.of(inner));
-                (dyad.hinges, names.add(label))
+                let [from, to] = dyad.outer.map(|outer| outer.point);
+                let label = format!("μ={}.transmission", names.of(dyad.inner));
+                ([from, dyad.inner, to], names.add(label))
             };
             overlaid.transmission = dyads.iter().map(named).collect();
         }
@@ -211,10 +210,11 @@ fn loop_vectors(
     let supports = (0..draft.points.len()).filter(|point| layout.is_support(*point));
     let mut chains: Vec<Vec<usize>> = (0..draft.links.len()).map(joints).collect();
     chains.push(supports.collect());
-    chains.extend(dyads.iter().map(|dyad| {
-        let [from, _, to] = dyad.hinges;
-        vec![from, to]
-    }));
+    chains.extend(
+        dyads
+            .iter()
+            .map(|dyad| dyad.outer.map(|outer| outer.point).to_vec()),
+    );
     let mut found: Vec<[usize; 2]> = Vec::new();
     for ends in chains.iter().flat_map(|chain| chain.windows(2)) {
         let [from, to] = [ends[0], ends[1]];

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use assur::Jet;
-use assur::mechanism::{Pose, Quantity};
-use assur::motion::{DeadPointKind, Features, Input, features};
+use assur::mechanism::{Pose, Quantity, RrrDyad};
+use assur::motion::{DeadPoint, DeadPointKind, Features, Input, features};
 
 use super::{Figure, paths};
 use crate::chart::{Chart, Kind, Sample, Series, Settings};
@@ -16,10 +16,13 @@ const CLEAR: f64 = 15.0 * PI / 180.0;
 /// Where it is no dyad of hinges, ranges keep this share of an arc off its end.
 const CLEAR_SHARE: f64 = 0.04;
 
+/// An angle with less of an offset to a multiple of another, radians, is that.
+const NO_OFFSET: f64 = 1e-12;
+
 /// What tells that derivatives are far from growing without bound at a dead point.
 enum Clear {
-    /// The transmission angle at these hinges.
-    Hinges([usize; 3]),
+    /// Its transmission angle.
+    Dyad(RrrDyad),
     /// The way from this input.
     Way { input: f64, least: f64 },
 }
@@ -59,9 +62,7 @@ impl Figure {
     /// the same one.
     fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let multiples = quantities
-            .iter()
-            .map(|one| super::shim::multiple(mechanism, *one));
+        let multiples = quantities.iter().map(|one| self.multiple(*one));
         let multiples: Vec<(Quantity, f64)> = multiples.collect();
         let mut bases: Vec<Quantity> = Vec::new();
         for (base, _) in &multiples {
@@ -85,34 +86,47 @@ impl Figure {
         multiples.into_iter().filter_map(scaled).collect()
     }
 
+    /// The quantity that another is a multiple of, and how many times. With an offset
+    /// to it an angle has zeros of its own.
+    fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
+        let Quantity::Angle(link) = quantity else {
+            return (quantity, 1.0);
+        };
+        let multiple = self.motion.mechanism().multiple_of(link);
+        if multiple.offset.abs() < NO_OFFSET {
+            (Quantity::Angle(multiple.of), multiple.factor)
+        } else {
+            (quantity, 1.0)
+        }
+    }
+
     /// The dead points.
     fn ends(&self) -> Vec<Clear> {
-        let motion = &self.motion;
+        let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = motion.dead_points().iter();
         let ends = ends.filter(|end| end.kind != DeadPointKind::Range);
-        let clear = |end: &assur::motion::DeadPoint| {
-            let links: Vec<&str> = motion.links_at(end).collect();
-            let dyad = self.dyads.iter().find(|dyad| dyad.is(&links));
+        let dyads = mechanism.rrr_dyads();
+        let clear = |end: &DeadPoint| {
             let [from, to] = self.arc(end.input);
-            dyad.map_or(
-                Clear::Way {
-                    input: end.input,
-                    least: CLEAR_SHARE * (to - from),
-                },
-                |dyad| Clear::Hinges(dyad.hinges),
-            )
+            let links: Vec<&str> = motion.links_at(end).collect();
+            let named = |link: usize| mechanism.links().nth(link);
+            let in_line = |dyad: &&RrrDyad| {
+                let mut own = dyad.links.iter().filter_map(|link| named(*link));
+                own.all(|link| links.contains(&link))
+            };
+            let way = Clear::Way {
+                input: end.input,
+                least: CLEAR_SHARE * (to - from),
+            };
+            let dyad = dyads.iter().find(in_line);
+            dyad.map_or(way, |dyad| Clear::Dyad(*dyad))
         };
         ends.map(clear).collect()
     }
 
     fn is_clear(&self, end: &Clear, input: f64, pose: &Pose<3>) -> bool {
         match end {
-            Clear::Hinges(hinges) => {
-                let place = |point: usize| self.motion.mechanism().place(pose, point).place();
-                let [one, inner, other] = hinges.map(place);
-                let [one, other] = [one - inner, other - inner];
-                one.perp(&other).abs().atan2(one.dot(&other).abs()) > CLEAR
-            }
+            Clear::Dyad(dyad) => self.motion.mechanism().transmission_angle(pose, dyad) > CLEAR,
             Clear::Way { input: end, least } => (input - end).abs() > *least,
         }
     }
