@@ -1,46 +1,44 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+import { Refusal } from "assur/core/problem.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
 /**
- * @typedef {import("assur/state.js").State} State
- * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
- * @typedef {import("assur/state.js").MixerDocument} MixerDocument
- * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/state/state.js").Kind} Kind
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
  * @typedef {{ min: number, max: number, stroke: number }} Swing
- * @typedef {{ ratio: number, swing: (Swing | null)[], turns: number[] }} WheelSummary
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
+ * @typedef {{ name: string, swing: (Swing | null)[], turns: number[], limits: { input: number, value: number }[], time_ratio: number | null }} Output
+ * What a plotted quantity does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
  * @typedef {{
+ *   moves: "angle" | "length", cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, lower: number, higher: number, mobility: number },
- *   grashof: string,
- *   cycle: Cycle,
- *   home: number,
- *   swing: (Swing | null)[],
- *   wheels: WheelSummary[],
- *   overlaps: [number, number][],
- *   free_direction: number,
- *   limits: { phi: number, rocker: number }[],
- *   time_ratio: number | null,
- *   transmission: { min: number, phi: number },
- *   dead_points: number[],
- *   change_points: number[],
- *   bounds: [number, number, number, number],
- * }} Summary
- * @typedef {{
- *   cycle: Cycle, home: number, bounds: [number, number, number, number],
- *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
- *   groups: { term: string, role: string }[], equations: import("assur/linkage/equations.js").Equation[],
- *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
+ *   class: string, order: number, formula: string, assembly: number, assemblies: number,
+ *   groups: { term: string, role: string }[], equations: import("assur/kinds/linkage/equations.js").Equation[],
+ *   dead_points: { input: number, kind: string, links: string[] }[], change_points: number[],
+ *   four_bars: { links: string[], grashof: string }[],
+ *   transmissions: { joint: string, links: [string, string], min: number, input: number }[],
+ *   outputs: Output[],
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
- *   course: Course | null,
- * }} LinkageSummary
+ *   profile: Profile | null,
+ * }} MotionSummary
+ * What the engine says of a motion as a whole; inputs are radians, or of a driven slide in the unit of the lengths.
+ * @typedef {MotionSummary & { ratios: number[], overlaps: [number, number][], free_direction: number }} MixerSummary
+ * @typedef {{ mixer: MixerSummary, linkage: MotionSummary }} Summaries
+ * @typedef {Summaries[Kind]} Summary
  * @typedef {{
  *   width: number, stroke: number | null,
  *   dwell: { arc: [number, number], band: [number, number] } | null,
  *   phases: { kind: "rise" | "dwell" | "return", arc: [number, number] }[],
- * }} Course
+ * }} Profile
  * What the first plotted output does: its stroke; the longest arc on which it stays within a band, `width` (degrees, or in the
  * unit of lengths) wide, with the values it has there; its phases.
+ * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
+ * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
+ * of each series of the plots the value and both derivatives; the last two are null where derivatives are unbounded.
  * @typedef {{
  *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
  *   left: number, top: number, width: number, height: number,
@@ -50,32 +48,11 @@ import init, * as module from "assur/pkg/assur_web.js";
  * }} Panel
  * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number, whole: boolean }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
- * @typedef {{ columns: string[], rows: { phi_deg: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
+ * @typedef {{ columns: string[], rows: { input: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
  */
 
-/** The engine did not do what was asked, and says why. */
-export class Refusal extends Error {
-  /** @param {readonly Problem[]} problems */
-  constructor(problems) {
-    super(problems.map((problem) => problem.code).join(", "));
-    this.problems = problems;
-  }
-}
-
-/**
- * What the engine refuses comes back as problems; anything else is a fault and goes on up.
- * @template T
- * @param {() => T} work
- * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}
- */
-export function attempt(work) {
-  try {
-    return { value: work(), problems: [] };
-  } catch (thrown) {
-    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
-    throw thrown;
-  }
-}
+/** How many lists a place of the motion has. */
+const LISTS = 4;
 
 export class Engine {
   #simulator = new module.Simulator();
@@ -88,7 +65,7 @@ export class Engine {
   roles = module.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
-  /** @type {readonly { id: string, document: Omit<MixerDocument, "tracers"> }[]} the dimensions of each; what is traced stays */
+  /** @type {readonly { id: string, document: import("assur/state/state.js").Presets["mixer"] }[]} */
   presets = module.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
   /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue */
   gallery = module.gallery();
@@ -100,11 +77,11 @@ export class Engine {
   links = [];
 
   /**
-   * @param {object} linkage
+   * @param {LinkageDocument} linkage
    * @returns {{ id: string, document: LinkageDocument } | undefined} the one of the catalogue that was changed into it
    */
   original(linkage) {
-    return this.gallery.find(({ document }) => document.title === /** @type {LinkageDocument} */ (linkage).title);
+    return this.gallery.find(({ id }) => id === linkage.origin);
   }
 
   /** @returns {Promise<Engine>} */
@@ -114,11 +91,13 @@ export class Engine {
   }
 
   /**
-   * @param {State} state
-   * @returns {Summary}
+   * @template {Kind} K
+   * @param {import("assur/state/state.js").State<K>} state
+   * @returns {Summaries[K]}
    */
   set(state) {
     const summary = this.ask((simulator) => {
+      /** @type {Summaries[K]} */
       const taken = simulator.set(state);
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
@@ -143,87 +122,83 @@ export class Engine {
   }
 
   /**
-   * @param {number} phi
-   * @returns {Float32Array} where the bodies are, and a display list of what is not rigid
+   * Everything at a place of the motion, from one pose.
+   * @param {number} input
+   * @returns {Here}
    */
-  frame(phi) {
-    return this.ask((simulator) => simulator.frame(phi));
+  at(input) {
+    const flat = this.ask((simulator) => simulator.at(input));
+    let end = LISTS;
+    const [frame, handles, readouts, plotted] = flat.subarray(0, LISTS).map(Number).reduce((lists, length) => {
+      lists.push(flat.subarray(end, (end += length)));
+      return lists;
+    }, /** @type {Float64Array[]} */ ([]));
+    const read = readouts.length > 0;
+    return { frame, handles, readouts: read ? this.#named(readouts) : null, plotted: read ? plotted : null };
   }
 
   /**
-   * @param {number} phi
-   * @returns {Float64Array} x and y of the joints A, B, C, D and of the traced points
+   * @param {number} input
+   * @returns {readonly Problem[]} why there is no pose, or none of its derivatives
    */
-  joints(phi) {
-    return this.ask((simulator) => simulator.joints(phi));
+  why(input) {
+    return this.ask((simulator) => simulator.why(input));
+  }
+
+  /**
+   * @param {number} input
+   * @returns {Float64Array} of each series of the plots the value and both derivatives
+   */
+  plotted(input) {
+    return this.ask((simulator) => simulator.plotted(input));
   }
 
   /**
    * What dragging a joint or a traced point to a place changes.
-   * @param {string} joint
-   * @param {number} phi where the crank is
+   * @param {string} point
+   * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: Partial<MixerDocument> }}
+   * @returns {{ input: number, document?: undefined } | { input?: undefined, document: import("assur/state/state.js").Change }}
    */
-  drag(joint, phi, x, y) {
-    return this.ask((simulator) => simulator.drag(joint, phi, x, y));
+  drag(point, input, x, y) {
+    return this.ask((simulator) => simulator.drag(point, input, x, y));
   }
 
   /**
    * What tracing the point at a place changes.
-   * @param {number} phi where the crank is
+   * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ document: { tracers: import("assur/state.js").Tracer[] } }}
+   * @returns {{ document: { tracers: import("assur/state/state.js").Tracer[] } }}
    */
-  trace(phi, x, y) {
-    return this.ask((simulator) => simulator.trace(phi, x, y));
+  trace(input, x, y) {
+    return this.ask((simulator) => simulator.trace(input, x, y));
   }
 
   /**
-   * @param {number} phi
-   * @returns {Readouts} values by name; ′ and ″ are derivatives of the axes
-   */
-  readouts(phi) {
-    const values = this.ask((simulator) => simulator.readouts(phi));
-    /** @type {Record<string, number>} */
-    const named = {};
-    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
-    return named;
-  }
-
-  /**
-   * @param {number} phi
-   * @returns {Float64Array} of each series of the plots the value and both derivatives
-   */
-  plotted(phi) {
-    return this.ask((simulator) => simulator.plotted(phi));
-  }
-
-  /**
-   * @param {number} phi
+   * @param {number} input
    * @param {number} delta
-   * @returns {{ phi: number, sign: number }} sign −1: it turned back at the end of the range
+   * @returns {{ input: number, sign: number }} sign −1: it turned back at the end of the range
    */
-  advance(phi, delta) {
-    const [next, sign] = this.ask((simulator) => simulator.advance(phi, delta));
-    return { phi: next, sign };
+  advance(input, delta) {
+    const [next, sign] = this.ask((simulator) => simulator.advance(input, delta));
+    return { input: next, sign };
   }
 
   /**
-   * @param {import("assur/painter.js").Context} context
+   * @param {import("assur/canvas/painter.js").Context} context
    * @param {ChartRequest} request
    * @returns {{ panels: Panel[] }}
    */
   chart(context, request) {
-    return this.ask((simulator) => simulator.chart(context, request));
+    return this.ask((simulator) => simulator.chart(/** @type {CanvasRenderingContext2D} */ (context), request));
   }
 
   /**
    * Puts a question to the simulator: a part that is loaded later puts its own.
    * @template T
-   * @param {(simulator: any) => T} question
+   * @param {(simulator: module.Simulator) => T} question
    * @returns {T}
    */
   ask(question) {
@@ -236,6 +211,17 @@ export class Engine {
       this.#recover();
       throw new Refusal([{ code: "trapped" }]);
     }
+  }
+
+  /**
+   * @param {Float64Array} values
+   * @returns {Readouts} ′ and ″ are derivatives of the axes
+   */
+  #named(values) {
+    /** @type {Record<string, number>} */
+    const named = {};
+    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
+    return named;
   }
 
   /** @param {readonly string[]} names of the read-outs */

@@ -27,7 +27,6 @@ mod pointer;
 mod random_user;
 mod share;
 mod steps;
-mod studio;
 mod touch;
 mod tracers;
 mod undo;

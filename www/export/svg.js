@@ -10,8 +10,8 @@ const ESCAPES = Object.freeze({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&q
 
 const ANCHORS = Object.freeze({ left: "start", start: "start", center: "middle", right: "end", end: "end" });
 
-/** A path as Path2D builds it, with the data that SVG writes. */
-export class SvgPath {
+/** A path with the data that SVG writes. */
+export class SvgPath extends Path2D {
   data = "";
 
   /**
@@ -54,10 +54,14 @@ export class Svg {
   strokeStyle = "#000000";
   globalAlpha = 1;
   lineWidth = 1;
+  /** @type {CanvasLineJoin} */
   lineJoin = "miter";
+  /** @type {CanvasLineCap} */
   lineCap = "butt";
   font = "10px sans-serif";
+  /** @type {CanvasTextAlign} */
   textAlign = "start";
+  /** @type {CanvasTextBaseline} */
   textBaseline = "alphabetic";
   /** @type {readonly number[]} */
   #dash = [];
@@ -146,7 +150,7 @@ export class Svg {
 
   /**
    * @param {SvgPath} [path] the context's own where none is given
-   * @param {"evenodd" | "nonzero"} [rule]
+   * @param {CanvasFillRule} [rule]
    */
   fill(path = this.#path, rule = "nonzero") {
     this.#add("path", { d: path.data, "fill-rule": rule === "evenodd" ? rule : "", ...this.#filling() });
@@ -181,6 +185,7 @@ export class Svg {
    */
   fillText(text, x, y, widest = Infinity) {
     const squeezed = this.measureText(text).width > widest;
+    /** @type {Record<string, string>} */
     const fit = squeezed ? { textLength: short(widest), lengthAdjust: "spacingAndGlyphs" } : {};
     this.#text(text, x, y, { ...this.#filling(), ...fit });
   }
@@ -230,7 +235,7 @@ export class Svg {
       this.#canvas.textBaseline = baseline;
       return this.measureText("").fontBoundingBoxAscent;
     };
-    return ascent("alphabetic") - ascent(/** @type {CanvasTextBaseline} */ (this.textBaseline));
+    return ascent("alphabetic") - ascent(this.textBaseline);
   }
 
   #filling() {

@@ -1,0 +1,121 @@
+// Reads the flat display lists of the engine into things a canvas can paint.
+
+/**
+ * @typedef {{ record: Float32Array, role: string, look: number, path: Path2D, loops?: Float32Array[] }} Shape
+ * Where it stands in the list; of polygons also the corners of each.
+ * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
+ * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
+ */
+
+const BODY = 0;
+const POLYGONS = 1;
+const POLYLINE = 2;
+const CIRCLE = 3;
+const TEXT = 4;
+
+/**
+ * @param {Float32Array} list
+ * @param {number} start where the list begins in the array
+ * @param {readonly string[]} roles
+ * @param {readonly string[]} labels
+ * @param {() => Path2D} newPath an empty path
+ * @param {readonly Layer[]} [before] read earlier with the same roles and kind of path; shapes that are as they were are
+ * taken over, with all that was made for painting them
+ * @returns {Layer[]} in the order of painting
+ */
+export function readDisplayList(list, start, roles, labels, newPath, before = []) {
+  const known = before.flatMap(({ shapes }) => shapes);
+  let count = 0;
+  /** @type {Layer} */
+  let layer = { body: 0, shapes: [], labels: [] };
+  const layers = [layer];
+  let at = start;
+  while (at < list.length) {
+    const kind = list[at];
+    if (kind === BODY) {
+      layer = { body: list[at + 1], shapes: [], labels: [] };
+      layers.push(layer);
+      at += 2;
+    } else if (kind === TEXT) {
+      const [role, label, x, y, dx, dy] = list.subarray(at + 1, at + 7);
+      layer.labels.push({ role: roles[role], label: labels[label], x, y, dx, dy });
+      at += 7;
+    } else if (kind === POLYGONS || kind === POLYLINE || kind === CIRCLE) {
+      const old = known[count];
+      const shape = old && stands(old.record, list, at) ? old : readShape(list, at, roles, newPath);
+      layer.shapes.push(shape);
+      at += shape.record.length;
+      count += 1;
+    } else {
+      throw new Error(`display list: no record ${kind}`);
+    }
+  }
+  return layers;
+}
+
+/**
+ * @param {Float32Array} record records tell their own length: one that begins alike is the same
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {boolean} whether the record stands there, too
+ */
+function stands(record, list, at) {
+  return record.every((value, i) => value === list[at + i]);
+}
+
+/**
+ * @param {Float32Array} list
+ * @param {number} at
+ * @param {readonly string[]} roles
+ * @param {() => Path2D} newPath
+ * @returns {Shape}
+ */
+function readShape(list, at, roles, newPath) {
+  const path = newPath();
+  /** @type {Shape} */
+  const shape = { record: list, role: roles[list[at + 1]], look: list[at + 2], path };
+  let end = at + 6;
+  if (list[at] === POLYGONS) end = addPolygons(shape, list, at + 3);
+  else if (list[at] === POLYLINE) end = addPoints(path, list, at + 3);
+  else {
+    path.arc(list[at + 3], list[at + 4], list[at + 5], 0, 2 * Math.PI);
+    path.closePath();
+  }
+  shape.record = list.subarray(at, end);
+  return shape;
+}
+
+/**
+ * @param {Shape} shape
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {number} where the next record begins
+ */
+function addPolygons(shape, list, at) {
+  const count = list[at];
+  at += 1;
+  shape.loops = [];
+  for (let loop = 0; loop < count; loop++) {
+    const end = addPoints(shape.path, list, at);
+    shape.path.closePath();
+    shape.loops.push(list.subarray(at + 1, end));
+    at = end;
+  }
+  return at;
+}
+
+/**
+ * @param {Path2D} path
+ * @param {Float32Array} list
+ * @param {number} at
+ * @returns {number}
+ */
+function addPoints(path, list, at) {
+  const points = list[at];
+  const end = at + 1 + 2 * points;
+  for (let i = at + 1; i < end; i += 2) {
+    if (i === at + 1) path.moveTo(list[i], list[i + 1]);
+    else path.lineTo(list[i], list[i + 1]);
+  }
+  return end;
+}

@@ -1,0 +1,77 @@
+// A canvas that is as sharp as the screen: its backing store follows its size and the device-pixel ratio.
+
+export class Surface {
+  /** Size in CSS pixels. */
+  width = 0;
+  height = 0;
+  /** Device pixels per CSS pixel. */
+  ratio = 1;
+  #redraw;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {() => void} redraw called when its size changed
+   * @param {CanvasRenderingContext2DSettings} [settings]
+   */
+  constructor(canvas, redraw, settings) {
+    const context = canvas.getContext("2d", settings);
+    if (!context) throw new Error("no 2d context");
+    this.canvas = canvas;
+    this.context = context;
+    this.#redraw = redraw;
+    new ResizeObserver(() => this.#measure()).observe(canvas);
+    this.#watchRatio();
+  }
+
+  /** Blank, with one unit of the context being one CSS pixel. */
+  clear() {
+    const { context, canvas } = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    this.toPixels();
+  }
+
+  /** One unit of the context is one CSS pixel. */
+  toPixels() {
+    this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+  }
+
+  /**
+   * Makes it as large as it is shown, with what comes next: it is not to be seen blank.
+   * @returns {boolean} whether there is anything to paint on
+   */
+  begin() {
+    if (!this.visible) return false;
+    const { canvas } = this;
+    const [width, height] = [this.width, this.height].map((pixels) => Math.max(Math.round(pixels * this.ratio), 1));
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    return true;
+  }
+
+  get visible() {
+    return this.width > 0 && this.height > 0;
+  }
+
+  #measure() {
+    const ratio = globalThis.devicePixelRatio || 1;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === this.width && height === this.height && ratio === this.ratio) return;
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    this.#redraw();
+  }
+
+  /** A window moved to another screen keeps its size: only the resolution tells. */
+  #watchRatio() {
+    matchMedia(`(resolution: ${globalThis.devicePixelRatio}dppx)`).addEventListener(
+      "change",
+      () => {
+        this.#measure();
+        this.#watchRatio();
+      },
+      { once: true },
+    );
+  }
+}
