@@ -26,11 +26,8 @@ use serde_json::json;
 /// own steps down and up, one a frame, as a hand does, and hands on what each kept
 /// the main thread busy for, in milliseconds: the event, and all of the frame after
 /// it, of which a message posted from within is the end. `live` plays and drags by
-/// turns until `living` is no more. `seen` is how long after it was handed over
-/// each painting was made, in milliseconds, if it is a list; `memory` is the
-/// engine's.
+/// turns until `living` is no more. `memory` is the engine's.
 const BENCH: &str = "globalThis.bench = {
-    seen: null,
     frames: (left) => new Promise((done) => {
         const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done([]));
         requestAnimationFrame(frame);
@@ -80,21 +77,7 @@ for (const name of ['instantiate', 'instantiateStreaming']) {
         bench.memory = (made.instance ?? made).exports.memory;
         return made;
     };
-}
-globalThis.Worker = class extends Worker {
-    #sent = [];
-    constructor(...given) {
-        super(...given);
-        this.addEventListener('message', () => {
-            const sent = this.#sent.shift();
-            if (sent) bench.seen?.push(performance.now() - sent);
-        });
-    }
-    postMessage(message, ...rest) {
-        if (message.painted) this.#sent.push(performance.now());
-        super.postMessage(message, ...rest);
-    }
-};";
+}";
 
 const FRAMES: f64 = 300.0;
 const STEPS: usize = 120;
@@ -103,17 +86,6 @@ const STEPS: usize = 120;
 async fn have(page: &Page, what: &str) -> Vec<f64> {
     let script = format!("const done = arguments[0]; bench.{what}.then(done)");
     page.numbers(&script).await
-}
-
-/// How many paintings there were, and how long each took after the page had handed
-/// it over. A frame that finds two on their way is not painted.
-async fn seen(page: &Page, of: &str) {
-    let script = "const { seen } = bench; bench.seen = null; arguments[0](seen)";
-    let mut seen = page.numbers(script).await;
-    seen.sort_by(f64::total_cmp);
-    let median = seen.get(seen.len() / 2).copied().unwrap_or(f64::NAN);
-    print(&format!("paintings in the worker, {of}"), seen.len() as f64);
-    print(&format!("one of them, {of}, median, ms"), median);
 }
 
 #[tokio::test]
@@ -153,16 +125,10 @@ async fn page_speed() {
         print(name, spent / FRAMES * 1e3);
     }
 
-    page.ask("bench.seen = []").await;
-    have(&page, &format!("frames({FRAMES})")).await;
-    seen(&page, &format!("{FRAMES} frames")).await;
-
     page.click("play").await;
-    page.ask("bench.seen = []").await;
     let before = page.metric("TaskDuration").await;
     let mut steps = have(&page, &format!("drag({STEPS})")).await;
     let spent = page.metric("TaskDuration").await - before;
-    seen(&page, &format!("{STEPS} steps of a dragged slider")).await;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     print(

@@ -38,16 +38,15 @@ export class ChartCursor {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("assur/studio.js").Studio} studio
    * @param {Theme} theme
    * @param {{ readonly panels: readonly Panel[] }} chart
    * @param {Engine} engine
    */
-  constructor(canvas, studio, theme, chart, engine) {
+  constructor(canvas, theme, chart, engine) {
     this.#theme = theme;
     this.#engine = engine;
     this.#chart = chart;
-    this.#surface = new Surface(canvas, studio, () => this.redraw());
+    this.#surface = new Surface(canvas, () => this.redraw());
   }
 
   /** @param {Snapshot} snapshot */

@@ -29,16 +29,15 @@ export class ChartView {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("assur/studio.js").Studio} studio
    * @param {Engine} engine
    * @param {Theme} theme
    * @param {() => void} redrawn called when the panels may have changed their places
    */
-  constructor(canvas, studio, engine, theme, redrawn) {
+  constructor(canvas, engine, theme, redrawn) {
     this.#engine = engine;
     this.#theme = theme;
     this.#redrawn = redrawn;
-    this.#surface = new Surface(canvas, studio, () => this.#draw());
+    this.#surface = new Surface(canvas, () => this.#draw());
   }
 
   /** @param {Snapshot} snapshot */

@@ -1,8 +1,7 @@
 // Reads the flat display lists of the engine into things a canvas can paint.
 
 /**
- * @typedef {Path2D | import("assur/recorder.js").Track | import("assur/export/svg.js").SvgPath} Path
- * @typedef {{ record: Float32Array, role: string, look: number, path: Path, loops?: Float32Array[] }} Shape
+ * @typedef {{ record: Float32Array, role: string, look: number, path: Path2D, loops?: Float32Array[] }} Shape
  * Where it stands in the list; of polygons also the corners of each.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
@@ -19,7 +18,7 @@ const TEXT = 4;
  * @param {number} start where the list begins in the array
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
- * @param {() => Path} newPath an empty path
+ * @param {() => Path2D} newPath an empty path
  * @param {readonly Layer[]} [before] read earlier with the same roles and kind of path; shapes that are as they were are
  * taken over, with all that was made for painting them
  * @returns {Layer[]} in the order of painting
@@ -68,7 +67,7 @@ function stands(record, list, at) {
  * @param {Float32Array} list
  * @param {number} at
  * @param {readonly string[]} roles
- * @param {() => Path} newPath
+ * @param {() => Path2D} newPath
  * @returns {Shape}
  */
 function readShape(list, at, roles, newPath) {
@@ -106,7 +105,7 @@ function addPolygons(shape, list, at) {
 }
 
 /**
- * @param {Path} path
+ * @param {Path2D} path
  * @param {Float32Array} list
  * @param {number} at
  * @returns {number}

@@ -7,7 +7,6 @@ import { paintSquares } from "assur/sheet.js";
 
 /**
  * @typedef {import("assur/display-list.js").Layer} Layer
- * @typedef {import("assur/display-list.js").Path} Path
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/painter.js").Sheet} Sheet
@@ -38,12 +37,12 @@ export class Figure {
   /**
    * @param {Engine} engine
    * @param {Theme} theme
-   * @param {() => Path} [newPath] an empty path of the kind its sheets take
+   * @param {() => Path2D} [newPath] an empty path of the kind its sheets take
    */
   constructor(engine, theme, newPath = () => new Path2D()) {
     this.#engine = engine;
     this.#theme = theme;
-    this.#painter = new Painter(theme, newPath);
+    this.#painter = new Painter(theme);
     this.#newPath = newPath;
   }
 

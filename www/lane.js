@@ -21,12 +21,11 @@ export class Lane {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("assur/studio.js").Studio} studio
    * @param {Theme} theme
    */
-  constructor(canvas, studio, theme) {
+  constructor(canvas, theme) {
     this.#theme = theme;
-    this.#surface = new Surface(canvas, studio, () => this.#draw());
+    this.#surface = new Surface(canvas, () => this.#draw());
   }
 
   /**

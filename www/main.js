@@ -27,7 +27,6 @@ import { copyLink, filePicker, saveFile } from "assur/share.js";
 import { withMechanism, withView } from "assur/state.js";
 import { StatusLine } from "assur/status.js";
 import { Store } from "assur/store.js";
-import { Studio } from "assur/studio.js";
 import { Theme } from "assur/theme.js";
 import { Transport } from "assur/transport.js";
 import { LANGUAGES, Words, preferredLanguage } from "assur/words.js";
@@ -41,12 +40,11 @@ const WRITING_PERIOD = 0.2;
 /**
  * Puts the page together and draws it for the first time.
  * @param {Engine} engine
- * @param {Studio} studio
  * @param {import("assur/opening.js").Habits} habits
  * @param {{ state: import("assur/state.js").State, failures: import("assur/opening.js").Failure[] }} opening
  * @param {Words} startWords
  */
-function run(engine, studio, habits, opening, startWords) {
+function run(engine, habits, opening, startWords) {
   let words = startWords;
   const store = new Store(opening.state);
   const drafts = new Drafts(() => loop.request());
@@ -57,8 +55,8 @@ function run(engine, studio, habits, opening, startWords) {
   const theme = new Theme(engine.roles, () => loop.request());
 
   byId("app", HTMLElement).hidden = false;
-  const chart = new ChartView(byId("charts", HTMLCanvasElement), studio, engine, theme, () => cursor.redraw());
-  const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), studio, theme, chart, engine);
+  const chart = new ChartView(byId("charts", HTMLCanvasElement), engine, theme, () => cursor.redraw());
+  const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
   const notices = new Notices(() => loop.request());
   const take = async (/** @type {Promise<import("assur/opening.js").Taken | null>} */ coming) => {
     const taken = await coming;
@@ -90,7 +88,7 @@ function run(engine, studio, habits, opening, startWords) {
   });
   const header = new Header(history, commands);
   new ChartHands(byId("charts", HTMLCanvasElement), chart, cursor, store, model, drafts);
-  const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), studio, engine, theme);
+  const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const lesson = new Lesson({ store, model, history }, engine, () => loop.request());
   const choose = (/** @type {any} */ chosen, /** @type {any} */ document) => history.step(() => {
@@ -106,7 +104,7 @@ function run(engine, studio, habits, opening, startWords) {
     hands,
     chart,
     cursor,
-    new Transport(store, model, drafts, studio, theme),
+    new Transport(store, model, drafts, theme),
     new PlotBar(store, engine, drafts),
     new ReadoutTable(),
     new ProblemView(),
@@ -192,8 +190,7 @@ function run(engine, studio, habits, opening, startWords) {
   render();
   loop.request();
   // The canvases learn their sizes, and are drawn, at the end of the first frame.
-  requestAnimationFrame(() => requestAnimationFrame(async () => {
-    if (studio.unseen > 0) await studio.seen;
+  requestAnimationFrame(() => requestAnimationFrame(() => {
     setData(document.documentElement, "ready", "true");
     performance.mark("ready");
   }));
@@ -243,9 +240,9 @@ try {
   const lang = preferredLanguage(navigator.languages);
   const habits = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
   // Most often these words are those of the state, too.
-  const [engine, studio] = await Promise.all([Engine.load(), Studio.open(), Words.load(lang)]);
+  const [engine] = await Promise.all([Engine.load(), Words.load(lang)]);
   const opening = await open(engine, habits);
-  run(engine, studio, habits, opening, await Words.load(opening.state.view.lang, engine.tables));
+  run(engine, habits, opening, await Words.load(opening.state.view.lang, engine.tables));
 } catch (thrown) {
   console.error(thrown);
   fail();

@@ -26,7 +26,7 @@ const RING_OPACITY = 0.28;
 
 export class MechanismView {
   #surface;
-  #sheet;
+  #sheet = new Sheet();
   #figure;
   #theme;
   #engine;
@@ -42,16 +42,14 @@ export class MechanismView {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("assur/studio.js").Studio} studio
    * @param {Engine} engine
    * @param {Theme} theme
    */
-  constructor(canvas, studio, engine, theme) {
+  constructor(canvas, engine, theme) {
     this.#engine = engine;
     this.#theme = theme;
-    this.#sheet = new Sheet(studio);
-    this.#surface = new Surface(canvas, studio, () => this.#draw(), { alpha: false });
-    this.#figure = new Figure(engine, theme, () => studio.path());
+    this.#surface = new Surface(canvas, () => this.#draw(), { alpha: false });
+    this.#figure = new Figure(engine, theme);
   }
 
   /** @param {Snapshot} snapshot */
@@ -96,7 +94,7 @@ export class MechanismView {
    * Paints what is on the canvas, without signs of a hand at it, on another sheet of the same size.
    * @param {import("assur/painter.js").Sheet} sheet
    * @param {Theme} theme
-   * @param {() => import("assur/display-list.js").Path} [newPath] where the sheet takes no Path2D
+   * @param {() => Path2D} [newPath] an empty path of the kind the sheet takes
    */
   paint(sheet, theme, newPath) {
     if (!this.#snapshot) return;

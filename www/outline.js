@@ -8,10 +8,10 @@ const SHARPEST = 0.3;
  * The band between the polygons moved outwards and inwards by half the width.
  * @param {readonly Float32Array[]} loops x and y of the corners of closed polygons
  * @param {number} width in the unit of the corners
- * @param {Path2D} band an empty path
- * @returns {Path2D} the same, to be filled by the non-zero rule
+ * @returns {Path2D} to be filled by the non-zero rule
  */
-export function outlined(loops, width, band) {
+export function outlined(loops, width) {
+  const band = new Path2D();
   for (const loop of loops) {
     const corners = distinct(loop);
     add(band, moved(corners, width / 2));

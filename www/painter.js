@@ -8,7 +8,16 @@ import { textWidth } from "assur/text-width.js";
  * @typedef {import("assur/theme.js").Theme} Theme
  * @typedef {import("assur/transform.js").Transform} Transform
  *
- * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | import("assur/recorder.js").Recorder | import("assur/export/svg.js").Svg} Context
+ * @typedef {Pick<CanvasRenderingContext2D, "fillStyle" | "strokeStyle" | "globalAlpha" | "lineWidth" | "lineJoin" | "lineCap"
+ *   | "font" | "textAlign" | "textBaseline" | "beginPath" | "closePath" | "moveTo" | "lineTo" | "arc" | "fillRect" | "fillText"
+ *   | "strokeText" | "measureText"> & {
+ *   fill(path?: Path2D, rule?: CanvasFillRule): void,
+ *   stroke(path?: Path2D): void,
+ *   setLineDash(dash: readonly number[]): void,
+ *   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void,
+ * }} Context
+ * What our painting uses of a canvas's context. Canvases have it, and so has the Svg of export/svg.js.
+ *
  * @typedef {{ readonly context: Context, readonly ratio: number }} Sheet
  * What is painted on: a context and its device pixels per CSS pixel.
  *
@@ -42,15 +51,10 @@ export class Painter {
   #theme;
   /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
   #bands = new WeakMap();
-  #newPath;
 
-  /**
-   * @param {Theme} theme
-   * @param {() => import("assur/display-list.js").Path} newPath
-   */
-  constructor(theme, newPath) {
+  /** @param {Theme} theme */
+  constructor(theme) {
     this.#theme = theme;
-    this.#newPath = newPath;
   }
 
   /**
@@ -132,8 +136,8 @@ export class Painter {
       context.fill(path, "evenodd");
     }
     const pixel = this.#theme.weight / scale;
-    // A recorder of pictures writes lines as lines.
-    if (stroke && loops && dash === NO_DASH && !("data" in path)) {
+    // Only of pixels a band is cheaper than a line: a picture made of lines keeps them.
+    if (stroke && loops && dash === NO_DASH && "canvas" in context) {
       context.globalAlpha = opacity;
       context.fillStyle = colour;
       context.fill(this.#band(shape, loops, stroke * pixel));
@@ -155,7 +159,7 @@ export class Painter {
   #band(shape, loops, width) {
     let known = this.#bands.get(shape);
     if (known?.width !== width) {
-      known = { width, band: outlined(loops, width, /** @type {Path2D} */ (this.#newPath())) };
+      known = { width, band: outlined(loops, width) };
       this.#bands.set(shape, known);
     }
     return known.band;

@@ -16,9 +16,10 @@ export class Sheet {
   #painted = "";
   ratio = 1;
 
-  /** @param {import("assur/studio.js").Studio} studio */
-  constructor(studio) {
-    this.context = studio.context(new OffscreenCanvas(1, 1), { alpha: false });
+  constructor() {
+    const context = new OffscreenCanvas(1, 1).getContext("2d", { alpha: false });
+    if (!context) throw new Error("no 2d context");
+    this.context = context;
   }
 
   /**
@@ -29,7 +30,7 @@ export class Sheet {
    */
   cover(surface, key, paint) {
     const { canvas } = this.context;
-    const { width, height } = surface.context.canvas;
+    const { width, height } = surface.canvas;
     const wanted = `${key} ${width}×${height} ${surface.ratio}`;
     if (wanted !== this.#painted) {
       this.#painted = wanted;

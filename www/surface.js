@@ -6,19 +6,18 @@ export class Surface {
   height = 0;
   /** Device pixels per CSS pixel. */
   ratio = 1;
-  #studio;
   #redraw;
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("assur/studio.js").Studio} studio where it is painted
-   * @param {() => void} redraw called when its size changed, or when it was out of date and now can be painted
+   * @param {() => void} redraw called when its size changed
    * @param {CanvasRenderingContext2DSettings} [settings]
    */
-  constructor(canvas, studio, redraw, settings) {
+  constructor(canvas, redraw, settings) {
+    const context = canvas.getContext("2d", settings);
+    if (!context) throw new Error("no 2d context");
     this.canvas = canvas;
-    this.context = studio.context(canvas, settings);
-    this.#studio = studio;
+    this.context = context;
     this.#redraw = redraw;
     new ResizeObserver(() => this.#measure()).observe(canvas);
     this.#watchRatio();
@@ -26,9 +25,9 @@ export class Surface {
 
   /** Blank, with one unit of the context being one CSS pixel. */
   clear() {
-    const { context } = this;
+    const { context, canvas } = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+    context.clearRect(0, 0, canvas.width, canvas.height);
     this.toPixels();
   }
 
@@ -39,11 +38,11 @@ export class Surface {
 
   /**
    * Makes it as large as it is shown, with what comes next: it is not to be seen blank.
-   * @returns {boolean} whether it can be painted now; if it only cannot yet, it is redrawn when it can
+   * @returns {boolean} whether there is anything to paint on
    */
   begin() {
-    if (!this.visible || !this.#studio.takes(this.#redraw)) return false;
-    const { canvas } = this.context;
+    if (!this.visible) return false;
+    const { canvas } = this;
     const [width, height] = [this.width, this.height].map((pixels) => Math.max(Math.round(pixels * this.ratio), 1));
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;

@@ -8,7 +8,7 @@ const known = new Map();
 
 /**
  * Digits count as alike in width, as they are in all fonts that are made for tables and screens.
- * @param {import("assur/painter.js").Context | OffscreenCanvasRenderingContext2D} context with the font
+ * @param {import("assur/painter.js").Context} context with the font
  * @param {string} font the same: a context takes long to tell it
  * @param {string} text
  * @returns {number} in the unit of the font's size

@@ -39,11 +39,10 @@ export class Transport {
    * @param {import("assur/store.js").Store<State>} store
    * @param {Model} model
    * @param {import("assur/drafts.js").Drafts} drafts
-   * @param {import("assur/studio.js").Studio} studio
    * @param {import("assur/theme.js").Theme} theme
    */
-  constructor(store, model, drafts, studio, theme) {
-    this.#lane = new Lane(byId("lane", HTMLCanvasElement), studio, theme);
+  constructor(store, model, drafts, theme) {
+    this.#lane = new Lane(byId("lane", HTMLCanvasElement), theme);
     const put = (/** @type {number} */ phiDeg) => store.update((state) => placed(state, phiDeg, model));
     const step = (/** @type {number} */ by) => {
       drafts.drop("phi_deg");

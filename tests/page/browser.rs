@@ -386,11 +386,8 @@ impl Page {
             .value
     }
 
-    /// A picture of an element as it is on the screen. What a worker has painted is
-    /// seen some frames later.
+    /// A picture of an element as it is on the screen.
     pub(crate) async fn picture(&self, id: &str) -> Picture {
-        self.settle().await;
-        self.settle().await;
         Picture::decode(&self.element(id).await.screenshot_as_png().await.unwrap())
     }
 

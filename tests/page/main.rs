@@ -25,7 +25,6 @@ mod plots;
 mod pointer;
 mod share;
 mod steps;
-mod studio;
 mod touch;
 mod tracers;
 mod undo;

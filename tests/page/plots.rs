@@ -40,20 +40,16 @@ async fn check_point(page: &Page, point: &str, degrees: f64, [speed, acceleratio
 
 /// Everything that is written on the plots, and beside their cursor, when they are drawn anew.
 async fn texts(page: &Page) -> Vec<String> {
-    page.wait_for(
-        "const done = arguments[0];
-        import('assur/recorder.js').then(({ Recorder }) => {
-            const kind = Recorder.prototype;
-            if (!window.plain) {
-                window.plain = kind.fillText;
-                kind.fillText = function (text, ...place) {
-                    window.seen.push(String(text));
-                    window.plain.call(this, text, ...place);
-                };
-            }
-            window.seen = [];
-            done(null);
-        });",
+    page.ask(
+        "const kind = CanvasRenderingContext2D.prototype;
+        if (!window.plain) {
+            window.plain = kind.fillText;
+            kind.fillText = function (text, ...place) {
+                if (this.canvas.id.startsWith('chart')) window.seen.push(String(text));
+                window.plain.call(this, text, ...place);
+            };
+        }
+        window.seen = [];",
     )
     .await;
     // Another window is another size: all is drawn anew.

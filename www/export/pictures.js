@@ -7,10 +7,9 @@ import { Theme } from "assur/theme.js";
 import { Svg, SvgPath } from "assur/export/svg.js";
 
 /**
- * @typedef {import("assur/display-list.js").Path} Path
  * @typedef {import("assur/figure.js").Size} Size
  * @typedef {import("assur/painter.js").Sheet} Sheet
- * @typedef {{ readonly size: Size, paint: (sheet: Sheet, theme: Theme, newPath?: () => Path) => void }} Picture
+ * @typedef {{ readonly size: Size, paint: (sheet: Sheet, theme: Theme, newPath?: () => Path2D) => void }} Picture
  */
 
 /** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */

@@ -10,8 +10,8 @@ const ESCAPES = Object.freeze({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&q
 
 const ANCHORS = Object.freeze({ left: "start", start: "start", center: "middle", right: "end", end: "end" });
 
-/** A path as Path2D builds it, with the data that SVG writes. */
-export class SvgPath {
+/** A path with the data that SVG writes. */
+export class SvgPath extends Path2D {
   data = "";
 
   /**
@@ -54,10 +54,14 @@ export class Svg {
   strokeStyle = "#000000";
   globalAlpha = 1;
   lineWidth = 1;
+  /** @type {CanvasLineJoin} */
   lineJoin = "miter";
+  /** @type {CanvasLineCap} */
   lineCap = "butt";
   font = "10px sans-serif";
+  /** @type {CanvasTextAlign} */
   textAlign = "start";
+  /** @type {CanvasTextBaseline} */
   textBaseline = "alphabetic";
   /** @type {readonly number[]} */
   #dash = [];
@@ -146,7 +150,7 @@ export class Svg {
 
   /**
    * @param {SvgPath} [path] the context's own where none is given
-   * @param {"evenodd" | "nonzero"} [rule]
+   * @param {CanvasFillRule} [rule]
    */
   fill(path = this.#path, rule = "nonzero") {
     this.#add("path", { d: path.data, "fill-rule": rule === "evenodd" ? rule : "", ...this.#filling() });
