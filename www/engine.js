@@ -2,6 +2,7 @@
 import init, * as mixer from "assur/pkg/assur_web.js";
 
 /**
+ * @typedef {import("assur/state.js").Kind} Kind
  * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
@@ -25,7 +26,7 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  *   dead_points: number[],
  *   change_points: number[],
  *   bounds: [number, number, number, number],
- * }} Summary
+ * }} MixerSummary
  * @typedef {{
  *   cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
@@ -34,6 +35,8 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
  *   course: Course | null,
  * }} LinkageSummary
+ * @typedef {{ mixer: MixerSummary, linkage: LinkageSummary }} Summaries
+ * @typedef {Summaries[Kind]} Summary
  * @typedef {{
  *   width: number, stroke: number | null,
  *   dwell: { arc: [number, number], band: [number, number] } | null,
@@ -78,7 +81,6 @@ export function attempt(work) {
 }
 
 export class Engine {
-  /** @type {typeof mixer} */
   #module = mixer;
   #simulator = new mixer.Simulator();
   /** @type {State | null} the last state the simulator took */
@@ -90,7 +92,7 @@ export class Engine {
   roles = mixer.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
-  /** @type {readonly { id: string, document: Omit<MixerDocument, "tracers"> }[]} the dimensions of each; what is traced stays */
+  /** @type {readonly { id: string, document: import("assur/state.js").Presets["mixer"] }[]} */
   presets = mixer.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
   /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue, once they can be shown */
   gallery = [];
@@ -102,11 +104,11 @@ export class Engine {
   links = [];
 
   /**
-   * @param {object} linkage
+   * @param {LinkageDocument} linkage
    * @returns {{ id: string, document: LinkageDocument } | undefined} the one of the catalogue that was changed into it
    */
   original(linkage) {
-    return this.gallery.find(({ document }) => document.title === /** @type {LinkageDocument} */ (linkage).title);
+    return this.gallery.find(({ document }) => document.title === linkage.title);
   }
 
   /** @returns {readonly string[]} the tables of words for all that it knows */
@@ -129,7 +131,7 @@ export class Engine {
     try {
       const grown = await import("assur/pkg/linkages/assur_web.js");
       await grown.default({ module_or_path: fetch(import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm")) });
-      this.#module = /** @type {typeof mixer} */ (grown);
+      this.#module = grown;
       this.gallery = grown.gallery();
       this.#recover();
     } catch (thrown) {
@@ -139,11 +141,13 @@ export class Engine {
   }
 
   /**
-   * @param {State} state
-   * @returns {Summary}
+   * @template {Kind} K
+   * @param {import("assur/state.js").State<K>} state
+   * @returns {Summaries[K]}
    */
   set(state) {
     const summary = this.ask((simulator) => {
+      /** @type {Summaries[K]} */
       const taken = simulator.set(state);
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
@@ -189,7 +193,7 @@ export class Engine {
    * @param {number} phi where the crank is
    * @param {number} x
    * @param {number} y
-   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: Partial<MixerDocument> }}
+   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: import("assur/state.js").Change }}
    */
   drag(joint, phi, x, y) {
     return this.ask((simulator) => simulator.drag(joint, phi, x, y));
@@ -242,13 +246,13 @@ export class Engine {
    * @returns {{ panels: Panel[] }}
    */
   chart(context, request) {
-    return this.ask((simulator) => simulator.chart(context, request));
+    return this.ask((simulator) => simulator.chart(/** @type {CanvasRenderingContext2D} */ (context), request));
   }
 
   /**
    * Puts a question to the simulator: a part that is loaded later puts its own.
    * @template T
-   * @param {(simulator: any) => T} question
+   * @param {(simulator: mixer.Simulator) => T} question
    * @returns {T}
    */
   ask(question) {

@@ -5,8 +5,9 @@ import { Words } from "assur/words.js";
 
 /**
  * @typedef {import("assur/model.js").Snapshot} Snapshot
- * @typedef {import("assur/lessons/panel.js").Panel} Panel
- * @typedef {import("assur/lessons/panel.js").Parts} Parts
+ * @typedef {import("assur/state.js").Kind} Kind
+ * @typedef {import("assur/lessons/panel.js").Panel<Kind>} Panel
+ * @typedef {import("assur/lessons/panel.js").Parts<Kind>} Parts
  */
 
 /** The linkages of the gallery that have a lesson. */

@@ -91,8 +91,9 @@ function run(engine, habits, opening, startWords) {
   const mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, theme);
   const hands = new MechanismHands(byId("mechanism", HTMLCanvasElement), mechanism, engine, store, model, drafts);
   const lesson = new Lesson({ store, model, history }, engine, () => loop.request());
-  const choose = (/** @type {any} */ chosen, /** @type {any} */ document) => history.step(() => {
-    store.update((state) => withView(withMechanism(state, chosen, document), { plot: "angles" }));
+  /** @type {import("assur/linkage/gallery.js").Choose} */
+  const choose = (lesson, document) => history.step(() => {
+    store.update((state) => withView(withMechanism(state, lesson, document), { plot: "angles" }));
     mechanism.fit();
     // The crank of another mechanism may not go where this one's stands.
     model.follow(store.get());

@@ -66,8 +66,9 @@ export class MechanismView {
     if (!snapshot) return [];
     const places = attempt(() => this.#engine.joints(radians(snapshot.frameDeg))).value;
     if (!places) return [];
-    const { handles } = /** @type {Partial<import("assur/engine.js").LinkageSummary>} */ (/** @type {unknown} */ (snapshot.summary));
-    if (handles) return handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
+    if (snapshot.lesson === "linkage") {
+      return snapshot.summary.handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
+    }
     if (snapshot.state.lesson !== "mixer") return [];
     const [, , bx, by, cx, cy, dx, dy, ...traced] = places;
     const { tracers } = snapshot.state.document;
@@ -103,7 +104,7 @@ export class MechanismView {
     figure.take(this.#snapshot);
     figure.paintGround(sheet, this.#surface, view);
     figure.paintMoving(sheet, view);
-    figure.paintLabels(sheet, view);
+    figure.paintLabels(sheet, view, this.#small);
   }
 
   get zoomed() {

@@ -5,19 +5,22 @@ import { attempt } from "assur/engine.js";
 import { DRAWN } from "assur/state.js";
 
 /**
+ * @template {import("assur/state.js").Kind} [K=import("assur/state.js").Kind]
+ * @typedef {import("assur/state.js").State<K>} State
+ */
+
+/**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/engine.js").Readouts} Readouts
  * @typedef {import("assur/engine.js").Summary} Summary
- * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/words.js").Words} Words
+ * @typedef {import("assur/state.js").Kind} Kind
  *
  * @typedef {{
  *   state: State,
- *   lesson: string,
  *   phiDeg: number,
  *   words: Words,
- *   summary: Summary,
  *   scene: Float32Array,
  *   revision: number,
  *   frame: Float32Array,
@@ -28,11 +31,28 @@ import { DRAWN } from "assur/state.js";
  *   stale: boolean,
  *   faded: boolean,
  *   legible: boolean,
- * }} Snapshot
- * What the views draw. `lesson` is that of the mechanism that is drawn; `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
+ * }} Shown
+ * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
  * of the last drawing; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
+ */
+
+/**
+ * The mechanism that is drawn: its kind, and what the engine says of its motion.
+ * @template {Kind} [K=Kind]
+ * @typedef {K extends Kind ? { lesson: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Shown & Drawn<K>} Snapshot
+ */
+
+/**
+ * Where the mechanism that is drawn is of the state's own kind.
+ * @template {Kind} K
+ * @typedef {Snapshot<K> & { state: State<K> }} OwnSnapshot
  */
 
 const TRAPPED = Object.freeze({ code: "trapped" });
@@ -50,10 +70,8 @@ export class Model {
   /** @type {State} */
   #good;
   #revision = 0;
-  /** @type {string} */
-  #lesson;
-  /** @type {Summary} */
-  #summary;
+  /** @type {Drawn} */
+  #drawn;
   /** @type {Float32Array} */
   #scene;
   /** @type {Float32Array} */
@@ -78,19 +96,19 @@ export class Model {
   constructor(engine, drafts, state) {
     this.#engine = engine;
     this.#drafts = drafts;
-    this.#summary = engine.set(state);
+    this.#drawn = drawn(engine, state);
     this.#scene = engine.scene();
-    this.#frame = engine.frame(this.#summary.home);
-    this.#frameDeg = degrees(this.#summary.home);
+    this.#frame = engine.frame(this.summary.home);
+    this.#frameDeg = degrees(this.summary.home);
     this.#revision = 1;
     this.#asked = state;
     this.#good = state;
-    this.#lesson = state.lesson;
     this.#place(state);
   }
 
+  /** @returns {Summary} */
   get summary() {
-    return this.#summary;
+    return this.#drawn.summary;
   }
 
   /** @returns {State} the state asked about, or the last the engine took before it */
@@ -138,11 +156,10 @@ export class Model {
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
     return {
+      ...this.#drawn,
       state,
-      lesson: this.#lesson,
-      phiDeg: ontoAxis(state.view.phi_deg, this.#summary.cycle),
+      phiDeg: ontoAxis(state.view.phi_deg, this.summary.cycle),
       words,
-      summary: this.#summary,
       scene: this.#scene,
       revision: this.#revision,
       frame: this.#frame,
@@ -158,18 +175,17 @@ export class Model {
 
   /** @param {State} state */
   #take(state) {
-    const taken = attempt(() => ({ summary: this.#engine.set(state), scene: this.#engine.scene() }));
+    const taken = attempt(() => ({ drawn: drawn(this.#engine, state), scene: this.#engine.scene() }));
     this.#refused = taken.problems;
     if (!taken.value) return;
-    this.#summary = taken.value.summary;
+    this.#drawn = taken.value.drawn;
     this.#scene = taken.value.scene;
     this.#revision += 1;
-    this.#lesson = state.lesson;
   }
 
   /** @param {State} state */
   #place(state) {
-    const phiDeg = ontoAxis(state.view.phi_deg, this.#summary.cycle);
+    const phiDeg = ontoAxis(state.view.phi_deg, this.summary.cycle);
     const phi = radians(phiDeg);
     const placed = attempt(() => this.#engine.frame(phi));
     this.#unplaced = placed.problems;
@@ -182,4 +198,13 @@ export class Model {
     this.#readouts = read.value?.readouts ?? null;
     this.#plotted = read.value?.plotted ?? null;
   }
+}
+
+/**
+ * @param {Engine} engine
+ * @param {State} state
+ * @returns {Drawn}
+ */
+function drawn(engine, state) {
+  return /** @type {Drawn} */ ({ lesson: state.lesson, summary: engine.set(state) });
 }

@@ -31,7 +31,7 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   if (!value) return { state: null, failure: { kind, problems } };
   const { lesson, document, view } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, lesson), failure: null };
+  return { state: initialState(lesson, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
 }
 
 /**
@@ -93,5 +93,5 @@ export async function open(engine, habits) {
     failures.push(failure);
   }
   const { calm, lang } = habits;
-  return { state: initialState(engine.presets[0].document, { playing: !calm, lang }), failures };
+  return { state: initialState("mixer", { tracers: [], ...engine.presets[0].document }, { playing: !calm, lang }), failures };
 }

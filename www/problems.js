@@ -7,6 +7,7 @@ import { LISTS } from "assur/state.js";
 /**
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state.js").State["document"]} Document
  * @typedef {import("assur/words.js").Words} Words
  */
 
@@ -18,12 +19,12 @@ const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
 /**
  * @param {string} field
  * @param {Words} words
- * @param {any} document that has the field
+ * @param {Document | undefined} document that has the field
  * @returns {string} its name, with the number of the wheel, the name of the link or point
  */
 function fieldName(field, words, document) {
   const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
-  if (of) return words.text(`field.${of}.${dimension}`, { n: document?.[of]?.[at]?.name ?? at });
+  if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at)) ?? at });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);
@@ -31,9 +32,20 @@ function fieldName(field, words, document) {
 }
 
 /**
+ * @param {Document | undefined} document
+ * @param {string} list `links` or `points`
+ * @param {number} at
+ * @returns {string | undefined} the name of a link or point
+ */
+function nameIn(document, list, at) {
+  if (!document || !("links" in document)) return undefined;
+  return (list === "links" ? document.links : document.points)[at]?.name;
+}
+
+/**
  * @param {Problem} problem
  * @param {Words} words
- * @param {object} [document]
+ * @param {Document} [document]
  * @returns {string}
  */
 export function sentence(problem, words, document) {

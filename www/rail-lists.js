@@ -3,11 +3,11 @@ import { degrees } from "assur/angles.js";
 import { byId, make } from "assur/dom.js";
 import { NumberRow } from "assur/number-row.js";
 import { subscript } from "assur/panels.js";
-import { LISTS, wheelLink, wheelOf, withDocument } from "assur/state.js";
+import { LISTS, wheelLink, wheelOf, edited } from "assur/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Summary} Summary
- * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/engine.js").MixerSummary} Summary
+ * @typedef {import("assur/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/drafts.js").Drafts} Drafts
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
  * @typedef {import("assur/state.js").State} State
@@ -15,8 +15,16 @@ import { LISTS, wheelLink, wheelOf, withDocument } from "assur/state.js";
  * @typedef {import("assur/state.js").Tracer} Tracer
  * @typedef {Wheel | Tracer} Entry
  * @typedef {(change: Partial<Wheel & Tracer>) => void} Put
- * @typedef {{ lines: HTMLElement[], show: (entry: any, snapshot: Snapshot, wrong: ReadonlySet<string | undefined>) => void }} Parts
- * @typedef {(index: number, put: Put, drafts: Drafts, remove: HTMLButtonElement) => Parts} Build
+ */
+
+/**
+ * @template {Entry} E
+ * @typedef {(entry: E, snapshot: Snapshot, wrong: ReadonlySet<string | undefined>) => void} Show
+ */
+
+/**
+ * @template {Entry} E
+ * @typedef {(index: number, put: Put, drafts: Drafts, remove: HTMLButtonElement) => { lines: HTMLElement[], show: Show<E> }} Build
  */
 
 export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
@@ -26,21 +34,24 @@ const LINKS = Object.freeze({ crank: "name.l1", coupler: "name.l2", rocker: "nam
 
 const REMOVAL = Object.freeze({ wheels: "wheels.remove", tracers: "tracers.remove" });
 
+/**
+ * @template {Entry} E
+ */
 export class RailList {
   #name;
   #build;
   #store;
   #drafts;
   #add;
-  /** @type {(Parts & { element: HTMLElement, remove: HTMLButtonElement })[]} */
+  /** @type {{ show: Show<E>, element: HTMLElement, remove: HTMLButtonElement }[]} */
   #cards = [];
   /** @type {Summary | null} */
   #summary = null;
 
   /**
    * @param {keyof typeof LISTS} name
-   * @param {Build} build
-   * @param {(document: MixerDocument, summary: Summary) => Entry} another
+   * @param {Build<E>} build
+   * @param {(document: MixerDocument, summary: Summary) => E} another
    * @param {import("assur/store.js").Store<State>} store
    * @param {Drafts} drafts
    */
@@ -62,7 +73,7 @@ export class RailList {
    */
   show(snapshot, wrong) {
     this.#summary = snapshot.summary;
-    const entries = snapshot.state.document[this.#name];
+    const entries = /** @type {readonly E[]} */ (snapshot.state.document[this.#name]);
     const { least, most } = LISTS[this.#name];
     while (this.#cards.length < entries.length) {
       const card = this.#card(this.#cards.length);
@@ -96,10 +107,9 @@ export class RailList {
     remove.addEventListener("click", () => this.#change((entries, document) => removed(this.#name, index, entries, document)));
     /** @type {Put} */
     const put = (change) => {
-      this.#store.update((state) => {
-        const entries = state.document[this.#name].map((entry, at) => (at === index ? { ...entry, ...change } : entry));
-        return withDocument(state, { [this.#name]: entries });
-      });
+      this.#store.update((state) => edited(state, "mixer", (document) => (
+        { [this.#name]: document[this.#name].map((entry, at) => (at === index ? { ...entry, ...change } : entry)) }
+      )));
     };
     const { lines, show } = this.#build(index, put, this.#drafts, remove);
     return { element: make("div", { class: "card" }, lines), remove, show };
@@ -108,7 +118,7 @@ export class RailList {
   /** @param {(entries: readonly Entry[], document: MixerDocument) => Partial<MixerDocument>} change */
   #change(change) {
     this.#drafts.dropAll([this.#name]);
-    this.#store.update((state) => withDocument(state, change(state.document[this.#name], state.document)));
+    this.#store.update((state) => edited(state, "mixer", (document) => change(document[this.#name], document)));
   }
 }
 
@@ -131,7 +141,7 @@ function removed(name, index, entries, { tracers }) {
   return { ...rest, tracers: renamed };
 }
 
-/** @type {Build} */
+/** @type {Build<Wheel>} */
 export function wheelCard(index, put, drafts, remove) {
   const n = String(index + LISTS.wheels.first);
   const common = { n, role: wheelLink(index) };
@@ -149,14 +159,14 @@ export function wheelCard(index, put, drafts, remove) {
   line.element.append(remove);
   return {
     lines: [teeth.element, line.element],
-    show(/** @type {Wheel} */ wheel, { words }, wrong) {
+    show(wheel, { words }, wrong) {
       teeth.show(wheel.z, words, wrong.has(teeth.field));
       line.show(wheel.centre_line_deg, words, wrong.has(line.field));
     },
   };
 }
 
-/** @type {Build} */
+/** @type {Build<Tracer>} */
 export function tracerCard(index, put, drafts, remove) {
   const id = `P${index + LISTS.tracers.first}`;
   const n = subscript(id.slice(1));
@@ -174,7 +184,7 @@ export function tracerCard(index, put, drafts, remove) {
   let offered = "";
   return {
     lines: [head, ...rows.map(({ element }) => element)],
-    show(/** @type {Tracer} */ tracer, { words, state }, wrong) {
+    show(tracer, { words, state }, wrong) {
       const { wheels } = state.document;
       if (offered !== `${wheels.length} ${words.lang}`) {
         offered = `${wheels.length} ${words.lang}`;

@@ -6,7 +6,7 @@ import { SWITCHES, contains, withDocument, withView } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state.js").MixerDocument} MixerDocument
  * @typedef {import("assur/state.js").NumberField} NumberField
  * @typedef {import("assur/state.js").State} State
@@ -43,7 +43,7 @@ export class Switches {
     }
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {{ state: State }} snapshot */
   render({ state: { view } }) {
     for (const { name, input } of this.#switches) if (input.checked !== view[name]) input.checked = !!view[name];
   }

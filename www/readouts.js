@@ -75,16 +75,16 @@ export class ReadoutTable {
     if (!legible) return;
     const { plot, axes } = state.view;
     const mixer = lesson === "mixer";
-    const plotted = /** @type {{ plotted?: string[], roles?: Record<string, string> }} */ (/** @type {unknown} */ (summary));
+    const plotted = "plotted" in summary ? summary.plotted : [];
     const ofPoint = mixer && plot !== "angles";
-    if (!mixer) this.#name(plotted.plotted ?? [], plotted.roles ?? {});
+    if ("plotted" in summary) this.#name(plotted, summary.roles);
     this.#heads.forEach((head, order) => {
-      const lengths = plotted.plotted?.some((name) => !name.endsWith(".angle"));
+      const lengths = plotted.some((name) => !name.endsWith(".angle"));
       const shown = ofPoint ? ["rocker.angle", "C1.x"] : [lengths ? "C1.x" : "rocker.angle"];
       const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
       write(head, symbols.join(", "));
     });
-    if (mixer) this.#wheels.forEach((row, index) => (row.hidden = index >= summary.wheels.length));
+    if ("wheels" in summary) for (const [index, row] of this.#wheels.entries()) row.hidden = index >= summary.wheels.length;
     for (const swatch of this.#swatches) swatch.classList.toggle("curve", !ofPoint);
     for (const { row, point } of this.#coordinates) {
       row.hidden = !ofPoint;

@@ -9,6 +9,8 @@ import { wheelLink } from "assur/state.js";
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
  * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/engine.js").LinkageSummary} LinkageSummary
+ * @typedef {import("assur/engine.js").MixerSummary} MixerSummary
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/words.js").Words} Words
@@ -55,7 +57,7 @@ export class Spoken {
 
   /** @param {Snapshot} snapshot */
   #tell(snapshot) {
-    const { state, lesson, words, revision, problems, phiDeg, summary } = snapshot;
+    const { state, words, revision, problems, phiDeg, summary } = snapshot;
     write(this.#plots, plots(summary, this.#chart.panels, words));
     if (state.view.playing) return;
     // Problems are told as they arise, by an element of their own.
@@ -64,7 +66,7 @@ export class Spoken {
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
     const told = [phiDeg, revision];
     if (this.#asked && !failed && told.some((part, i) => part !== this.#told[i])) {
-      write(this.#now, [lesson === "mixer" ? words.text("told.now", angles(snapshot)) : linkage(snapshot, "told.linkage_now"), ...here].join(" "));
+      write(this.#now, [pose(snapshot), ...here].join(" "));
     }
     this.#told = told;
     this.#asked = true;
@@ -79,11 +81,18 @@ function angleText(angle, words) {
   return `${words.numbers.fixed(degrees(angle), 1)}°`;
 }
 
+/** @param {Snapshot} snapshot */
+function pose(snapshot) {
+  const { summary, words } = snapshot;
+  return "wheels" in summary ? words.text("told.now", angles(snapshot, summary)) : linkage(snapshot, summary, "told.linkage_now");
+}
+
 /**
  * @param {Snapshot} snapshot
+ * @param {MixerSummary} summary
  * @returns {Record<string, string>} the angles of the links
  */
-function angles({ readouts, summary, phiDeg, words }) {
+function angles({ readouts, phiDeg, words }, summary) {
   const text = (/** @type {string} */ name) => (readouts ? angleText(readouts[name], words) : "");
   const wheels = summary.wheels.map((_, index) => {
     const link = wheelLink(index);
@@ -100,21 +109,21 @@ function angles({ readouts, summary, phiDeg, words }) {
 
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
-  const { lesson, summary, state, words } = snapshot;
-  if (lesson !== "mixer") return linkage(snapshot, "told.linkage");
+  const { summary, state, words } = snapshot;
+  if (!("wheels" in summary)) return linkage(snapshot, summary, "told.linkage");
   return words.text("told.drawing", {
-    ...angles(snapshot),
+    ...angles(snapshot, summary),
     type: words.text(`grashof.${summary.grashof}`),
-    assembly: words.numbers.exact(state.document.assembly),
+    assembly: words.numbers.exact(state.document.assembly ?? 1),
   });
 }
 
 /**
- * @param {Snapshot} snapshot of a linkage
+ * @param {Snapshot} snapshot
+ * @param {LinkageSummary} summary
  * @param {string} key
  */
-function linkage({ summary, readouts, phiDeg, words }, key) {
-  const { formula, plotted } = /** @type {import("assur/engine.js").LinkageSummary} */ (/** @type {unknown} */ (summary));
+function linkage({ readouts, phiDeg, words }, { formula, plotted }, key) {
   const value = (/** @type {string} */ name) => {
     if (!readouts) return "—";
     return name.endsWith(".angle") ? angleText(readouts[name], words) : words.numbers.fixed(readouts[name], 3);
@@ -130,9 +139,11 @@ function linkage({ summary, readouts, phiDeg, words }, key) {
  * @param {Words} words
  * @returns {string[]}
  */
-function positions({ limits = [], dead_points: dead, change_points: change }, crank, words) {
+function positions(summary, crank, words) {
+  const limits = "limits" in summary ? summary.limits : [];
+  const dead = summary.dead_points.map((one) => (typeof one === "number" ? one : one.phi));
   /** @type {[string, number[]][]} */
-  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead.map((/** @type {any} */ one) => one.phi ?? one)], ["change", change]];
+  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead], ["change", summary.change_points]];
   return kinds.flatMap(([kind, places]) => {
     const phi = places.find((place) => Math.abs(Math.sin((place - crank) / 2)) < NEAR / 2);
     return phi === undefined ? [] : [words.text(`told.${kind}`, { angle: angleText(phi, words) })];

@@ -21,15 +21,22 @@
  * }>} View
  *
  * @typedef {Readonly<{ crank?: string, base?: string, slide?: number, range?: readonly number[] }>} Driver
- * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: unknown, fixed_to?: string | null }>} LinkEntry
+ * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: readonly (readonly [number, number])[] | null, fixed_to?: string | null }>} LinkEntry
  * @typedef {Readonly<{
  *   title?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
  *   links: readonly LinkEntry[], drivers: readonly Driver[], slides?: readonly Readonly<{ point: string, line: readonly string[] }>[],
- *   assembly?: number | null,
+ *   assembly?: number | null, band?: number | null,
  * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
  *
- * @typedef {Readonly<{ format: 1, lesson: "mixer", document: MixerDocument, view: View }>} State of the mixer
- * @typedef {Readonly<{ format: 1, lesson: "linkage", document: LinkageDocument, view: View }>} LinkageState
+ * @typedef {{ mixer: MixerDocument, linkage: LinkageDocument }} Documents
+ * @typedef {keyof Documents} Kind of mechanism, which the state calls its lesson
+ * @typedef {{ mixer: Omit<MixerDocument, "tracers">, linkage: LinkageDocument }} Presets what each sets: what is traced of a mixer stays
+ * @typedef {Partial<MixerDocument> | Partial<LinkageDocument>} Change of a document
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {K extends Kind ? Readonly<{ format: 1, lesson: K, document: Documents[K], view: View }> : never} State
  */
 
 /** What can be laid over the drawing. */
@@ -66,53 +73,68 @@ export function wheelLink(index) {
 }
 
 /**
- * @param {Omit<MixerDocument, "tracers">} document
  * @param {Partial<View>} view
- * @param {any} [lesson]
- * @returns {State}
+ * @returns {View} with what it says, else the usual
  */
-export function initialState(document, view, lesson = "mixer") {
+function completeView(view) {
   return Object.freeze({
-    format: 1,
-    lesson,
-    document: Object.freeze(lesson === "mixer" ? { tracers: [], ...document } : /** @type {any} */ (document)),
-    view: Object.freeze({
-      phi_deg: 62,
-      playing: true,
-      direction: 1,
-      speed: 1,
-      traces: true,
-      centres: false,
-      vectors: false,
-      loop_vectors: false,
-      transmission: false,
-      plot: "angles",
-      axes: "analogues",
-      omega: 1,
-      omega_unit: "rad_per_s",
-      epsilon: 0,
-      true_time: false,
-      differenced: false,
-      step: 0,
-      projector: false,
-      lang: "en",
-      ...view,
-    }),
+    phi_deg: 62,
+    playing: true,
+    direction: 1,
+    speed: 1,
+    traces: true,
+    centres: false,
+    vectors: false,
+    loop_vectors: false,
+    transmission: false,
+    plot: "angles",
+    axes: "analogues",
+    omega: 1,
+    omega_unit: "rad_per_s",
+    epsilon: 0,
+    true_time: false,
+    differenced: false,
+    step: 0,
+    projector: false,
+    lang: "en",
+    ...view,
   });
 }
 
 /**
+ * @template {Kind} K
+ * @param {K} lesson
+ * @param {Documents[K]} document
+ * @param {Partial<View>} view
+ * @returns {State}
+ */
+export function initialState(lesson, document, view) {
+  return stateOf(lesson, document, completeView(view));
+}
+
+/**
+ * @template {Kind} K
+ * @param {K} lesson
+ * @param {Documents[K]} document
+ * @param {View} view
+ */
+function stateOf(lesson, document, view) {
+  return /** @type {State} */ (Object.freeze({ format: 1, lesson, document, view }));
+}
+
+/**
  * Another mechanism instead of the one there is, in one state: drawing, plots, saving and undo go on alike.
+ * @template {Kind} K
  * @param {State} state
- * @param {any} lesson
- * @param {any} document
+ * @param {K} lesson
+ * @param {Documents[K]} document
  * @returns {State}
  */
 export function withMechanism(state, lesson, document) {
   const { plot, step } = state.view;
   const other = state.lesson !== lesson;
-  const kept = lesson === "mixer" ? !other : plotsOf(document).includes(plot);
-  const changed = /** @type {State} */ (Object.freeze({ ...state, lesson, document }));
+  const kept = "links" in document ? plotsOf(document).includes(plot) : !other;
+  const changed = stateOf(lesson, document, state.view);
   return withView(changed, { plot: kept ? plot : "angles", step: other ? 0 : step });
 }
 
@@ -126,19 +148,31 @@ export function plotsOf({ links, points }) {
 
 /**
  * @param {State} state
- * @param {Partial<MixerDocument>} change
+ * @param {Change} change of a document of its kind
  * @returns {State} the same state where nothing changes
  */
 export function withDocument(state, change) {
-  let document = merged(state.document, change);
+  const document = merged(state.document, change);
   if (document === state.document) return state;
-  if (state.lesson !== "mixer") return withMechanism(state, state.lesson, document);
+  if ("links" in document) return withMechanism(state, "linkage", document);
   // With a wheel goes what was traced of it.
   const tracers = document.tracers.filter(({ link }) => wheelOf(link) < document.wheels.length);
-  if (tracers.length < document.tracers.length) document = Object.freeze({ ...document, tracers });
   const { plot } = state.view;
-  const gone = /^P\d$/.test(plot) && Number(plot.slice(1)) > document.tracers.length;
-  return withView(Object.freeze({ ...state, document }), { plot: gone ? "angles" : plot });
+  const gone = /^P\d$/.test(plot) && Number(plot.slice(1)) > tracers.length;
+  const left = tracers.length < document.tracers.length ? Object.freeze({ ...document, tracers }) : document;
+  return withView(stateOf("mixer", left, state.view), { plot: gone ? "angles" : plot });
+}
+
+/**
+ * A change of a mechanism of one kind; another stays as it is.
+ * @template {Kind} K
+ * @param {State} state
+ * @param {K} kind
+ * @param {(document: Documents[K]) => Change} change
+ * @returns {State}
+ */
+export function edited(state, kind, change) {
+  return state.lesson === kind ? withDocument(state, change(/** @type {Documents[K]} */ (state.document))) : state;
 }
 
 /**

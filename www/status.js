@@ -4,21 +4,26 @@ import { byId, make, setData, write } from "assur/dom.js";
 import { LISTS, wheelLink } from "assur/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/engine.js").MixerSummary} Summary
  * @typedef {import("assur/engine.js").Swing} Swing
- * @typedef {import("assur/model.js").Snapshot} Snapshot
- * @typedef {import("assur/state.js").State} State
+ * @typedef {import("assur/model.js").OwnSnapshot<"mixer">} Snapshot
+ * @typedef {import("assur/state.js").State<"mixer">} State
  * @typedef {import("assur/words.js").Words} Words
  * @typedef {{ text: string, value?: number }} Entry
  */
 
+/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say what an entry says; null where there is nothing to say */
+
 /** The most peripheral wheels there are, from 0. */
 const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
 
-/**
- * What each entry says, or null where there is nothing to say.
- * @type {Readonly<Record<string, (summary: Summary, words: Words, state: State) => Entry | null>>}
- */
+/** @type {[string, Say][]} */
+const WHEEL_SWINGS = WHEELS.map((index) => [
+  `swing-${wheelLink(index)}`,
+  ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
+]);
+
+/** @type {Readonly<Record<string, Say>>} */
 const ENTRIES = Object.freeze({
   grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
   assembly: (_, words, { document }) => ({
@@ -26,7 +31,7 @@ const ENTRIES = Object.freeze({
     value: document.assembly,
   }),
   "swing-rocker": ({ swing }, words) => swingEntry(swing, words),
-  ...Object.fromEntries(WHEELS.map((index) => [`swing-${wheelLink(index)}`, ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null)])),
+  ...Object.fromEntries(WHEEL_SWINGS),
   overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
   turns: ({ wheels }, words) => ({
     text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),

@@ -1,9 +1,11 @@
 //! The layout from a phone to a large screen, in every language and at every pixel ratio.
 
+use roxmltree::Document;
 use serde_json::{Value, json};
 
 use crate::browser::Page;
 use crate::device::LANGUAGES;
+use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 
 const SIZES: [(u32, u32); 7] = [
@@ -283,4 +285,44 @@ async fn blurred(page: &Page, id: &str) -> Vec<usize> {
         assert!(found.len() - before >= 4, "{id}: too few lines, {found:?}");
     }
     found
+}
+
+/// A small drawing has smaller labels, and leaves out those that have no room. Its
+/// picture says the same.
+#[tokio::test]
+async fn a_small_drawing_is_saved_as_it_is_shown() {
+    let page = Page::open().await;
+    page.screen((360, 640), 1.0).await;
+    page.stop_at("75").await;
+    page.ask(
+        "const kind = CanvasRenderingContext2D.prototype;
+        const { fillText } = kind;
+        window.shown = [];
+        kind.fillText = function (text, ...place) {
+            if (this.canvas.id === 'mechanism') window.shown.push([text, Number.parseFloat(this.font.replace('600 ', ''))]);
+            fillText.call(this, text, ...place);
+        };",
+    )
+    .await;
+    page.click("zoom-fit").await;
+    let shown: Vec<(String, f64)> =
+        serde_json::from_value(page.ask("return window.shown").await).unwrap();
+    open_dialog(&page).await;
+    let svg = save_text(&page, "export-drawing-svg", "assur-mixer-a-drawing.svg").await;
+    let svg = Document::parse(&svg).unwrap();
+    let saved = svg.descendants().filter(|element| {
+        let halo = element.attribute("aria-hidden").is_some();
+        element.attribute("font-weight") == Some("600") && !halo
+    });
+    let saved: Vec<(String, f64)> = saved
+        .map(|label| {
+            let size = label.attribute("font-size").unwrap().parse().unwrap();
+            (label.text().unwrap().to_owned(), size)
+        })
+        .collect();
+    assert!(saved.iter().any(|(text, _)| text == "A"), "{saved:?}");
+    // What was drawn once; it may have been drawn anew since.
+    assert_eq!(saved, shown[..saved.len()]);
+    assert_eq!(shown.len() % saved.len(), 0, "{shown:?} {saved:?}");
+    page.close().await;
 }

@@ -185,6 +185,7 @@ export class Svg {
    */
   fillText(text, x, y, widest = Infinity) {
     const squeezed = this.measureText(text).width > widest;
+    /** @type {Record<string, string>} */
     const fit = squeezed ? { textLength: short(widest), lengthAdjust: "spacingAndGlyphs" } : {};
     this.#text(text, x, y, { ...this.#filling(), ...fit });
   }
@@ -234,7 +235,7 @@ export class Svg {
       this.#canvas.textBaseline = baseline;
       return this.measureText("").fontBoundingBoxAscent;
     };
-    return ascent("alphabetic") - ascent(/** @type {CanvasTextBaseline} */ (this.textBaseline));
+    return ascent("alphabetic") - ascent(this.textBaseline);
   }
 
   #filling() {

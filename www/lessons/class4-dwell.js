@@ -4,7 +4,7 @@ import { degrees } from "assur/angles.js";
 
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
- * @typedef {import("assur/lessons/panel.js").Step} Step
+ * @typedef {import("assur/lessons/panel.js").Step<"linkage">} Step
  * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
  */
 
@@ -73,7 +73,7 @@ function classOf({ class: highest }) {
 
 /**
  * @param {string} link
- * @returns {(document: LinkageDocument) => object} another driver of the same linkage
+ * @returns {(document: LinkageDocument) => LinkageDocument} another driver of the same linkage
  */
 function drivenBy(link) {
   return (document) => ({ ...document, drivers: [{ crank: link }], assembly: null });

@@ -3,8 +3,8 @@
 import { degrees } from "assur/angles.js";
 
 /**
- * @typedef {import("assur/engine.js").Summary} Summary
- * @typedef {import("assur/lessons/panel.js").Step} Step
+ * @typedef {import("assur/engine.js").MixerSummary} Summary
+ * @typedef {import("assur/lessons/panel.js").Step<"mixer">} Step
  */
 
 /** What differs between two cases is compared with the crank upright. */

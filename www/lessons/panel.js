@@ -6,41 +6,68 @@ import { SWITCHES, withDocument, withView } from "assur/state.js";
 import { withSubscripts } from "assur/subscripts.js";
 
 /**
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/state.js").Kind} Kind
  * @typedef {import("assur/model.js").Snapshot} Snapshot
  * @typedef {import("assur/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/words.js").Words} Words
- *
+ */
+
+/**
+ * @template {Kind} K
+ * @typedef {import("assur/state.js").Presets[K]} Preset
+ */
+
+/**
+ * @template {Kind} K
+ * @typedef {import("assur/engine.js").Summaries[K]} Summary
+ */
+
+/**
+ * @template {Kind} K
  * @typedef {Readonly<{
- *   name?: string, preset: string, change?: (document: any) => object, play?: boolean, overlays?: readonly string[],
- *   at?: (summary: any) => number | undefined,
+ *   name?: string, preset: string, change?: (document: Preset<K>) => Preset<K>, play?: boolean, overlays?: readonly string[],
+ *   at?: (summary: Summary<K>) => number | undefined,
  * }>} Show
  * What a button sets: a preset, or a change of it, the crank's angle in it or its motion, and what is laid over the drawing. The words of the
  * button are `ID.show.NAME`, or "Show it".
- *
+ */
+
+/**
+ * @template {Kind} K
  * @typedef {Readonly<{
- *   answer: (summary: any) => number | string | undefined,
+ *   answer: (summary: Summary<K>) => number | string | undefined,
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
- *   places?: (summary: any) => Readonly<Record<string, number>>,
+ *   places?: (summary: Summary<K>) => Readonly<Record<string, number>>,
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
- *
- * @typedef {Readonly<{ id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show[], question: Question, errata?: string }>} Step
+ */
+
+/**
+ * @template {Kind} K
+ * @typedef {Readonly<{
+ *   id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: string,
+ * }>} Step
  * `formula`: one with a number in it is written with the reader's decimal sign; `errata`: the lesson whose paper's misprints concern the step.
- *
+ */
+
+/**
+ * @template {Kind} K
  * @typedef {Readonly<{
  *   store: import("assur/store.js").Store<State>,
  *   model: import("assur/model.js").Model,
  *   history: import("assur/history.js").History,
- *   presets: import("assur/engine.js").Engine["presets"],
+ *   presets: readonly Readonly<{ id: string, document: Preset<K> }>[],
  * }>} Parts
- *
+ */
+
+/**
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
  * @typedef {{ given: string, verdict: Verdict | null, document: State["document"] | null }} Answer
  */
 
+/** @template {Kind} K of mechanism the lesson is about */
 export class Panel {
   #steps;
   #parts;
@@ -48,9 +75,9 @@ export class Panel {
   #words;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Map<Step, Answer>} what was answered, and the mechanism it was said of */
+  /** @type {Map<Step<K>, Answer>} what was answered, and the mechanism it was said of */
   #answers = new Map();
-  /** @type {Set<Step>} */
+  /** @type {Set<Step<K>>} */
   #solved = new Set();
   /** @type {readonly unknown[]} step and words that are shown */
   #shown = [];
@@ -69,8 +96,8 @@ export class Panel {
 
   /**
    * @param {HTMLElement} place
-   * @param {readonly Step[]} steps
-   * @param {Parts} parts
+   * @param {readonly Step<K>[]} steps
+   * @param {Parts<K>} parts
    * @param {Words} words those of the panel and of the lesson
    */
   constructor(place, steps, parts, words) {
@@ -193,10 +220,11 @@ export class Panel {
     });
   }
 
-  /** @param {Show} show */
+  /** @param {Show<K>} show */
   #show({ preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
     const { store, model, history, presets } = this.#parts;
-    const { document = {} } = presets.find(({ id }) => id === preset) ?? {};
+    const document = presets.find(({ id }) => id === preset)?.document;
+    if (!document) return;
     const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
     /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
     const plots = { plot: "angles", axes: "analogues" };
@@ -204,7 +232,7 @@ export class Panel {
       store.update((state) => withDocument(state, change(document)));
       // Where the crank goes is known once the engine has taken the mechanism.
       model.follow(store.get());
-      const phi = at?.(model.summary);
+      const phi = at?.(/** @type {Summary<K>} */ (model.summary));
       const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
       store.update((state) => withView(state, { ...shown, ...plots, ...place, playing: play }));
     });
@@ -233,14 +261,14 @@ export class Panel {
   }
 
   /**
-   * @param {Step} step
+   * @param {Step<K>} step
    * @param {Verdict} verdict
    */
   #reason({ id, question }, verdict) {
     const words = this.#words;
     if (verdict === "not_yet") return words.text(`${id}.hint`);
-    const summary = this.#snapshot?.summary;
-    if (verdict !== "right" || !summary) return "";
+    if (verdict !== "right" || !this.#snapshot) return "";
+    const summary = /** @type {Summary<K>} */ (this.#snapshot.summary);
     const exact = question.answer(summary);
     if (typeof exact !== "number") return words.text(`${id}.right`);
     const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
@@ -250,14 +278,15 @@ export class Panel {
 }
 
 /**
- * @param {Question} question
+ * @template {Kind} K
+ * @param {Question<K>} question
  * @param {string} given
  * @param {Snapshot} snapshot
  * @returns {Verdict}
  */
 function judge({ answer, choices, within = 0, round = false }, given, { summary, stale }) {
   if (stale) return "stale";
-  const exact = answer(summary);
+  const exact = answer(/** @type {Summary<K>} */ (summary));
   if (exact === undefined) return "none";
   if (typeof exact === "string") {
     if (!choices?.includes(given)) return "unanswered";

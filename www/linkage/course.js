@@ -28,10 +28,10 @@ const INSET = Object.freeze({ width: 0.42, height: 0.36 });
  * Lays the dwell over the plots of an output whose document gives its band.
  * @type {import("assur/chart.js").Overlay}
  */
-export function paintCourse(context, panels, { state, summary, words }, engine, theme) {
-  const { course } = /** @type {Snapshot["summary"]} */ (/** @type {unknown} */ (summary));
-  const { band } = /** @type {{ band?: number }} */ (/** @type {unknown} */ (state.document));
-  if (!band || !course?.dwell) return;
+export function paintCourse(context, panels, { lesson, state, summary, words }, engine, theme) {
+  if (lesson !== "linkage" || state.lesson !== "linkage") return;
+  const { course } = summary;
+  if (!state.document.band || !course?.dwell) return;
   const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
   for (const panel of panels) paintDwell(context, panel, course.dwell, value, words, theme);
 }
@@ -125,7 +125,7 @@ export class CourseView {
   #shown = [];
 
   /**
-   * @param {import("assur/store.js").Store<any>} store
+   * @param {import("assur/store.js").Store<import("assur/state.js").State>} store
    * @param {import("assur/drafts.js").Drafts} drafts
    * @param {import("assur/history.js").History} history
    * @param {Words} words
@@ -133,7 +133,7 @@ export class CourseView {
   constructor(store, drafts, history, words) {
     this.#design = new DesignView(store, drafts, history);
     this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
-      store.update((state) => withDocument(state, /** @type {any} */ ({ band }))),
+      store.update((state) => withDocument(state, { band })),
     );
     const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
     const section = make("section", { class: "of-linkage" }, [
@@ -153,7 +153,7 @@ export class CourseView {
     const { state, summary, words, problems, stale } = snapshot;
     const { course, plotted } = summary;
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
-    const { band = course?.width } = /** @type {{ band?: number }} */ (/** @type {unknown} */ (state.document));
+    const band = state.document.band ?? course?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     const shown = [course, words, wrong, band, stale];
     if (shown.every((part, i) => part === this.#shown[i])) return;

@@ -11,6 +11,7 @@ import { withDocument } from "assur/state.js";
  * @typedef {import("assur/engine.js").Problem} Problem
  * @typedef {import("assur/linkage/views.js").Snapshot} Snapshot
  * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/state.js").State} State
  * @typedef {import("assur/words.js").Words} Words
  * @typedef {Readonly<{
  *   judged: number, accepted: boolean, before: number,
@@ -55,7 +56,7 @@ export class DesignView {
   #snapshot = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {{ document: LinkageDocument, plot: string } | null} what the search is about: as of its last better mechanism */
+  /** @type {ReturnType<typeof subject> | null} what the search is about: as of its last better mechanism */
   #subject = null;
   #changed = false;
   /** @type {Progress | null} */
@@ -66,7 +67,7 @@ export class DesignView {
   #problems = [];
 
   /**
-   * @param {import("assur/store.js").Store<any>} store
+   * @param {import("assur/store.js").Store<State>} store
    * @param {import("assur/drafts.js").Drafts} drafts
    * @param {import("assur/history.js").History} history
    */
@@ -158,7 +159,7 @@ export class DesignView {
 
   /**
    * Whether the page still shows what is searched from.
-   * @param {import("assur/state.js").LinkageState} state
+   * @param {State} state
    */
   #holds({ document: linkage, view: { plot } }) {
     return linkage === this.#subject?.document && plot === this.#subject.plot;
@@ -174,7 +175,7 @@ export class DesignView {
       stroke: angle ? radians(this.#wish.stroke ?? 0) : this.#wish.stroke,
       movable: this.#movable.filter(({ moves }) => moves.checked).map(({ name, by }) => ({ link: name, by: Number(by.value) / 100 })),
     };
-    this.#subject = { document: state.document, plot: state.view.plot };
+    this.#subject = subject(state);
     this.#changed = false;
     this.#progress = this.#end = null;
     this.#problems = [];
@@ -221,9 +222,8 @@ export class DesignView {
     if (this.#changed) this.#history.join();
     else this.#history.close();
     this.#changed = true;
-    this.#store.update((state) => withDocument(state, /** @type {any} */ (change)));
-    const { document: linkage, view } = this.#store.get();
-    this.#subject = { document: linkage, plot: view.plot };
+    this.#store.update((state) => withDocument(state, change));
+    this.#subject = subject(this.#store.get());
     const worker = this.#worker;
     setTimeout(() => worker?.postMessage({}), SHOWN);
   }
@@ -270,4 +270,9 @@ export class DesignView {
     } else if (this.#worker) said.push(words.text("design.coming"));
     write(this.#told, said.join(" "));
   }
+}
+
+/** @param {State} state */
+function subject({ document, view: { plot } }) {
+  return { document, plot };
 }

@@ -7,8 +7,15 @@ import "assur/linkage/style.js";
  *   engine: import("assur/engine.js").Engine,
  *   words: import("assur/words.js").Words,
  *   store: import("assur/store.js").Store<import("assur/state.js").State>,
- *   choose: (lesson: string, document: object) => void,
+ *   choose: Choose,
  * }} Parts
+ */
+
+/**
+ * @callback Choose
+ * @param {"mixer" | "linkage"} lesson
+ * @param {import("assur/state.js").State["document"]} document of that kind
+ * @returns {void}
  */
 
 /**
@@ -17,8 +24,8 @@ import "assur/linkage/style.js";
  */
 export function openGallery({ engine, words, store, choose }) {
   document.getElementById("gallery-dialog")?.remove();
-  const { lesson, document: shown } = store.get();
-  const current = lesson === "mixer" ? "mixer" : engine.original(shown)?.id;
+  const state = store.get();
+  const current = state.lesson === "mixer" ? "mixer" : engine.original(state.document)?.id;
   const entry = (/** @type {string} */ id, /** @type {string} */ key, /** @type {() => void} */ open) => {
     const button = make("button", { id: `gallery-${id}`, class: "segment", "aria-pressed": String(id === current), "data-t": key });
     if (id === current) button.autofocus = true;

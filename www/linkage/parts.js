@@ -6,15 +6,15 @@ import { LinkageRail, LinkageStatus, LinkageTitle } from "assur/linkage/views.js
 
 /**
  * @param {{
- *   store: import("assur/store.js").Store<any>,
+ *   store: import("assur/store.js").Store<import("assur/state.js").State>,
  *   drafts: import("assur/drafts.js").Drafts,
  *   history: import("assur/history.js").History,
  *   engine: import("assur/engine.js").Engine,
  *   chart: import("assur/chart.js").ChartView,
- *   views: { render(snapshot: any): void }[],
+ *   views: { render(snapshot: import("assur/model.js").Snapshot): void }[],
  * }} page of which `views` are shown whatever the mechanism
  * @param {import("assur/words.js").Words} words
- * @returns {{ render(snapshot: any): void }[]} what is shown while it is a linkage
+ * @returns {{ render(snapshot: import("assur/model.js").OwnSnapshot<"linkage">): void }[]} what is shown while it is a linkage
  */
 export function linkageParts({ store, drafts, history, engine, chart, views }, words) {
   chart.lay(paintCourse);

@@ -2,14 +2,14 @@
 import { degrees } from "assur/angles.js";
 import { byId, make, setData, write } from "assur/dom.js";
 import { NumberRow } from "assur/number-row.js";
-import { withDocument } from "assur/state.js";
+import { edited, withDocument } from "assur/state.js";
 
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
  * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
- * @typedef {import("assur/state.js").LinkageState} LinkageState
+ * @typedef {import("assur/state.js").State<"linkage">} LinkageState
  * @typedef {import("assur/words.js").Words} Words
- * @typedef {Omit<import("assur/model.js").Snapshot, "summary" | "state"> & { summary: Summary, state: import("assur/state.js").LinkageState }} Snapshot
+ * @typedef {import("assur/model.js").OwnSnapshot<"linkage">} Snapshot
  */
 
 /** A slider goes to so many times the length that it is made for. */
@@ -43,7 +43,7 @@ export class LinkageRail {
   #shown = [];
 
   /**
-   * @param {import("assur/store.js").Store<any>} store
+   * @param {import("assur/store.js").Store<import("assur/state.js").State>} store
    * @param {import("assur/drafts.js").Drafts} drafts
    * @param {Words} words
    */
@@ -89,7 +89,7 @@ export class LinkageRail {
 
   /** @param {Partial<LinkageDocument>} change */
   #edit(change) {
-    this.#store.update((state) => withDocument(state, /** @type {any} */ (change)));
+    this.#store.update((state) => withDocument(state, change));
   }
 
   /**
@@ -112,7 +112,9 @@ export class LinkageRail {
    */
   #place(place, dimensions, words) {
     const rows = dimensions.map(({ kind, of, changed }) => {
-      const row = new NumberRow(kind, this.#drafts, (value) => this.#edit(changed(this.#store.get().document, value)));
+      const row = new NumberRow(kind, this.#drafts, (value) =>
+        this.#store.update((state) => edited(state, "linkage", (linkage) => changed(linkage, value))),
+      );
       words.fill(row.element);
       return { row, of };
     });
@@ -170,7 +172,7 @@ function coordinate({ points }, { bounds: [left, bottom, right, top] }, index, {
 function kept(linkage, link, index) {
   if (link.length || link.shape || link.points.length < 2) return link;
   if (link.points.length === 2) return { ...link, length: lengthOf(linkage, index) };
-  return { ...link, shape: link.points.map((name) => linkage.points.find((point) => point.name === name)?.at) };
+  return { ...link, shape: link.points.flatMap((name) => linkage.points.filter((point) => point.name === name)).map(({ at }) => at) };
 }
 
 /** @param {number} size of what a slider changes */
@@ -235,7 +237,7 @@ export class LinkageTitle {
   /** @param {import("assur/model.js").Snapshot} snapshot */
   render({ state, words }) {
     const mixer = state.lesson === "mixer";
-    const name = mixer ? "" : nameOf(this.#engine, /** @type {any} */ (state.document), words);
+    const name = mixer ? "" : nameOf(this.#engine, state.document, words);
     const shown = [mixer, name, words];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;

@@ -55,13 +55,26 @@ fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
     // The names of functions only make the file longer.
     let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
     bindgen
-        .args(["--target", "web", "--no-typescript"])
+        .args(["--target", "web"])
         .args(["--encode-into", "always"])
         .args(["--remove-name-section", "--remove-producers-section"])
         .arg("--out-dir")
         .arg(place)
         .arg(wasm);
-    run(&mut bindgen, "writing the bindings")
+    run(&mut bindgen, "writing the bindings")?;
+    keep_types(workspace, place)
+}
+
+/// The types of what the module offers are not for the browser: the checker, and editors, find them
+/// where `tsconfig.json` says.
+fn keep_types(workspace: &Workspace, place: &Path) -> Result<()> {
+    let types = workspace.types();
+    let unmovable = || format!("the types cannot be moved to {}", types.display());
+    fs::create_dir_all(&types).with_context(unmovable)?;
+    for name in ["assur_web.d.ts", "assur_web_bg.wasm.d.ts"] {
+        fs::rename(place.join(name), types.join(name)).with_context(unmovable)?;
+    }
+    Ok(())
 }
 
 /// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.

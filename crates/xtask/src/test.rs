@@ -28,6 +28,7 @@ struct SetUp {
     target: Result<()>,
     bindgen: Result<()>,
     pack: Result<()>,
+    typescript: Result<()>,
     browser: Result<Browser>,
 }
 
@@ -94,6 +95,13 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
         site = Ok(());
         Ok(())
     });
+    tally.check("types of the scripts", || {
+        needed(&ready.typescript)?;
+        // What crosses the border has its types of the build.
+        needed(&site)?;
+        let mut checker = tools::type_checker(workspace);
+        run_step(checker.args(["--project", "."]), "types of the scripts")
+    });
     let mut bundled = Err(anyhow!("the one-file page was not written"));
     tally.check("one-file page", || {
         needed(&site)?;
@@ -123,6 +131,7 @@ impl SetUp {
             target: told("wasm target", tools::wasm_target(workspace)),
             bindgen: told("wasm-bindgen", tools::wasm_bindgen(workspace)),
             pack: told("wasm-pack", tools::wasm_pack(workspace)),
+            typescript: told("TypeScript", tools::typescript(workspace)),
             browser: told("browser and driver", browser::find_or_install(workspace)),
         }
     }

@@ -1,4 +1,4 @@
-//! The tools of the Rust side: each is looked for and, if it is not there, installed.
+//! The tools of other makers: each is looked for and, if it is not there, installed.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -14,6 +14,8 @@ use crate::workspace::Workspace;
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
 const WASM_PACK: &str = "0.15.1";
+
+const TYPESCRIPT: &str = "7.0.2";
 
 const THERE: &str = "already there";
 
@@ -76,6 +78,33 @@ pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<()> {
         WASM_PACK,
         &["--locked"],
     )
+}
+
+/// TypeScript, whose checker reads the scripts of the page.
+pub(crate) fn typescript(workspace: &Workspace) -> Result<()> {
+    let what = format!("TypeScript {TYPESCRIPT}");
+    let answer = quiet_output(type_checker(workspace).arg("--version"));
+    if answer.is_some_and(|answer| answer.split_whitespace().nth(1) == Some(TYPESCRIPT)) {
+        announce(&what, THERE);
+        return Ok(());
+    }
+    let npm = which::which("npm").ok().filter(|_| which::which("node").is_ok());
+    let npm = npm.context("Node.js with npm is needed to check the scripts: install it")?;
+    announce(&what, "installing by npm");
+    let mut npm = workspace.command(&npm);
+    npm.args(["install", "--no-audit", "--no-fund", "--no-save"])
+        .arg(format!("typescript@{TYPESCRIPT}"))
+        .arg("--prefix")
+        .arg(workspace.tools().join("typescript"));
+    run(&mut npm, &what)
+}
+
+/// The checker, to be given its arguments.
+pub(crate) fn type_checker(workspace: &Workspace) -> Command {
+    let package = workspace.tools().join("typescript/node_modules/typescript");
+    let mut checker = workspace.command("node");
+    checker.arg(package.join("bin/tsc"));
+    checker
 }
 
 fn installed(

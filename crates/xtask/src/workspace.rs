@@ -67,6 +67,11 @@ impl Workspace {
         self.target.join("site")
     }
 
+    /// Where `tsconfig.json` looks for the types of the wasm side.
+    pub(crate) fn types(&self) -> PathBuf {
+        self.root.join("target").join("types").join("pkg")
+    }
+
     pub(crate) fn bundle(&self) -> PathBuf {
         self.root.join("dist").join("assur.html")
     }
