@@ -20,42 +20,45 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
 const BUILT: [(&str, &[&str]); 25] = [
-    ("assembly.", &["www/rail.js"]),
+    ("assembly.", &["www/kinds/mixer/rail.js"]),
     (
         "field.",
         &[
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/state.rs",
-            "www/rail.js",
-            "www/rail-lists.js",
-            "www/linkage/views.js",
-            "www/linkage/course.js",
-            "www/linkage/design.js",
+            "www/kinds/mixer/rail.js",
+            "www/kinds/mixer/lists.js",
+            "www/kinds/linkage/rail.js",
+            "www/kinds/linkage/course.js",
+            "www/kinds/linkage/design.js",
         ],
     ),
-    ("field.tracers.", &["www/rail-lists.js"]),
+    ("field.tracers.", &["www/kinds/mixer/lists.js"]),
     ("dead.", &["crates/assur/src/motion/trace.rs"]),
     (
         "dwell.",
-        &["crates/assur-web/src/course.rs", "www/linkage/course.js"],
+        &[
+            "crates/assur-web/src/course.rs",
+            "www/kinds/linkage/course.js",
+        ],
     ),
-    ("equations.", &["www/linkage/equations.js"]),
+    ("equations.", &["www/kinds/linkage/equations.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),
-    ("lang.", &["www/words.js"]),
-    ("mesh.", &["www/rail.js"]),
+    ("lang.", &["www/core/words.js"]),
+    ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
         "name.",
         &[
-            "www/rail.js",
-            "www/rail-lists.js",
-            "www/linkage/course.js",
-            "www/linkage/design.js",
-            "www/linkage/views.js",
+            "www/kinds/mixer/rail.js",
+            "www/kinds/mixer/lists.js",
+            "www/kinds/linkage/course.js",
+            "www/kinds/linkage/design.js",
+            "www/kinds/linkage/rail.js",
         ],
     ),
-    ("name.tracers.", &["www/rail-lists.js"]),
-    ("notice.", &["www/opening.js"]),
+    ("name.tracers.", &["www/kinds/mixer/lists.js"]),
+    ("notice.", &["www/app/opening.js"]),
     // Of a panel: its kind, by what its derivatives are, its order.
     ("plots.", &[]),
     ("plots.angle.by_time.", &["www/engine.js"]),
@@ -68,24 +71,33 @@ const BUILT: [(&str, &[&str]); 25] = [
         &[
             "crates/assur-file/src/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
-            "www/carrier.js",
+            "www/state/codec.js",
             "www/engine.js",
-            "www/model.js",
+            "www/state/model.js",
         ],
     ),
-    ("readouts.", &["www/readouts.js"]),
+    ("readouts.", &["www/plots/readouts.js"]),
     (
         "slider.",
-        &["www/rail.js", "www/rail-lists.js", "www/linkage/views.js"],
+        &[
+            "www/kinds/mixer/rail.js",
+            "www/kinds/mixer/lists.js",
+            "www/kinds/linkage/rail.js",
+        ],
     ),
-    ("status.", &["www/status.js", "www/linkage/views.js"]),
-    ("told.", &["www/spoken.js"]),
-    ("tracers.", &["www/rail-lists.js"]),
+    (
+        "status.",
+        &["www/kinds/mixer/status.js", "www/kinds/linkage/status.js"],
+    ),
+    ("told.", &["www/app/description.js"]),
+    ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
 
 /// The tables of all that the page says, and of what it says of linkages besides.
 const PAGE: &str = "lang/*.json";
 const LINKAGES: &str = "lang/linkages/*.json";
+/// Those of the panel that every lesson is shown in.
+const PANEL: &str = "lang/lessons/panel.*.json";
 /// Those of the misprints that lessons are about.
 const ERRATA: &str = "lang/errata/class4-dwell.*.json";
 
@@ -97,13 +109,27 @@ fn source(name: &str) -> String {
     fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// The files of a folder whose names end so, by their names.
-fn files(folder: &str, ending: &str) -> BTreeMap<String, String> {
-    let entries = fs::read_dir(root().join(folder)).unwrap();
-    entries
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(ending))
-        .map(|name| (name.clone(), source(&format!("{folder}/{name}"))))
+/// The scripts of a folder and of those in it, by their paths.
+fn scripts(folder: &str) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(root().join(folder)).unwrap() {
+        let entry = entry.unwrap();
+        let path = format!("{folder}/{}", entry.file_name().into_string().unwrap());
+        if entry.path().is_dir() {
+            found.extend(scripts(&path));
+        } else if path.ends_with(".js") {
+            found.insert(path.clone(), source(&path));
+        }
+    }
+    found
+}
+
+/// The steps of each lesson, by the place of their words.
+fn lessons() -> BTreeMap<String, String> {
+    let lessons = scripts("www/lessons").into_iter();
+    let place = |path: String| path.replace("www/", "lang/").replace(".js", ".*.json");
+    lessons
+        .map(|(path, script)| (place(path), script))
         .collect()
 }
 
@@ -118,10 +144,8 @@ fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
 
 /// The tables of a lesson's panel and of all lessons.
 fn lesson_tables() -> Vec<String> {
-    let modules = files("www/lessons", ".js").into_keys();
-    modules
-        .map(|name| format!("lang/lessons/{}", name.replace(".js", ".*.json")))
-        .collect()
+    let panel = std::iter::once(PANEL.to_owned());
+    panel.chain(lessons().into_keys()).collect()
 }
 
 /// Every word the page ever says outside its lessons, in the first language.
@@ -221,10 +245,7 @@ fn every_language_says_everything() {
 #[test]
 fn no_key_is_left_over() {
     let page = source("www/index.html");
-    let mut scripts = files("www", ".js");
-    scripts.extend(files("www/lessons", ".js"));
-    scripts.extend(files("www/export", ".js"));
-    scripts.extend(files("www/linkage", ".js"));
+    let scripts = scripts("www");
     let named: BTreeSet<&str> = quoted(&page, '"')
         .into_iter()
         .chain(scripts.values().flat_map(|script| quoted(script, '"')))
@@ -265,9 +286,12 @@ fn no_key_is_missing() {
     }
     for part in page.split("{{").skip(1) {
         let key = part.split("}}").next().unwrap();
-        assert!(keys.contains(key) || key == "version", "index.html: {key}");
+        let known = keys.contains(key) || ["version", "languages"].contains(&key);
+        assert!(known, "index.html: {key}");
     }
-    for (name, script) in files("www", ".js") {
+    let page_scripts = scripts("www").into_iter();
+    let page_scripts = page_scripts.filter(|(name, _)| !name.starts_with("www/lesson"));
+    for (name, script) in page_scripts {
         for key in quoted(&script, '"').into_iter().filter(is_key) {
             let mut parts = BUILT.iter().map(|(start, _)| format!("{start}{key}"));
             let known = keys.contains(key) || parts.any(|key| keys.contains(key.as_str()));
@@ -288,23 +312,21 @@ fn no_key_is_missing() {
 /// panel itself says.
 #[test]
 fn lessons_have_their_words_and_no_more() {
-    for (name, script) in files("www/lessons", ".js") {
-        let place = format!("lang/lessons/{}", name.replace(".js", ".*.json"));
-        let words = &tables(&place)[0].2;
-        if name == "panel.js" {
-            let named = quoted(&script, '"');
-            assert!(
-                asked(words).is_subset(&named),
-                "{place}: a key is left over"
-            );
-            for call in ["text(\"", "counted(\""] {
-                for part in script.split(call).skip(1) {
-                    let key = part.split('"').next().unwrap();
-                    assert!(asked(words).contains(key), "{name} asks for {key}");
-                }
-            }
-            continue;
+    let panel = source("www/lesson/panel.js");
+    let words = &tables(PANEL)[0].2;
+    let named = quoted(&panel, '"');
+    assert!(
+        asked(words).is_subset(&named),
+        "{PANEL}: a key is left over"
+    );
+    for call in ["text(\"", "counted(\""] {
+        for part in panel.split(call).skip(1) {
+            let key = part.split('"').next().unwrap();
+            assert!(asked(words).contains(key), "the panel asks for {key}");
         }
+    }
+    for (name, script) in lessons() {
+        let words = &tables(&name)[0].2;
         let mut expected = BTreeSet::new();
         for step in script.split("    id: \"").skip(1) {
             let id = step.split('"').next().unwrap();

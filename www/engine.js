@@ -1,12 +1,13 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+import { Refusal } from "assur/core/problem.js";
 import init, * as mixer from "assur/pkg/assur_web.js";
 
 /**
- * @typedef {import("assur/state.js").Kind} Kind
- * @typedef {import("assur/state.js").State} State
- * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
- * @typedef {import("assur/state.js").MixerDocument} MixerDocument
- * @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/state/state.js").Kind} Kind
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
  * @typedef {{ min: number, max: number, stroke: number }} Swing
  * @typedef {{ ratio: number, swing: (Swing | null)[], turns: number[] }} WheelSummary
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
@@ -30,7 +31,7 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * @typedef {{
  *   cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
- *   groups: { term: string, role: string }[], equations: import("assur/linkage/equations.js").Equation[],
+ *   groups: { term: string, role: string }[], equations: import("assur/kinds/linkage/equations.js").Equation[],
  *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
  *   course: Course | null,
@@ -56,30 +57,6 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * @typedef {{ columns: string[], rows: { phi_deg: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
  */
 
-/** The engine did not do what was asked, and says why. */
-export class Refusal extends Error {
-  /** @param {readonly Problem[]} problems */
-  constructor(problems) {
-    super(problems.map((problem) => problem.code).join(", "));
-    this.problems = problems;
-  }
-}
-
-/**
- * What the engine refuses comes back as problems; anything else is a fault and goes on up.
- * @template T
- * @param {() => T} work
- * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}
- */
-export function attempt(work) {
-  try {
-    return { value: work(), problems: [] };
-  } catch (thrown) {
-    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
-    throw thrown;
-  }
-}
-
 export class Engine {
   #module = mixer;
   #simulator = new mixer.Simulator();
@@ -92,7 +69,7 @@ export class Engine {
   roles = mixer.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
-  /** @type {readonly { id: string, document: import("assur/state.js").Presets["mixer"] }[]} */
+  /** @type {readonly { id: string, document: import("assur/state/state.js").Presets["mixer"] }[]} */
   presets = mixer.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
   /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue, once they can be shown */
   gallery = [];
@@ -142,7 +119,7 @@ export class Engine {
 
   /**
    * @template {Kind} K
-   * @param {import("assur/state.js").State<K>} state
+   * @param {import("assur/state/state.js").State<K>} state
    * @returns {Summaries[K]}
    */
   set(state) {
@@ -193,7 +170,7 @@ export class Engine {
    * @param {number} phi where the crank is
    * @param {number} x
    * @param {number} y
-   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: import("assur/state.js").Change }}
+   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: import("assur/state/state.js").Change }}
    */
   drag(joint, phi, x, y) {
     return this.ask((simulator) => simulator.drag(joint, phi, x, y));
@@ -204,7 +181,7 @@ export class Engine {
    * @param {number} phi where the crank is
    * @param {number} x
    * @param {number} y
-   * @returns {{ document: { tracers: import("assur/state.js").Tracer[] } }}
+   * @returns {{ document: { tracers: import("assur/state/state.js").Tracer[] } }}
    */
   trace(phi, x, y) {
     return this.ask((simulator) => simulator.trace(phi, x, y));
@@ -241,7 +218,7 @@ export class Engine {
   }
 
   /**
-   * @param {import("assur/painter.js").Context} context
+   * @param {import("assur/canvas/painter.js").Context} context
    * @param {ChartRequest} request
    * @returns {{ panels: Panel[] }}
    */

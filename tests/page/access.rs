@@ -136,14 +136,16 @@ async fn drawing_and_plots_are_described_at_rest() {
         let named = page.attribute(canvas, "aria-describedby").await;
         assert_eq!(named.as_deref(), Some(by));
     };
-    describes("mechanism", "mechanism-told").await;
-    describes("charts", "charts-told").await;
-    let role = page.attribute("told", "role").await;
+    describes("mechanism", "mechanism-description").await;
+    describes("charts", "charts-description").await;
+    let role = page.attribute("announcement", "role").await;
     assert_eq!(role.as_deref(), Some("status"));
 
     page.stop_at("100").await;
     page.until("a description", async || {
-        said(&page, "mechanism-told").await.contains("100.0°")
+        said(&page, "mechanism-description")
+            .await
+            .contains("100.0°")
     })
     .await;
     let linkage = FourBar::new(Case::A.dimensions().lengths).unwrap();
@@ -151,7 +153,7 @@ async fn drawing_and_plots_are_described_at_rest() {
         .pose::<1>(Assembly::First, 100.0_f64.to_radians())
         .unwrap();
     let degrees = |angle: f64| format!("{:.1}°", angle.to_degrees()).replace('-', "−");
-    let drawing = said(&page, "mechanism-told").await;
+    let drawing = said(&page, "mechanism-description").await;
     for part in [
         format!("rocker {}", degrees(pose.rocker.value())),
         format!("wheel 5 {}", degrees(-2.0 * pose.rocker.value())),
@@ -160,7 +162,7 @@ async fn drawing_and_plots_are_described_at_rest() {
     ] {
         assert!(drawing.contains(&part), "{part}: {drawing}");
     }
-    let plots = said(&page, "charts-told").await;
+    let plots = said(&page, "charts-description").await;
     for part in [
         "0.0° to 360.0°",
         "angle, °: rocker, wheel 4, least 60.3° at 23.1°, greatest 148.2° at 217.1°",
@@ -174,10 +176,10 @@ async fn drawing_and_plots_are_described_at_rest() {
     // A step is spoken, once it is done, and in the reader's numbers.
     page.click("step-forward").await;
     page.until("the step to be told", async || {
-        said(&page, "told").await.contains("101.0°")
+        said(&page, "announcement").await.contains("101.0°")
     })
     .await;
-    let now = said(&page, "told").await;
+    let now = said(&page, "announcement").await;
     let pose = linkage
         .pose::<1>(Assembly::First, 101.0_f64.to_radians())
         .unwrap();
@@ -189,13 +191,13 @@ async fn drawing_and_plots_are_described_at_rest() {
     {
         page.speak(lang).await;
         page.until("its words", async || {
-            let drawing = said(&page, "mechanism-told").await;
+            let drawing = said(&page, "mechanism-description").await;
             drawing.contains(word) && drawing.contains("101,0°")
         })
         .await;
-        let plots = said(&page, "charts-told").await;
+        let plots = said(&page, "charts-description").await;
         assert!(plots.contains("148,2°"), "{plots}");
-        for text in [said(&page, "mechanism-told").await, plots] {
+        for text in [said(&page, "mechanism-description").await, plots] {
             assert!(!text.contains(['{', '}']), "{text}");
         }
     }
@@ -204,14 +206,16 @@ async fn drawing_and_plots_are_described_at_rest() {
     // Special positions: a limit position; a dead point, which is a problem's sentence.
     page.write("angle", "217.15").await;
     page.until("the limit position", async || {
-        said(&page, "told")
+        said(&page, "announcement")
             .await
             .contains("Limit position at 217.1°")
     })
     .await;
     page.click("assembly-2").await;
     page.until("the other assembly", async || {
-        said(&page, "mechanism-told").await.contains("assembly 2")
+        said(&page, "mechanism-description")
+            .await
+            .contains("assembly 2")
     })
     .await;
     page.write("field-l1", "0.8").await;
@@ -221,20 +225,20 @@ async fn drawing_and_plots_are_described_at_rest() {
     page.write("angle", &format!("{:.3}", end.to_degrees() - 0.1))
         .await;
     page.until("the dead point", async || {
-        said(&page, "mechanism-told")
+        said(&page, "mechanism-description")
             .await
             .contains("Dead point at")
     })
     .await;
 
     // In motion nothing is told.
-    let told = said(&page, "told").await;
+    let told = said(&page, "announcement").await;
     page.click("play").await;
     page.until("motion", async || {
-        said(&page, "mechanism-told").await == "In motion."
+        said(&page, "mechanism-description").await == "In motion."
     })
     .await;
-    assert_eq!(said(&page, "told").await, told);
+    assert_eq!(said(&page, "announcement").await, told);
     page.close().await;
 }
 

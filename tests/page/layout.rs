@@ -25,7 +25,7 @@ const DEFECTS: &str = r#"
     const root = document.scrollingElement;
     if (root.scrollWidth > root.clientWidth) found.push(`scrolls sideways by ${root.scrollWidth - root.clientWidth}`);
     const name = (element) => element.id || element.textContent.trim() || element.className;
-    const visible = (element) => element.checkVisibility() && !element.closest(".unseen") && element.id !== "lane";
+    const visible = (element) => element.checkVisibility() && !element.closest(".unseen") && element.id !== "scrubber-bar";
     // A choice is its whole label.
     const controls = [...new Set([...document.querySelectorAll("button, select, input, summary, a[href]")]
         .filter(visible).map((control) => control.matches("[type=radio], [type=checkbox]") ? control.closest("label") : control))];

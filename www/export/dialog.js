@@ -1,21 +1,14 @@
 // The dialog of exports: table, drawing and plots as files. Loaded when it is asked for.
-import { byId, make } from "assur/dom.js";
-import { attempt } from "assur/engine.js";
+import { download } from "assur/app/share.js";
+import { byId, make } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";
-import { download } from "assur/share.js";
-import { contains } from "assur/state.js";
+import { contains } from "assur/state/state.js";
 
 /**
+ * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/export/pictures.js").Picture} Picture
- * @typedef {import("assur/words.js").Words} Words
- * @typedef {{
- *   engine: import("assur/engine.js").Engine,
- *   model: import("assur/model.js").Model,
- *   mechanism: import("assur/mechanism.js").MechanismView,
- *   chart: import("assur/chart.js").ChartView,
- *   words: Words,
- * }} Parts
  */
 
 /** Rows of the table to a turn of the crank: every 10° to every 0.1°. */
@@ -24,18 +17,18 @@ const USUAL = 360;
 
 /**
  * Shows the dialog in the language of the words.
- * @param {Parts} parts
+ * @param {Page} page
  */
-export function openExport(parts) {
+export function openExport(page) {
   document.getElementById("export-dialog")?.remove();
-  const dialog = makeDialog(parts);
-  parts.words.fill(dialog);
+  const dialog = makeDialog(page);
+  page.words.fill(dialog);
   byId("app", HTMLElement).append(dialog);
   dialog.addEventListener("close", () => dialog.remove());
   dialog.showModal();
 }
 
-/** @param {Parts} parts */
+/** @param {Page} page */
 function makeDialog({ engine, model, mechanism, chart, words }) {
   const theme = paperTheme(engine.roles);
   const name = fileName(engine, model);
@@ -81,7 +74,7 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
 
 /**
  * @param {import("assur/engine.js").Engine} engine
- * @param {import("assur/model.js").Model} model
+ * @param {import("assur/state/model.js").Model} model
  * @returns {string} `assur-mixer-a`, of a mechanism that is none of the presets `assur-mixer`; `assur-jansen` or `assur-linkage`
  */
 function fileName(engine, { good: { lesson, document } }) {

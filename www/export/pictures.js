@@ -1,15 +1,15 @@
 // Drawing and plots as pictures: what is on the screen, painted by the same code on light paper, by itself.
-import { setChartFont } from "assur/chart-text.js";
-import { make } from "assur/dom.js";
-import { symbol } from "assur/panels.js";
-import { textWidth } from "assur/text-width.js";
-import { Theme } from "assur/theme.js";
+import { textWidth } from "assur/canvas/text-width.js";
+import { Theme } from "assur/canvas/theme.js";
+import { make } from "assur/core/dom.js";
+import { symbol } from "assur/core/symbols.js";
 import { Svg, SvgPath } from "assur/export/svg.js";
+import { setChartFont } from "assur/plots/text.js";
 
 /**
- * @typedef {import("assur/figure.js").Size} Size
- * @typedef {import("assur/painter.js").Sheet} Sheet
- * @typedef {{ readonly size: Size, paint: (sheet: Sheet, theme: Theme, newPath?: () => Path2D) => void }} Picture
+ * @typedef {import("assur/stage/figure.js").Size} Size
+ * @typedef {import("assur/canvas/painter.js").Target} Target
+ * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
  */
 
 /** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */
@@ -65,7 +65,7 @@ export function toPng(picture, theme) {
 
 /**
  * The plots under a legend of their curves: by themselves they have no read-outs that tell the colours.
- * @param {import("assur/chart.js").ChartView} chart
+ * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @returns {Picture}
  */
@@ -74,7 +74,7 @@ export function withLegend(chart, theme) {
   const { entries, rows } = legend(chart, theme);
   const below = rows * ROW;
   const size = { width, height: height + below };
-  const paint = (/** @type {Sheet} */ { context, ratio }) => {
+  const paint = (/** @type {Target} */ { context, ratio }) => {
     context.fillStyle = theme.colours.paper;
     context.fillRect(0, 0, size.width, size.height);
     setChartFont(context, theme, 12);
@@ -98,7 +98,7 @@ export function withLegend(chart, theme) {
 }
 
 /**
- * @param {import("assur/chart.js").ChartView} chart
+ * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @returns {{ entries: { text: string, role: string, left: number, row: number }[], rows: number }}
  */

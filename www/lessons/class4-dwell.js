@@ -1,11 +1,11 @@
 // The steps of the lesson on the Class IV mechanism with dwell: what each shows, and what is asked of the mechanism as it then is.
 // Its words are in lang/lessons/class4-dwell.*.json, under the step's id.
-import { degrees } from "assur/angles.js";
+import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
- * @typedef {import("assur/lessons/panel.js").Step<"linkage">} Step
- * @typedef {import("assur/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/lesson/panel.js").Step<"linkage">} Step
+ * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  */
 
 const PRESET = "class4-dwell";

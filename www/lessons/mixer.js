@@ -1,10 +1,10 @@
 // The steps of the mixer's lesson: what each shows, and what is asked of the mechanism as it then is.
 // Its words are in lang/lessons/mixer.*.json, under the step's id.
-import { degrees } from "assur/angles.js";
+import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/engine.js").MixerSummary} Summary
- * @typedef {import("assur/lessons/panel.js").Step<"mixer">} Step
+ * @typedef {import("assur/lesson/panel.js").Step<"mixer">} Step
  */
 
 /** What differs between two cases is compared with the crank upright. */

@@ -436,7 +436,7 @@ mod tests {
 
     #[test]
     fn colours_are_those_of_the_style_sheet() {
-        let sheet = include_str!("../../../www/style.css");
+        let sheet = include_str!("../../../www/styles/page.css");
         for (role, name) in ROLES.iter().enumerate() {
             let line = format!("--role-{name}: {};", css(role));
             // The first of them is the light one.

@@ -19,12 +19,16 @@ use crate::step::announce;
 use crate::workspace::Workspace;
 
 /// The name under which the import map of the site knows its root.
-const PREFIX: &str = "assur/";
+pub(crate) const PREFIX: &str = "assur/";
 
 const MAP_OPEN: &str = "<script type=\"importmap\">";
 const MAP_CLOSE: &str = "</script>";
-const STYLE_OPEN: &str = "<link rel=\"stylesheet\" href=\"";
-const STYLE_CLOSE: &str = "\">";
+pub(crate) const STYLE_OPEN: &str = "<link rel=\"stylesheet\" href=\"";
+pub(crate) const STYLE_CLOSE: &str = "\">";
+
+/// Between these the page asks at once for files that it will need: those that are in it need no asking.
+const EARLY_OPEN: &str = "<!-- early -->";
+const EARLY_CLOSE: &str = "<!-- /early -->";
 
 /// The files of the site, by their paths with forward slashes.
 type Files = BTreeMap<String, Vec<u8>>;
@@ -70,6 +74,10 @@ struct ImportMap {
 
 fn assemble(files: &Files) -> Result<String> {
     let mut page = text(files, "index.html")?.to_owned();
+    if let Some((before, early)) = page.split_once(EARLY_OPEN) {
+        let (_, after) = split_at_literal(early, EARLY_CLOSE)?;
+        page = format!("{before}{after}");
+    }
     let mut imports = BTreeMap::new();
     for (name, bytes) in files {
         let address = data_address(name, bytes);
@@ -250,6 +258,14 @@ mod tests {
             page.matches("</script>").count(),
             PAGE.matches("</script>").count()
         );
+    }
+
+    #[test]
+    fn what_is_in_the_file_is_not_asked_for() {
+        let early =
+            "<!-- early --><link rel=\"modulepreload\" href=\"main.js\"><!-- /early --><title>";
+        let page = assemble(&site(&[("index.html", &PAGE.replace("<title>", early))])).unwrap();
+        assert_eq!(page, assemble(&site(&[])).unwrap());
     }
 
     #[test]

@@ -9,6 +9,7 @@ mod browser;
 mod bundle;
 mod media;
 mod minify;
+mod scripts;
 mod server;
 mod site;
 mod step;

@@ -1,5 +1,5 @@
 //! The built page: `www/` with its places for words filled in, `lang/`, and the release build of the
-//! wasm side in `pkg/`; scripts and style sheet made small.
+//! wasm side in `pkg/`; scripts and style sheets put together and made small.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -7,11 +7,19 @@ use std::{env, fs};
 
 use anyhow::{Context, Result};
 
+use crate::bundle::{STYLE_CLOSE, STYLE_OPEN};
 use crate::minify;
+use crate::scripts::{self, Sources};
 use crate::step::{announce, run};
 use crate::tools::{self, WASM};
 use crate::words::Words;
 use crate::workspace::{VERSION, Workspace};
+
+/// The script of the first view.
+const FIRST: &str = "app/main.js";
+
+/// The style sheet of the first view.
+const STYLE: &str = "style.css";
 
 /// Less is put inline than LLVM would: that makes the download smaller, and nothing slower that
 /// could be measured.
@@ -34,6 +42,8 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     copy(&root.join("www"), &fresh)?;
     copy(&root.join("lang"), &fresh.join("lang"))?;
     fill_words(&fresh)?;
+    join_scripts(&fresh)?;
+    join_styles(&fresh)?;
     let engines = fresh.join("pkg");
     for (place, features) in [
         (engines.clone(), &["--no-default-features"][..]),
@@ -118,32 +128,85 @@ fn path_remapping(workspace: &Workspace) -> Vec<String> {
 
 fn fill_words(site: &Path) -> Result<()> {
     let index = site.join("index.html");
-    let page = fs::read_to_string(&index).context("www/index.html cannot be read")?;
-    let filled = Words::load(&site.join("lang"))?.fill(&page, VERSION)?;
-    fs::write(&index, filled).with_context(|| format!("{} cannot be written", index.display()))
+    let filled = Words::load(&site.join("lang"))?.fill(&read(&index)?, VERSION)?;
+    write(&index, &filled)
 }
 
-/// Makes every script and style sheet of a directory small.
-fn minify_all(directory: &Path) -> Result<()> {
+/// Puts the scripts together, before those of the wasm side are beside them.
+fn join_scripts(site: &Path) -> Result<()> {
+    let mut sources = Sources::new();
+    for path in files(site, "js")? {
+        let name = path.strip_prefix(site).unwrap_or(&path).to_string_lossy();
+        sources.insert(name.replace('\\', "/"), read(&path)?);
+        fs::remove_file(&path).with_context(|| unwritable(&path))?;
+    }
+    for (name, script) in scripts::join(&sources, FIRST)? {
+        write(&site.join(name), &script)?;
+    }
+    Ok(())
+}
+
+/// Puts the style sheets of the first view into one, which is linked where the first of them was.
+fn join_styles(site: &Path) -> Result<()> {
+    let index = site.join("index.html");
+    let page = read(&index)?;
+    let mut sheet = String::new();
+    let mut rest = page.as_str();
+    let mut linked = String::new();
+    while let Some((before, after)) = rest.split_once(STYLE_OPEN) {
+        let (name, after) = after
+            .split_once(STYLE_CLOSE)
+            .context("a link of index.html")?;
+        linked += before;
+        if sheet.is_empty() {
+            linked += &format!("{STYLE_OPEN}{STYLE}{STYLE_CLOSE}");
+        }
+        let path = site.join(name);
+        sheet += &read(&path)?;
+        fs::remove_file(&path).with_context(|| unwritable(&path))?;
+        rest = after;
+    }
+    write(&index, &(linked + rest))?;
+    write(&site.join(STYLE), &sheet)
+}
+
+/// Makes every script and style sheet small.
+fn minify_all(site: &Path) -> Result<()> {
+    for path in files(site, "js")? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        write(&path, &minify::module(&name, &read(&path)?)?)?;
+    }
+    for path in files(site, "css")? {
+        write(&path, &minify::style(&read(&path)?)?)?;
+    }
+    Ok(())
+}
+
+/// The files of a directory, and of those in it, whose names have this ending.
+fn files(directory: &Path, ending: &str) -> Result<Vec<PathBuf>> {
     let unreadable = || format!("{} cannot be read", directory.display());
+    let mut found = Vec::new();
     for entry in fs::read_dir(directory).with_context(unreadable)? {
         let path = entry.with_context(unreadable)?.path();
         if path.is_dir() {
-            minify_all(&path)?;
-            continue;
+            found.extend(files(&path, ending)?);
+        } else if path.extension() == Some(OsStr::new(ending)) {
+            found.push(path);
         }
-        let minified = match path.extension().and_then(OsStr::to_str) {
-            Some("js") => {
-                let name = path.file_name().unwrap_or_default().to_string_lossy();
-                minify::module(&name, &fs::read_to_string(&path).with_context(unreadable)?)?
-            }
-            Some("css") => minify::style(&fs::read_to_string(&path).with_context(unreadable)?)?,
-            _ => continue,
-        };
-        fs::write(&path, minified)
-            .with_context(|| format!("{} cannot be written", path.display()))?;
     }
-    Ok(())
+    Ok(found)
+}
+
+fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    fs::write(path, text).with_context(|| unwritable(path))
+}
+
+fn unwritable(path: &Path) -> String {
+    format!("{} cannot be written", path.display())
 }
 
 fn remove(directory: &Path) -> Result<()> {

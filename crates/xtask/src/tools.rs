@@ -88,7 +88,9 @@ pub(crate) fn typescript(workspace: &Workspace) -> Result<()> {
         announce(&what, THERE);
         return Ok(());
     }
-    let npm = which::which("npm").ok().filter(|_| which::which("node").is_ok());
+    let npm = which::which("npm")
+        .ok()
+        .filter(|_| which::which("node").is_ok());
     let npm = npm.context("Node.js with npm is needed to check the scripts: install it")?;
     announce(&what, "installing by npm");
     let mut npm = workspace.command(&npm);

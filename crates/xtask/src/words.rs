@@ -46,7 +46,7 @@ impl Words {
 
     /// Fills the places `{{key}}` of a page. A reader whose browser runs no script has chosen no
     /// language either, so a place holds the text in all of them; only a title is short enough for
-    /// just one. `{{version}}` is the version.
+    /// just one. `{{version}}` is the version, `{{languages}}` the languages with spaces between them.
     pub(crate) fn fill(&self, page: &str, version: &str) -> Result<String> {
         let mut filled = String::with_capacity(page.len());
         let mut rest = page;
@@ -58,6 +58,7 @@ impl Words {
             let key = key.trim();
             let text = match key {
                 "version" => version.to_owned(),
+                "languages" => self.languages(),
                 _ if inside_title(&filled) => self.text(FIRST, key)?.to_owned(),
                 _ => self.all(key)?,
             };
@@ -66,6 +67,11 @@ impl Words {
         }
         filled.push_str(rest);
         Ok(filled)
+    }
+
+    fn languages(&self) -> String {
+        let languages: Vec<&str> = self.0.keys().map(String::as_str).collect();
+        languages.join(" ")
     }
 
     fn text(&self, language: &str, key: &str) -> Result<&str> {
@@ -140,12 +146,12 @@ mod tests {
     #[test]
     fn a_title_is_english_and_the_rest_is_in_every_language() {
         let filled = words().fill(
-            "<title>{{name}}</title><p>{{ name }}, {{version}}</p>",
+            "<title>{{name}}</title><p>{{ name }}, {{version}}, {{languages}}</p>",
             "1.2.3",
         );
         assert_eq!(
             filled.unwrap(),
-            "<title>Assur</title><p>Assur · Ассур, 1.2.3</p>"
+            "<title>Assur</title><p>Assur · Ассур, 1.2.3, be en ru</p>"
         );
     }
 

@@ -1,0 +1,111 @@
+// What buttons of the header and keys do, by name.
+import { takeFile } from "assur/app/opening.js";
+import { copyLink, filePicker, saveFile } from "assur/app/share.js";
+import { LOST } from "assur/app/notices.js";
+import { SPEEDS } from "assur/controls/transport.js";
+import { degrees } from "assur/core/angles.js";
+import { placed, turned } from "assur/state/player.js";
+import { contains, withDocument, withMechanism, withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {Readonly<Record<string, () => void>>} Commands
+ */
+
+/**
+ * @param {Page} page
+ * @returns {Commands}
+ */
+export function commands(page) {
+  return Object.freeze({ ...fileCommands(page), ...motionCommands(page) });
+}
+
+/**
+ * What brings mechanisms in and out.
+ * @param {Page} page
+ * @returns {Commands}
+ */
+function fileCommands(page) {
+  const { engine, model, notices, habits } = page;
+  return {
+    open: filePicker((text, name) => page.take(takeFile(text, name, engine, habits))),
+    save: () => saveFile(model.good),
+    copy: () => copyLink(model.good, () => notices.tell(["copied"])),
+    export: async () => {
+      // The table comes of the larger engine.
+      const [part] = await Promise.all([import("assur/export/dialog.js"), engine.grow()]).catch(() => []);
+      if (part) part.openExport(page);
+      else notices.tell(LOST);
+    },
+    gallery: async () => {
+      const part = await import("assur/kinds/linkage/gallery.js").catch(() => null);
+      const grown = part && (await engine.grow().then(() => page.learn()).then(() => true, () => false));
+      if (grown) part.openGallery(page);
+      else notices.tell(LOST);
+    },
+  };
+}
+
+/**
+ * What moves the mechanism and changes it.
+ * @param {Page} page
+ * @returns {Commands}
+ */
+function motionCommands({ store, model, drafts, history, engine }) {
+  const { presets } = engine;
+  const put = (/** @type {(state: State) => number} */ where) => {
+    drafts.drop("phi_deg");
+    store.update((state) => placed(state, where(state), model));
+  };
+  const turn = (/** @type {number} */ by) => put(({ view }) => view.phi_deg + by);
+  const assemble = (/** @type {1 | 2} */ assembly) => {
+    const assemblies = "assemblies" in model.summary ? model.summary.assemblies : 2;
+    if (assembly > assemblies) return;
+    history.step(() => store.update((state) => withDocument(state, { assembly })));
+  };
+  const hasten = (/** @type {1 | -1} */ by) => {
+    store.update((state) => {
+      const { speed } = state.view;
+      const next = by > 0 ? SPEEDS.find((one) => one > speed) : SPEEDS.findLast((one) => one < speed);
+      return next === undefined ? state : withView(state, { speed: next, true_time: false });
+    });
+  };
+
+  // The preset that the mechanism was last; of an opened one that was none, the first.
+  let preset = presets[0].document;
+  const note = (/** @type {State} */ { lesson, document }) => {
+    if (lesson !== "mixer") return;
+    preset = presets.find((one) => contains(document, one.document))?.document ?? preset;
+  };
+  note(store.get());
+  store.subscribe(note);
+
+  return {
+    play: () => {
+      drafts.drop("phi_deg");
+      store.update((state) => withView(state, { playing: !state.view.playing }));
+    },
+    reverse: () => store.update((state) => withView(state, { direction: turned(state.view.direction) })),
+    back: () => turn(-1),
+    forward: () => turn(1),
+    back10: () => turn(-10),
+    forward10: () => turn(10),
+    start: () => put(() => degrees(model.summary.cycle.start)),
+    end: () => put(() => degrees(model.summary.cycle.end)),
+    faster: () => hasten(1),
+    slower: () => hasten(-1),
+    assembly1: () => assemble(1),
+    assembly2: () => assemble(2),
+    projector: () => store.update((state) => withView(state, { projector: !state.view.projector })),
+    undo: () => history.undo(),
+    redo: () => history.redo(),
+    reset: () => {
+      history.step(() => store.update((state) => {
+        if (state.lesson === "mixer") return withDocument(state, { ...preset, tracers: [] });
+        const original = engine.original(state.document);
+        return original ? withMechanism(state, state.lesson, original.document) : state;
+      }));
+    },
+  };
+}

@@ -1,0 +1,54 @@
+// The buttons of the header: undo, redo, the menu, projector mode and, in it, the folded rail.
+import { byId, setData } from "assur/core/dom.js";
+
+/** Buttons that do what a command of their name does. */
+const BUTTONS = Object.freeze(["undo", "redo", "gallery", "open", "save", "copy", "export", "reset", "projector"]);
+
+export class Header {
+  #undo = byId("undo", HTMLButtonElement);
+  #redo = byId("redo", HTMLButtonElement);
+  #projector = byId("projector", HTMLButtonElement);
+  #settings = byId("settings", HTMLButtonElement);
+  #history;
+
+  /**
+   * @param {import("assur/state/history.js").History} history
+   * @param {import("assur/app/commands.js").Commands} commands
+   */
+  constructor(history, commands) {
+    this.#history = history;
+    for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
+    this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
+    const menu = byId("menu", HTMLDetailsElement);
+    // It closes when something in it, or anything else, is pressed.
+    addEventListener("click", ({ target }) => {
+      if (target instanceof Node && !menu.querySelector("summary")?.contains(target)) menu.open = false;
+    });
+  }
+
+  /** @param {boolean} open whether the settings stand beside the drawing, in projector mode */
+  fold(open) {
+    this.#settings.setAttribute("aria-expanded", String(open));
+    setData(byId("app", HTMLElement), "rail", open ? "open" : "folded");
+  }
+
+  /** Closes the menu and folds the rail. */
+  close() {
+    this.fold(false);
+    const menu = byId("menu", HTMLDetailsElement);
+    if (menu.contains(document.activeElement)) menu.querySelector("summary")?.focus();
+    menu.open = false;
+  }
+
+  /** @param {import("assur/state/model.js").Snapshot} snapshot */
+  render({ state }) {
+    this.#projector.setAttribute("aria-pressed", String(state.view.projector));
+    const { canUndo, canRedo } = this.#history;
+    // A button that can do no more gives the focus to its twin, else it would be lost.
+    const focused = document.activeElement;
+    this.#undo.disabled = !canUndo;
+    this.#redo.disabled = !canRedo;
+    if (focused === this.#undo && !canUndo) this.#redo.focus();
+    if (focused === this.#redo && !canRedo) this.#undo.focus();
+  }
+}

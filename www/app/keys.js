@@ -1,0 +1,127 @@
+// The one table of keys: what the handler does, the help shows and screen readers are told.
+import { byId, make } from "assur/core/dom.js";
+
+/**
+ * @typedef {import("assur/app/commands.js").Commands} Commands
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {Readonly<{ command: string, name: string, combos: readonly string[], control?: string, again?: boolean }>} Key
+ * `combos` are written as in aria-keyshortcuts; `name` is the key of the words; `control` the element that does the
+ * same; `again`: a key held down does it again and again.
+ */
+
+/** @type {readonly Key[]} */
+export const KEYS = Object.freeze([
+  { command: "play", name: "key.play", combos: ["Space"], control: "play" },
+  { command: "back", name: "transport.back", combos: ["ArrowLeft"], control: "step-back", again: true },
+  { command: "forward", name: "transport.forward", combos: ["ArrowRight"], control: "step-forward", again: true },
+  { command: "back10", name: "key.back10", combos: ["Shift+ArrowLeft"], again: true },
+  { command: "forward10", name: "key.forward10", combos: ["Shift+ArrowRight"], again: true },
+  { command: "start", name: "key.start", combos: ["Home"] },
+  { command: "end", name: "key.end", combos: ["End"] },
+  { command: "faster", name: "key.faster", combos: ["Plus", "="], control: "speed" },
+  { command: "slower", name: "key.slower", combos: ["-"] },
+  { command: "reverse", name: "transport.reverse", combos: ["R"], control: "reverse" },
+  { command: "assembly1", name: "key.assembly1", combos: ["1"], control: "assembly-1" },
+  { command: "assembly2", name: "key.assembly2", combos: ["2"], control: "assembly-2" },
+  { command: "trace", name: "tracers.trace", combos: ["T"], control: "trace" },
+  { command: "undo", name: "edit.undo", combos: ["Control+Z"], control: "undo", again: true },
+  { command: "redo", name: "edit.redo", combos: ["Control+Shift+Z", "Control+Y"], control: "redo", again: true },
+  { command: "export", name: "menu.export", combos: ["E"], control: "export" },
+  { command: "lesson", name: "key.lesson", combos: ["L"], control: "tab-lesson" },
+  { command: "projector", name: "view.projector", combos: ["P"], control: "projector" },
+  { command: "settings", name: "view.settings", combos: ["S"], control: "settings" },
+  { command: "help", name: "help.label", combos: ["?"], control: "help-open" },
+  { command: "close", name: "key.close", combos: ["Escape"] },
+]);
+
+/** How keys are written where not by their name. */
+const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
+
+/** On the scrubber up and down are forward and back. */
+const SCRUBBER = Object.freeze({ ArrowUp: "ArrowRight", ArrowDown: "ArrowLeft" });
+
+const OWN = Object.freeze({
+  range: /Arrow|Home|End/,
+  radio: /Arrow|^Space$/,
+  press: /^Space$/,
+  select: /^[^+]+$|^Shift\+/,
+});
+
+/**
+ * Listens to the keys of the table.
+ * @param {Commands} commands
+ */
+export function listen(commands) {
+  addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.isComposing || event.altKey) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    const combo = combination(event, target.id === "scrubber");
+    const key = KEYS.find(({ combos }) => combos.includes(combo));
+    if (!key || document.querySelector("dialog[open]") || own(target, combo)) return;
+    // Escape has other uses too; the rest of the table is ours alone.
+    if (key.command !== "close") event.preventDefault();
+    if (!event.repeat || key.again) commands[key.command]();
+  });
+  for (const { control, combos } of KEYS) {
+    if (control) byId(control, HTMLElement).setAttribute("aria-keyshortcuts", combos.join(" "));
+  }
+}
+
+/**
+ * @param {Words} words
+ * @returns {HTMLTableRowElement[]} the table for readers
+ */
+export function helpRows(words) {
+  return KEYS.map(({ name, combos }) => {
+    const keys = combos.flatMap((combo, i) => [
+      ...(i > 0 ? [" "] : []),
+      ...combo.split("+").flatMap((part, j) => [...(j > 0 ? ["+"] : []), make("kbd", {}, [sign(part, words)])]),
+    ]);
+    return make("tr", {}, [make("th", { scope: "row" }, keys), make("td", {}, [words.text(name)])]);
+  });
+}
+
+/**
+ * @param {string} part
+ * @param {Words} words
+ */
+function sign(part, words) {
+  if (part === "Space") return words.text("key.space");
+  return Object.entries(SIGNS).find(([name]) => name === part)?.[1] ?? part;
+}
+
+/**
+ * @param {KeyboardEvent} event
+ * @param {boolean} scrubber
+ * @returns {string} as in the table
+ */
+function combination(event, scrubber) {
+  const shift = event.shiftKey ? "Shift+" : "";
+  const control = event.ctrlKey || event.metaKey ? "Control+" : "";
+  const { key, code } = event;
+  // The letter is that of the key's place where the layout has none of the Latin alphabet.
+  if (/^[a-z]$/i.test(key)) return control + shift + key.toUpperCase();
+  if (/^Key[A-Z]$/.test(code) && !/^[ -~]$/.test(key)) return control + shift + code.slice(3);
+  if (key === " ") return `${control}${shift}Space`;
+  if (key === "+") return `${control}Plus`;
+  // Signs are what they are, with whatever keys they are typed.
+  if (key.length === 1) return control + key;
+  const arrow = scrubber ? Object.entries(SCRUBBER).find(([name]) => name === key)?.[1] : undefined;
+  return control + shift + (arrow ?? key);
+}
+
+/**
+ * Whether the element with the focus uses these keys itself.
+ * @param {Element} target
+ * @param {string} combo
+ */
+function own(target, combo) {
+  if (target instanceof HTMLSelectElement) return OWN.select.test(combo);
+  if (target.closest("button, summary, a")) return OWN.press.test(combo);
+  if (target instanceof HTMLTextAreaElement) return true;
+  if (!(target instanceof HTMLInputElement)) return target instanceof HTMLElement && target.isContentEditable;
+  if (target.id === "scrubber") return false;
+  if (target.type === "range") return OWN.range.test(combo);
+  if (target.type === "radio") return OWN.radio.test(combo);
+  return target.type === "checkbox" ? OWN.press.test(combo) : true;
+}

@@ -1,0 +1,37 @@
+// The language of the page.
+import { helpRows } from "assur/app/keys.js";
+import { byId, make } from "assur/core/dom.js";
+import { LANGUAGES, Words } from "assur/core/words.js";
+import { withView } from "assur/state/state.js";
+
+/**
+ * The select of languages and the state's language are one; words come when they are loaded.
+ * @param {import("assur/app/page.js").Page} page
+ */
+export function chooseLanguage(page) {
+  const { store, engine } = page;
+  const select = byId("lang", HTMLSelectElement);
+  for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
+  select.value = store.get().view.lang;
+  select.addEventListener("change", () => store.update((state) => withView(state, { lang: select.value })));
+  store.subscribe(async ({ view: { lang } }, previous) => {
+    if (lang === previous.view.lang) return;
+    select.value = lang;
+    const words = await Words.load(lang, engine.tables).catch(() => null);
+    // Another choice may have been made while these words were on their way.
+    if (store.get().view.lang !== lang) return;
+    if (words) page.hear(words);
+    else store.update((state) => withView(state, { lang: previous.view.lang }));
+  });
+}
+
+/**
+ * Writes the page in a language.
+ * @param {Words} words
+ */
+export function speak(words) {
+  document.documentElement.lang = words.lang;
+  document.title = words.text("page.title");
+  words.fill(document);
+  byId("help-keys", HTMLElement).replaceChildren(...helpRows(words));
+}

@@ -1,0 +1,51 @@
+// What happened to a link or a file, as a sentence that stays until it is closed.
+import { sentence } from "assur/controls/problems.js";
+import { byId, make } from "assur/core/dom.js";
+
+/**
+ * @typedef {import("assur/app/opening.js").Failure} Failure
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** @type {readonly Failure[]} a part of the page did not arrive */
+export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arrived" }] }]);
+
+export class Notices {
+  #place = byId("notice", HTMLElement);
+  #text = byId("notice-text", HTMLElement);
+  #changed;
+  /** @type {readonly (Failure | "copied")[]} */
+  #told = [];
+  /** @type {readonly unknown[]} what is shown, and in which language */
+  #shown = [];
+
+  /** @param {() => void} changed */
+  constructor(changed) {
+    this.#changed = changed;
+    byId("notice-close", HTMLButtonElement).addEventListener("click", () => this.clear());
+  }
+
+  /** @param {readonly (Failure | "copied")[]} told */
+  tell(told) {
+    this.#told = told;
+    this.#changed();
+  }
+
+  clear() {
+    this.tell([]);
+  }
+
+  /** @param {{ words: Words }} snapshot */
+  render({ words }) {
+    if (this.#shown[0] === this.#told && this.#shown[1] === words) return;
+    this.#shown = [this.#told, words];
+    const lines = this.#told.map((one) => {
+      if (one === "copied") return words.text("notice.copied");
+      const why = one.problems.map((problem) => sentence(problem, words)).join(" ");
+      return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
+    });
+    this.#place.hidden = lines.length === 0;
+    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied"));
+    this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
+  }
+}

@@ -1,0 +1,97 @@
+// Where the first state comes from, and taking in others later: an address, what was kept, a file.
+import { Refusal, attempt } from "assur/core/problem.js";
+import { LANGUAGES } from "assur/core/words.js";
+import { fromAddress, fromFile } from "assur/state/codec.js";
+import { initialState } from "assur/state/state.js";
+import { addressed, putAside, stored } from "assur/state/storage.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "part", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ state: State, failure: null } | { state: null, failure: Failure }>} Taken
+ * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
+ * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.
+ */
+
+/**
+ * @param {Failure["kind"]} kind
+ * @param {() => unknown} unwrap
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<Taken>}
+ */
+async function take(kind, unwrap, engine, { calm, lang }) {
+  const unwrapped = attempt(unwrap);
+  let { problems } = unwrapped;
+  /** @type {State | null} */
+  let value = null;
+  if (problems.length === 0) ({ value, problems } = await read(unwrapped.value, engine));
+  if (!value) return { state: null, failure: { kind, problems } };
+  const { lesson, document, view } = value;
+  const playing = view.playing && !calm;
+  return { state: initialState(lesson, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
+}
+
+/**
+ * Has the engine read a state; one with a linkage first brings what knows linkages.
+ * @param {unknown} value from outside
+ * @param {Engine} engine
+ * @returns {Promise<{ value: State | null, problems: readonly Problem[] }>}
+ */
+export async function read(value, engine) {
+  try {
+    if (/** @type {{ lesson?: unknown } | null} */ (value)?.lesson === "linkage") await engine.grow();
+  } catch (thrown) {
+    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
+    throw thrown;
+  }
+  return attempt(() => engine.read(value));
+}
+
+/**
+ * @param {string} address
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<Taken | null>} null where the address holds none
+ */
+export async function takeAddress(address, engine, habits) {
+  const hash = addressed(address);
+  return hash === "" ? null : take("address", () => fromAddress(hash), engine, habits);
+}
+
+/**
+ * @param {string} text
+ * @param {string} name of the file
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<Taken>}
+ */
+export async function takeFile(text, name, engine, habits) {
+  const { state, failure } = await take("file", () => fromFile(text), engine, habits);
+  return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
+}
+
+/**
+ * The address, else what was kept, else the first preset; what could not be read is said.
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<{ state: State, failures: Failure[] }>}
+ */
+export async function open(engine, habits) {
+  /** @type {Failure[]} */
+  const failures = [];
+  const address = await takeAddress(location.href, engine, habits);
+  if (address?.state) return { state: address.state, failures };
+  if (address) failures.push(address.failure);
+  const text = stored();
+  if (text !== null) {
+    const { state, failure } = await take("kept", () => fromFile(text), engine, habits);
+    if (state) return { state, failures };
+    putAside(text);
+    failures.push(failure);
+  }
+  const { calm, lang } = habits;
+  return { state: initialState("mixer", { tracers: [], ...engine.presets[0].document }, { playing: !calm, lang }), failures };
+}

@@ -1,0 +1,168 @@
+// The page put together: what all of it shares, and what happens in a frame.
+import { commands as makeCommands } from "assur/app/commands.js";
+import { Header } from "assur/app/header.js";
+import { listen } from "assur/app/keys.js";
+import { chooseLanguage, speak } from "assur/app/language.js";
+import { Loop } from "assur/app/loop.js";
+import { Notices } from "assur/app/notices.js";
+import { takeAddress } from "assur/app/opening.js";
+import { Views } from "assur/app/views.js";
+import { Theme } from "assur/canvas/theme.js";
+import { degrees } from "assur/core/angles.js";
+import { byId, setData } from "assur/core/dom.js";
+import { Words } from "assur/core/words.js";
+import { Lesson } from "assur/lesson/lesson.js";
+import { ChartView } from "assur/plots/chart.js";
+import { MechanismPointer } from "assur/stage/pointer.js";
+import { MechanismView } from "assur/stage/view.js";
+import { Drafts } from "assur/state/drafts.js";
+import { History } from "assur/state/history.js";
+import { Model } from "assur/state/model.js";
+import { played } from "assur/state/player.js";
+import { withMechanism, withView } from "assur/state/state.js";
+import { persist } from "assur/state/storage.js";
+import { Store } from "assur/state/store.js";
+
+/**
+ * @typedef {import("assur/app/opening.js").Failure} Failure
+ * @typedef {import("assur/app/opening.js").Taken} Taken
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+/** Numbers that change faster than this cannot be read; in seconds. */
+const WRITING_PERIOD = 0.2;
+
+export class Page {
+  #loop = new Loop((dt) => this.#step(dt), () => this.#render());
+  #views;
+  /** Seconds since numbers were written. */
+  #unwritten = 0;
+
+  /**
+   * @param {import("assur/engine.js").Engine} engine
+   * @param {import("assur/app/opening.js").Habits} habits
+   * @param {Words} words of the state's language
+   * @param {{ state: State, failures: Failure[] }} opening
+   */
+  constructor(engine, habits, words, { state, failures }) {
+    const redraw = () => this.redraw();
+    this.engine = engine;
+    this.habits = habits;
+    this.words = words;
+    this.store = new Store(state);
+    this.drafts = new Drafts(redraw);
+    this.model = new Model(engine, this.drafts, state);
+    this.history = new History(this.store, this.drafts);
+    this.theme = new Theme(engine.roles, redraw);
+    this.notices = new Notices(redraw);
+    this.notices.tell(failures);
+    // Canvases have a size once they are shown.
+    byId("app", HTMLElement).hidden = false;
+    this.mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, this.theme);
+    this.chart = new ChartView(byId("charts", HTMLCanvasElement), engine, this.theme);
+
+    const commands = makeCommands(this);
+    const header = new Header(this.history, commands);
+    const lesson = new Lesson(this);
+    const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
+    this.#views = new Views(this, [this.mechanism, pointer, this.chart, lesson, header, this.notices]);
+    const help = byId("help", HTMLDialogElement);
+    byId("help-open", HTMLButtonElement).addEventListener("click", () => help.showModal());
+    listen({
+      ...commands,
+      trace: () => pointer.trace(),
+      lesson: () => {
+        lesson.toggle();
+        header.fold(this.store.get().view.step > 0);
+      },
+      settings: () => byId("settings", HTMLButtonElement).click(),
+      help: () => help.showModal(),
+      close: () => {
+        header.close();
+        this.notices.clear();
+        pointer.trace(false);
+      },
+    });
+    this.store.subscribe(redraw);
+    persist(this.store, () => this.model.sound);
+    // The address that was entered: by now another may have been written over it.
+    addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
+    chooseLanguage(this);
+    speak(words);
+  }
+
+  /** Draws it for the first time. */
+  show() {
+    byId("boot", HTMLElement).hidden = true;
+    this.#render();
+    this.redraw();
+    // The canvases learn their sizes, and are drawn, at the end of the first frame.
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      setData(document.documentElement, "ready", "true");
+      performance.mark("ready");
+    }));
+  }
+
+  redraw() {
+    this.#loop.request();
+  }
+
+  /**
+   * Takes in a state from outside, as a step that can be undone.
+   * @param {Promise<Taken | null>} coming
+   */
+  async take(coming) {
+    const taken = await coming;
+    if (!taken) return;
+    await this.learn();
+    this.notices.tell(taken.failure ? [taken.failure] : []);
+    const { state } = taken;
+    if (state) this.history.step(() => this.store.update(() => state));
+  }
+
+  /**
+   * Shows another mechanism.
+   * @param {State["lesson"]} lesson
+   * @param {State["document"]} document of that kind
+   */
+  choose(lesson, document) {
+    const { store, model } = this;
+    this.history.step(() => {
+      store.update((state) => withView(withMechanism(state, lesson, document), { plot: "angles" }));
+      this.mechanism.fit();
+      // The crank of another mechanism may not go where this one's stands.
+      model.follow(store.get());
+      if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+    });
+  }
+
+  /** With linkages come their words. */
+  async learn() {
+    const { lang } = this.words;
+    const more = await Words.load(lang, this.engine.tables);
+    if (lang === this.words.lang) this.hear(more);
+  }
+
+  /** @param {Words} words the language from now on */
+  hear(words) {
+    this.words = words;
+    speak(words);
+    this.redraw();
+  }
+
+  /** @param {number} dt seconds */
+  #step(dt) {
+    this.#unwritten += dt;
+    this.store.update((state) => played(state, dt, this.engine, this.model));
+    return this.store.get().view.playing;
+  }
+
+  #render() {
+    const state = this.store.get();
+    const legible = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
+    if (legible) this.#unwritten = 0;
+    this.model.follow(state);
+    this.theme.project(state.view.projector);
+    this.#views.render(this.model.snapshot(state, this.words, legible));
+  }
+}

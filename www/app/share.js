@@ -1,0 +1,64 @@
+// Copying the link, opening and saving files.
+import { byId } from "assur/core/dom.js";
+import { toFile } from "assur/state/codec.js";
+import { linkTo, showInAddress } from "assur/state/storage.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+/**
+ * @param {State} state
+ * @param {() => void} copied
+ */
+export async function copyLink(state, copied) {
+  const link = linkTo(state);
+  showInAddress(state);
+  try {
+    await navigator.clipboard.writeText(link);
+    copied();
+  } catch {
+    // Not every browser lets a page write there: the reader copies by hand.
+    const field = byId("link-text", HTMLInputElement);
+    field.value = link;
+    byId("link", HTMLDialogElement).showModal();
+    field.select();
+  }
+}
+
+/** @param {State} state */
+export function saveFile(state) {
+  download(new Blob([toFile(state)], { type: "application/json" }), `${state.lesson}.assur.json`);
+}
+
+let address = "";
+
+/**
+ * @param {Blob} file
+ * @param {string} name
+ */
+export function download(file, name) {
+  URL.revokeObjectURL(address);
+  address = URL.createObjectURL(file);
+  const link = byId("save-link", HTMLAnchorElement);
+  link.href = address;
+  link.download = name;
+  link.click();
+}
+
+/**
+ * @param {(text: string, name: string) => void} opened
+ * @returns {() => void} asks for a file
+ */
+export function filePicker(opened) {
+  const input = byId("file", HTMLInputElement);
+  input.addEventListener("change", async () => {
+    const file = input.files?.[0];
+    if (!file) return;
+    // A file that cannot be read at all is like one with nothing in it.
+    const text = await file.text().catch(() => "");
+    input.value = "";
+    opened(text, file.name);
+  });
+  return () => input.click();
+}

@@ -1,0 +1,183 @@
+// Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
+import { outlined } from "assur/canvas/outline.js";
+import { textWidth } from "assur/canvas/text-width.js";
+
+/**
+ * @typedef {import("assur/canvas/display-list.js").Layer} Layer
+ * @typedef {import("assur/canvas/display-list.js").Shape} Shape
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/canvas/transform.js").Transform} Transform
+ *
+ * @typedef {Pick<CanvasRenderingContext2D, "fillStyle" | "strokeStyle" | "globalAlpha" | "lineWidth" | "lineJoin" | "lineCap"
+ *   | "font" | "textAlign" | "textBaseline" | "beginPath" | "closePath" | "moveTo" | "lineTo" | "arc" | "fillRect" | "fillText"
+ *   | "strokeText" | "measureText"> & {
+ *   fill(path?: Path2D, rule?: CanvasFillRule): void,
+ *   stroke(path?: Path2D): void,
+ *   setLineDash(dash: readonly number[]): void,
+ *   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void,
+ * }} Context
+ * What our painting uses of a canvas's context. Canvases have it, and so has the Svg of export/svg.js.
+ *
+ * @typedef {{ readonly context: Context, readonly ratio: number }} Target
+ * What is painted on: a context and its device pixels per CSS pixel.
+ *
+ * @typedef {Readonly<{ left: number, right: number, top: number, bottom: number }>} Box
+ *
+ * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
+ * How a shape is painted: opacity of its filling, whether paper fills it, width of its line in pixels and the
+ * line's opacity and dashes.
+ */
+
+/** @type {readonly Look[]} in the order of the display list's numbers */
+const LOOKS = [
+  { fill: 1 }, // solid
+  { fill: 0.16, stroke: 1.5 }, // pale
+  { stroke: 2 }, // line
+  { stroke: 2, opacity: 0.6, dash: [6, 5] }, // dashed
+  { stroke: 1 }, // thin
+  { paper: true, stroke: 2 }, // hollow
+  { fill: 0.55 }, // soft
+];
+
+const TEXT_SIZE = 15;
+/** How much smaller text is on a small drawing. */
+const SMALL = 0.85;
+/** Width of the halo around it. */
+const HALO = 4;
+/** @type {number[]} */
+const NO_DASH = [];
+
+export class Painter {
+  #theme;
+  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
+  #bands = new WeakMap();
+
+  /** @param {Theme} theme */
+  constructor(theme) {
+    this.#theme = theme;
+  }
+
+  /**
+   * @param {Target} target
+   * @param {readonly Layer[]} layers
+   * @param {Transform} view
+   * @param {readonly (readonly number[])[]} poses x, y and angle of each body
+   */
+  shapes({ context, ratio }, layers, view, poses) {
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    for (const layer of layers) {
+      const [x, y, angle] = poses[layer.body];
+      view.place(context, ratio, x, y, angle);
+      for (const shape of layer.shapes) this.#shape(context, shape, view.scale);
+    }
+    context.globalAlpha = 1;
+    context.setLineDash(NO_DASH);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  }
+
+  /**
+   * @param {Target} target
+   * @param {readonly Layer[]} layers
+   * @param {Transform} view
+   * @param {readonly (readonly number[])[]} poses
+   * @param {(label: string) => string} write what stands for a label
+   * @param {Box[] | null} taken where labels are on a small drawing; another in their place is left out
+   */
+  labels({ context, ratio }, layers, view, poses, write, taken) {
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const size = TEXT_SIZE * this.#theme.scale * (taken ? SMALL : 1);
+    const font = `600 ${size}px ${this.#theme.font}`;
+    context.font = font;
+    for (const layer of layers) {
+      if (layer.labels.length === 0) continue;
+      const [x, y, angle] = poses[layer.body];
+      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      for (const label of layer.labels) {
+        const text = write(label.label);
+        const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
+        const [at, down] = [left + label.dx * size, top - label.dy * size];
+        if (taken && !claim(taken, at, down, textWidth(context, font, text), size)) continue;
+        this.#write(context, text, this.#theme.colours[label.role], at, down);
+      }
+    }
+  }
+
+  /**
+   * @param {Context} context with the font
+   * @param {string} text
+   * @param {string} colour
+   * @param {number} x its middle
+   * @param {number} y
+   */
+  #write(context, text, colour, x, y) {
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = HALO;
+    context.strokeStyle = this.#theme.ground;
+    context.strokeText(text, x, y);
+    context.fillStyle = colour;
+    context.fillText(text, x, y);
+  }
+
+  /**
+   * @param {Context} context
+   * @param {Shape} shape
+   * @param {number} scale
+   */
+  #shape(context, shape, scale) {
+    const { role, look, path, loops } = shape;
+    const { fill, paper, stroke, opacity = 1, dash = NO_DASH } = LOOKS[look];
+    const colour = this.#theme.colours[role];
+    if (paper || fill) {
+      context.globalAlpha = fill ?? 1;
+      context.fillStyle = paper ? this.#theme.colours.paper : colour;
+      context.fill(path, "evenodd");
+    }
+    const pixel = this.#theme.weight / scale;
+    // Only of pixels a band is cheaper than a line: a picture made of lines keeps them.
+    if (stroke && loops && dash === NO_DASH && "canvas" in context) {
+      context.globalAlpha = opacity;
+      context.fillStyle = colour;
+      context.fill(this.#band(shape, loops, stroke * pixel));
+    } else if (stroke) {
+      context.globalAlpha = opacity;
+      context.strokeStyle = colour;
+      context.lineWidth = stroke * pixel;
+      context.setLineDash(dash.map((length) => length * pixel));
+      context.stroke(path);
+    }
+  }
+
+  /**
+   * @param {Shape} shape
+   * @param {readonly Float32Array[]} loops
+   * @param {number} width
+   * @returns {Path2D}
+   */
+  #band(shape, loops, width) {
+    let known = this.#bands.get(shape);
+    if (known?.width !== width) {
+      known = { width, band: outlined(loops, width) };
+      this.#bands.set(shape, known);
+    }
+    return known.band;
+  }
+}
+
+/**
+ * Takes the place of a text, unless another is there.
+ * @param {Box[]} taken
+ * @param {number} x its middle
+ * @param {number} y
+ * @param {number} width
+ * @param {number} height
+ * @returns {boolean} whether the place was free
+ */
+function claim(taken, x, y, width, height) {
+  const box = { left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 };
+  const free = taken.every((it) => box.right <= it.left || it.right <= box.left || box.bottom <= it.top || it.bottom <= box.top);
+  if (free) taken.push(box);
+  return free;
+}

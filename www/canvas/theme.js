@@ -1,0 +1,85 @@
+// Colours of the roles, sizes of text and lines, read from the style sheet: light or dark, projector or not.
+
+/** @typedef {Readonly<Record<string, string>>} Colours */
+
+/** What the style sheet asks for. */
+const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 640px)", "(min-width: 1200px)", "(min-width: 1600px)"]);
+
+/** Size of the page's text on most screens, in pixels. */
+const USUAL_SIZE = 14;
+
+export class Theme {
+  #element;
+  /** @type {readonly string[]} */
+  #roles;
+  /** @type {Colours} colour by role */
+  colours = {};
+  /** @type {[number, number, number][]} red, green, blue in the order of the roles */
+  palette = [];
+  /** @type {Colours} by role, darkened (lightened on dark paper) enough to write small text with */
+  inks = {};
+  /** The colour of the paper under the drawing. */
+  ground = "";
+  font = "sans-serif";
+  /** How much larger than usual text is, on large screens. */
+  scale = 1;
+  /** How much thicker than usual lines are. */
+  weight = 1;
+  /** Counts the changes. */
+  revision = 0;
+
+  /**
+   * @param {readonly string[]} roles
+   * @param {() => void} changed
+   * @param {Element} [element] whose colours and text these are
+   */
+  constructor(roles, changed, element = document.documentElement) {
+    this.#element = element;
+    this.#roles = roles;
+    this.#read();
+    for (const query of WATCHED) {
+      matchMedia(query).addEventListener("change", () => {
+        this.#read();
+        changed();
+      });
+    }
+  }
+
+  /** @param {boolean} on whether all is to be seen from the last row: large, thick, in high contrast */
+  project(on) {
+    const root = document.documentElement;
+    if (root.dataset.projector === String(on)) return;
+    root.dataset.projector = String(on);
+    this.#read();
+  }
+
+  #read() {
+    const style = getComputedStyle(this.#element);
+    const context = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+    /** @type {Record<string, string>} */
+    const colours = {};
+    this.palette = this.#roles.map((role) => {
+      colours[role] = style.getPropertyValue(`--role-${role}`).trim();
+      if (!context) return [0, 0, 0];
+      context.fillStyle = colours[role];
+      context.fillRect(0, 0, 1, 1);
+      const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+      return [red, green, blue];
+    });
+    this.colours = colours;
+    this.ground = style.getPropertyValue("--ground").trim();
+    this.inks = Object.fromEntries(this.#roles.map((role) => [role, mixed(colours[role], colours.ink)]));
+    this.revision += 1;
+    this.font = style.fontFamily;
+    this.weight = Number(style.getPropertyValue("--weight"));
+    this.scale = Number.parseFloat(style.fontSize) / USUAL_SIZE;
+  }
+}
+
+/**
+ * @param {string} colour
+ * @param {string} ink
+ */
+function mixed(colour, ink) {
+  return `color-mix(in srgb, ${colour} 62%, ${ink})`;
+}

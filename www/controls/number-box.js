@@ -1,0 +1,83 @@
+// A text field that holds a number: takes a decimal comma, keeps what is typed while it is wrong.
+import { parseNumber } from "assur/core/numbers.js";
+
+/**
+ * @typedef {import("assur/state/drafts.js").Drafts} Drafts
+ * @typedef {Readonly<{ brief: string, full: string }>} Written
+ * A value as it is read at a glance, and with all its digits for who is about to change it.
+ */
+
+export class NumberBox {
+  #input;
+  #field;
+  #drafts;
+  /** Whether the text was typed by a person and not written out again since. */
+  #typed = false;
+  /** @type {number | null} the value that came of what was typed */
+  #meant = null;
+  /** @type {Written} */
+  #written = { brief: "", full: "" };
+
+  /**
+   * @param {HTMLInputElement} input
+   * @param {string} field
+   * @param {Drafts} drafts
+   * @param {(value: number) => number} set takes the number and returns what the state holds then
+   */
+  constructor(input, field, drafts, set) {
+    this.#input = input;
+    this.#field = field;
+    this.#drafts = drafts;
+    input.addEventListener("input", () => {
+      this.#typed = true;
+      const value = parseNumber(input.value);
+      this.#meant = value === null ? null : set(value);
+      if (value === null) drafts.keep(field, input.value);
+      else drafts.drop(field);
+    });
+    for (const end of ["change", "blur"]) {
+      input.addEventListener(end, () => {
+        if (!drafts.has(field)) this.#writeOut();
+      });
+    }
+    input.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      drafts.drop(field);
+      this.#writeOut();
+    });
+    input.addEventListener("focus", () => {
+      if (!drafts.has(field)) this.#writeOut();
+      input.select();
+    });
+  }
+
+  /**
+   * @param {number} value
+   * @param {Written} written
+   * @param {boolean} invalid
+   */
+  show(value, written, invalid) {
+    this.#written = written;
+    const input = this.#input;
+    const focused = document.activeElement === input;
+    const being = focused && this.#typed && this.#meant === value;
+    if (!this.#drafts.has(this.#field) && !being) this.#writeOut();
+    const wrong = invalid || this.#drafts.has(this.#field);
+    if (wrong !== (input.getAttribute("aria-invalid") === "true")) {
+      input.setAttribute("aria-invalid", String(wrong));
+      if (wrong) input.setAttribute("aria-describedby", "problem");
+      else input.removeAttribute("aria-describedby");
+    }
+  }
+
+  /** Whether a person is about to type here. */
+  get busy() {
+    return document.activeElement === this.#input && !this.#typed;
+  }
+
+  #writeOut() {
+    this.#typed = false;
+    const text = document.activeElement === this.#input ? this.#written.full : this.#written.brief;
+    if (this.#input.value !== text) this.#input.value = text;
+  }
+}

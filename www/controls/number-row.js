@@ -1,0 +1,104 @@
+// One quantity of the document in the rail: its symbol and name, a slider where it has one, a number field.
+import { NumberBox } from "assur/controls/number-box.js";
+import { make } from "assur/core/dom.js";
+
+/**
+ * @typedef {Readonly<{ min: number, max: number, step: number }>} SliderRange
+ * @typedef {Readonly<{
+ *   field: string,
+ *   id?: string,
+ *   key?: string,
+ *   n?: string,
+ *   symbol: string,
+ *   role: string,
+ *   slider?: SliderRange,
+ *   unit?: string,
+ *   counted?: string,
+ * }>} RowKind
+ * `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * `counted`: the key of the words for a number of what the slider counts.
+ */
+
+export class NumberRow {
+  #kind;
+  #box;
+  /** @type {HTMLInputElement | null} */
+  #slider = null;
+
+  /**
+   * @param {RowKind} kind
+   * @param {import("assur/state/drafts.js").Drafts} drafts
+   * @param {(value: number) => void} set
+   */
+  constructor(kind, drafts, set) {
+    const { field, id = field, key = field, n = "", symbol, role, slider } = kind;
+    this.#kind = kind;
+    this.field = field;
+    const input = make("input", {
+      id: `field-${id}`,
+      class: "control number",
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "data-t-label": `field.${key}`,
+      "data-n": n,
+    });
+    this.#box = new NumberBox(input, field, drafts, (value) => {
+      set(value);
+      return value;
+    });
+    const name = make("label", { class: "name", for: input.id }, [
+      make("b", {}, [symbol]),
+      " ",
+      make("span", { "data-t": `name.${key}`, "data-n": n }),
+    ]);
+    this.element = make("div", { class: "row", style: `--accent: var(--role-${role})` }, [name, input]);
+    if (slider) {
+      this.#slider = makeSlider(id, key, n, slider);
+      this.#slider.addEventListener("input", () => {
+        drafts.drop(field);
+        set(Number(this.#slider?.value));
+      });
+      this.element.classList.add("with-slider");
+      input.before(this.#slider);
+    }
+  }
+
+  /**
+   * @param {number} value
+   * @param {import("assur/core/words.js").Words} words
+   * @param {boolean} invalid
+   */
+  show(value, words, invalid) {
+    const { numbers } = words;
+    const { slider: range, unit = "", counted } = this.#kind;
+    this.#box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, invalid);
+    if (!range || !this.#slider) return;
+    // A value beyond the slider's range widens it, so that the slider tells the truth.
+    const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];
+    if (Number(this.#slider.min) !== min) this.#slider.min = String(min);
+    if (Number(this.#slider.max) !== max) this.#slider.max = String(max);
+    if (Number(this.#slider.value) !== value) this.#slider.value = String(value);
+    if (counted) this.#slider.setAttribute("aria-valuetext", words.counted(counted, value));
+    this.#slider.style.setProperty("--fill", String((value - min) / (max - min)));
+  }
+}
+
+/**
+ * @param {string} id
+ * @param {string} key
+ * @param {string} n
+ * @param {SliderRange} range
+ */
+function makeSlider(id, key, n, { min, max, step }) {
+  return make("input", {
+    id: `slider-${id}`,
+    type: "range",
+    min: String(min),
+    max: String(max),
+    step: String(step),
+    "data-t-label": `slider.${key}`,
+    "data-n": n,
+  });
+}

@@ -1,0 +1,79 @@
+// Problems of the engine as sentences.
+import { degrees } from "assur/core/angles.js";
+import { byId, make } from "assur/core/dom.js";
+import { subscript } from "assur/core/symbols.js";
+import { LISTS } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").State["document"]} Document
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** A part of an entry of a list, such as `wheels[2].z`. */
+const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
+/** A dimension of a linkage: `links[5].length`, `points[8].x`. */
+const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
+
+/**
+ * @param {string} field
+ * @param {Words} words
+ * @param {Document | undefined} document that has the field
+ * @returns {string} its name, with the number of the wheel, the name of the link or point
+ */
+function fieldName(field, words, document) {
+  const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
+  if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at)) ?? at });
+  const [, list, index, part] = ENTRY.exec(field) ?? [];
+  if (!list) return words.text(`field.${field}`);
+  const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);
+  return words.text(`field.${list}.${part}`, { n: list === "tracers" ? subscript(number) : number });
+}
+
+/**
+ * @param {Document | undefined} document
+ * @param {string} list `links` or `points`
+ * @param {number} at
+ * @returns {string | undefined} the name of a link or point
+ */
+function nameIn(document, list, at) {
+  if (!document || !("links" in document)) return undefined;
+  return (list === "links" ? document.links : document.points)[at]?.name;
+}
+
+/**
+ * @param {Problem} problem
+ * @param {Words} words
+ * @param {Document} [document]
+ * @returns {string}
+ */
+export function sentence(problem, words, document) {
+  const key = `problem.${problem.code}`;
+  if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
+  /** @type {Record<string, string>} */
+  const places = {};
+  for (const [name, value] of Object.entries(problem)) {
+    if (name === "field") places.field = fieldName(String(value), words, document);
+    else if (name === "path" && value === ".") places.path = words.text("field.state");
+    else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
+    else if (Array.isArray(value)) places[name] = value.join(", ");
+    else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
+  }
+  return words.text(key, places);
+}
+
+export class ProblemView {
+  #place = byId("problem", HTMLElement);
+  #shown = "";
+
+  /** @param {Snapshot} snapshot */
+  render({ problems, words, state }) {
+    const sentences = problems.map((problem) => sentence(problem, words, state.document));
+    if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
+    const shown = sentences.join("\n");
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    this.#place.replaceChildren(...sentences.map((text) => make("p", {}, [text])));
+  }
+}

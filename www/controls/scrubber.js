@@ -1,0 +1,76 @@
+// The scrubber as it is seen: its bar, how far the crank has come, the knob. Drawn, because a change of style in every
+// frame costs a browser several times as much.
+import { Surface } from "assur/canvas/surface.js";
+
+/** @typedef {import("assur/canvas/theme.js").Theme} Theme */
+
+/** Diameter of the knob, width of its rim and thickness of the bar, in pixels; the style sheet has the same. */
+const KNOB = 22;
+const RIM = 4;
+const BAR = 6;
+
+/** How strong the arcs are that can be assembled, on the bar of a scrubber where not all can. */
+const OPEN = 0.35;
+
+export class Scrubber {
+  #surface;
+  #theme;
+  #part = 0;
+  /** @type {readonly (readonly [number, number])[] | null} */
+  #arcs = null;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Theme} theme
+   */
+  constructor(canvas, theme) {
+    this.#theme = theme;
+    this.#surface = new Surface(canvas, () => this.#draw());
+  }
+
+  /**
+   * @param {number} part of the way along the axis, 0 to 1
+   * @param {readonly (readonly [number, number])[] | null} arcs the parts where it can be assembled, if not all of them
+   */
+  show(part, arcs) {
+    this.#part = part;
+    this.#arcs = arcs;
+    this.#draw();
+  }
+
+  #draw() {
+    if (!this.#surface.begin()) return;
+    this.#surface.clear();
+    const { context, width } = this.#surface;
+    const { line, crank, paper } = this.#theme.colours;
+    const at = (/** @type {number} */ part) => KNOB / 2 + part * (width - KNOB);
+    this.#bar(0, width, line);
+    if (this.#arcs) {
+      context.globalAlpha = OPEN;
+      for (const [from, to] of this.#arcs) this.#bar(at(from), at(to), crank);
+      context.globalAlpha = 1;
+    } else {
+      this.#bar(0, at(this.#part), crank);
+    }
+    context.beginPath();
+    context.arc(at(this.#part), this.#surface.height / 2, (KNOB - RIM) / 2, 0, 2 * Math.PI);
+    context.fillStyle = paper;
+    context.fill();
+    context.strokeStyle = crank;
+    context.lineWidth = RIM;
+    context.stroke();
+  }
+
+  /**
+   * @param {number} from
+   * @param {number} to
+   * @param {string} colour
+   */
+  #bar(from, to, colour) {
+    const { context, height } = this.#surface;
+    context.beginPath();
+    context.roundRect(from, (height - BAR) / 2, to - from, BAR, BAR / 2);
+    context.fillStyle = colour;
+    context.fill();
+  }
+}

@@ -1,0 +1,11 @@
+// Formulas written in a line, x_PQ, with what belongs below the line below it. Loaded with what has formulas.
+import { make } from "assur/core/dom.js";
+
+/**
+ * @param {string} text
+ * @returns {(Node | string)[]} the same, what follows each _ as a subscript
+ */
+export function withSubscripts(text) {
+  const parts = text.split(/_([\p{L}\d]+)/u);
+  return parts.map((part, i) => (i % 2 === 1 ? make("sub", {}, [part]) : part));
+}

@@ -1,0 +1,99 @@
+// Every word of the page comes from lang/*.json; this file only looks them up.
+import { Numbers } from "assur/core/numbers.js";
+
+/** The languages there are string tables for. */
+export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
+
+/** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
+const tables = new Map();
+
+/** The words and numbers of one language. */
+export class Words {
+  /** @type {ReadonlyMap<string, string>} */
+  #table;
+
+  /**
+   * @param {string} lang
+   * @param {ReadonlyMap<string, string>} table
+   */
+  constructor(lang, table) {
+    this.lang = lang;
+    this.numbers = new Numbers(lang);
+    this.#table = table;
+  }
+
+  /**
+   * @param {string} lang
+   * @param {readonly string[]} [places] of the tables, the language standing for *
+   * @returns {Promise<Words>}
+   */
+  static async load(lang, places = ["*"]) {
+    const names = places.map((place) => place.replace("*", lang));
+    const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
+    return new Words(lang, new Map(entries));
+  }
+
+  /**
+   * @param {string} key
+   * @param {Readonly<Record<string, string>>} [places] what stands in the {places} of the text
+   * @returns {string} the text, or the key where there is none
+   */
+  text(key, places = {}) {
+    const text = this.#table.get(key);
+    if (text === undefined) return key;
+    return text.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
+  }
+
+  /**
+   * A text that says how many: its forms stand under `key.one`, `key.few`, `key.many`, `key.other`, as the language has them.
+   * A browser without the language's plural rules goes by those of another, whose forms the table may lack: every table has `other`.
+   * @param {string} key
+   * @param {number} count stands in the place {count}
+   * @param {Readonly<Record<string, string>>} [places]
+   */
+  counted(key, count, places = {}) {
+    const form = `${key}.${this.numbers.form(count)}`;
+    return this.text(this.has(form) ? form : `${key}.other`, { count: this.numbers.exact(count), ...places });
+  }
+
+  /** @param {string} key */
+  has(key) {
+    return this.#table.has(key);
+  }
+
+  /**
+   * Writes the texts that never change into the page, where its elements name them; `data-n` is the {n} of a text.
+   * @param {ParentNode} root
+   */
+  fill(root) {
+    const said = (/** @type {Element} */ element, /** @type {string} */ name) =>
+      this.text(element.getAttribute(name) ?? "", { n: element.getAttribute("data-n") ?? "" });
+    for (const element of root.querySelectorAll("[data-t]")) element.textContent = said(element, "data-t");
+    for (const element of root.querySelectorAll("[data-t-label]")) element.setAttribute("aria-label", said(element, "data-t-label"));
+    for (const element of root.querySelectorAll("[data-t-title]")) element.setAttribute("title", said(element, "data-t-title"));
+  }
+}
+
+/**
+ * @param {string} name
+ * @returns {Promise<ReadonlyMap<string, string>>}
+ */
+function table(name) {
+  let wanted = tables.get(name);
+  if (!wanted) {
+    wanted = fetchTable(name);
+    wanted.catch(() => tables.delete(name));
+    tables.set(name, wanted);
+  }
+  return wanted;
+}
+
+/**
+ * @param {string} name
+ * @returns {Promise<ReadonlyMap<string, string>>}
+ */
+async function fetchTable(name) {
+  const response = await fetch(import.meta.resolve(`assur/lang/${name}.json`));
+  if (!response.ok) throw new Error(`${response.status} ${name}.json`);
+  return new Map(Object.entries(await response.json()));
+}

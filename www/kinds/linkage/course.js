@@ -1,0 +1,199 @@
+// What the plotted output does over a turn: stroke, dwell and cyclogram in the rail, the dwell shaded on the plots and
+// magnified in an inset.
+import { NumberRow } from "assur/controls/number-row.js";
+import { degrees } from "assur/core/angles.js";
+import { byId, make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { DesignView } from "assur/kinds/linkage/design.js";
+import { across, down } from "assur/plots/panel.js";
+import { setChartFont } from "assur/plots/text.js";
+import { withDocument } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Course} Course
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** Strength of the shade over a dwell. */
+const SHADE = 0.14;
+/** Points of the magnified curve. */
+const POINTS = 96;
+/** The part of a plot that an inset takes, across and down. */
+const INSET = Object.freeze({ width: 0.42, height: 0.36 });
+
+/**
+ * Lays the dwell over the plots of an output whose document gives its band.
+ * @type {import("assur/plots/chart.js").Overlay}
+ */
+export function paintCourse(context, panels, { lesson, state, summary, words }, engine, theme) {
+  if (lesson !== "linkage" || state.lesson !== "linkage") return;
+  const { course } = summary;
+  if (!state.document.band || !course?.dwell) return;
+  const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
+  for (const panel of panels) paintDwell(context, panel, course.dwell, value, words, theme);
+}
+
+/**
+ * Shades the dwell on a plot; over the first one stands what it looks like magnified, as in fig. 2 of the paper.
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {(phi: number) => number | undefined} value of the output at a crank angle
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function paintDwell(context, panel, dwell, value, words, theme) {
+  const { x0: start, x1: end } = panel;
+  const period = end - start;
+  const turns = period * Math.floor((dwell.arc[0] - start) / period);
+  const [from, to] = [dwell.arc[0] - turns, dwell.arc[1] - turns];
+  context.fillStyle = theme.colours.coupler;
+  context.globalAlpha = SHADE;
+  // What runs over the end of the axis goes on at its beginning.
+  for (const shift of [-period, 0]) {
+    const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
+    if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
+  }
+  context.globalAlpha = 1;
+  if (panel.order === 0) paintInset(context, panel, { ...dwell, arc: [from, to] }, value, words, theme);
+}
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {(phi: number) => number | undefined} value
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function paintInset(context, panel, { arc: [from, to], band: [least, most] }, value, words, theme) {
+  if (!(most > least)) return;
+  const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
+  // In the half of the plot where the dwell is not.
+  const middle = down(panel, (least + most) / 2) - panel.top;
+  const top = panel.top + (middle > panel.height / 2 ? 6 : panel.height - height - 6);
+  const shown = Math.min(Math.max(across(panel, (from + to) / 2), panel.left + width / 2 + 6), panel.left + panel.width - width / 2 - 6);
+  const left = shown - width / 2;
+  context.fillStyle = theme.colours.paper;
+  context.fillRect(left, top, width, height);
+  context.beginPath();
+  context.moveTo(left, top);
+  context.lineTo(left + width, top);
+  context.lineTo(left + width, top + height);
+  context.lineTo(left, top + height);
+  context.closePath();
+  context.strokeStyle = theme.colours.secondary;
+  context.lineWidth = theme.weight;
+  context.stroke();
+  context.beginPath();
+  let drawn = false;
+  for (let i = 0; i <= POINTS; i++) {
+    const at = value(from + ((to - from) * i) / POINTS);
+    if (at === undefined) continue;
+    const x = left + 4 + ((width - 8) * i) / POINTS;
+    const y = top + height - 4 - ((height - 8) * (at - least)) / (most - least);
+    if (drawn) context.lineTo(x, y);
+    else context.moveTo(x, y);
+    drawn = true;
+  }
+  context.strokeStyle = theme.colours[panel.series[0].role];
+  context.lineWidth = 1.5 * theme.weight;
+  context.stroke();
+  setChartFont(context, theme);
+  context.textAlign = "right";
+  context.textBaseline = "top";
+  context.fillStyle = theme.colours.secondary;
+  context.fillText(`↕ ${words.numbers.upTo(panel.kind === "angle" ? degrees(most - least) : most - least, 3)}${panel.kind === "angle" ? "°" : ""}`, left + width - 4, top + 3);
+}
+
+/** What is said of the course, in the order of the table. */
+const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
+
+/** The colours of the phases. */
+const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
+
+export class CourseView {
+  #design;
+  #row;
+  #name = make("caption");
+  #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
+  #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor(page) {
+    const { store, drafts } = page;
+    this.#design = new DesignView(page);
+    this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
+      store.update((state) => withDocument(state, { band })),
+    );
+    const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
+    const section = make("section", { class: "of-linkage" }, [
+      make("h2", { "data-t": "dwell.heading" }),
+      this.#row.element,
+      make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
+      this.#bars,
+      this.#design.element,
+    ]);
+    byId("overlays", HTMLElement).before(section);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    this.#design.render(snapshot);
+    const { state, summary, words, problems, stale } = snapshot;
+    const { course, plotted } = summary;
+    // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
+    const band = state.document.band ?? course?.width;
+    const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
+    const shown = [course, words, wrong, band, stale];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    if (!course) return;
+    this.#row.show(band ?? course.width, words, wrong);
+    if (stale) return;
+    const angle = plotted[0].endsWith(".angle");
+    const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
+    const turned = (/** @type {number} */ phi) => `${words.numbers.upTo(degrees(phi), 3)}°`;
+    const { stroke, dwell } = course;
+    write(this.#name, words.text("dwell.of", { name: plotted[0].replace(/\.angle$/, "") }));
+    const none = words.text("dwell.none");
+    const texts = {
+      stroke: stroke === null ? none : said(stroke),
+      arc: dwell ? turned(dwell.arc[1] - dwell.arc[0]) : none,
+      residual: dwell ? said(dwell.band[1] - dwell.band[0]) : none,
+    };
+    for (const name of ROWS) write(/** @type {HTMLElement} */ (this.#outputs.get(name)), texts[name]);
+    this.#draw(course, summary, turned, words);
+  }
+
+  /**
+   * @param {Course} course
+   * @param {Snapshot["summary"]} summary
+   * @param {(phi: number) => string} turned
+   * @param {Words} words
+   */
+  #draw({ phases }, { cycle: { start, end }, plotted }, turned, words) {
+    const period = end - start;
+    const told = [];
+    const bars = [];
+    for (const { kind, arc: [from, to] } of phases) {
+      told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
+      // What runs over the end of the turn goes on at its beginning.
+      for (const shift of [-period, 0, period]) {
+        const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => (100 * (phi - start)) / period);
+        if (right <= left) continue;
+        bars.push(make("i", { class: kind, style: `left: ${left.toFixed(3)}%; width: ${(right - left).toFixed(3)}%; --accent: var(--role-${ROLES[kind]})` }));
+      }
+    }
+    this.#bars.replaceChildren(...bars);
+    this.#bars.ariaLabel = [words.text("dwell.chart", { name: plotted[0].replace(/\.angle$/, "") }), ...told].join("; ");
+    this.#bars.title = told.join("\n");
+  }
+}

@@ -1,0 +1,276 @@
+// "Design your dwell": what is wanted of the output, which lengths may change and how far; a search in a worker, whose every
+// better mechanism is put on the page.
+import { NumberRow } from "assur/controls/number-row.js";
+import { sentence } from "assur/controls/problems.js";
+import { degrees, radians } from "assur/core/angles.js";
+import { make, write } from "assur/core/dom.js";
+import { straightLinks } from "assur/kinds/linkage/rail.js";
+import { withDocument } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {Readonly<{
+ *   judged: number, accepted: boolean, before: number,
+ *   reached: { arc: number, stroke: number, residual: number, conditioning: number },
+ *   end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null,
+ * }>} Progress as Design.step of the engine has it
+ */
+
+/** By how many per cent a length may change. */
+const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
+const USUAL = "5";
+
+/** Of the mechanisms that are no better, every so many are told: a screen reader would not come to its end. */
+const TOLD = 10;
+
+/**
+ * How long a better mechanism is shown before the search goes on, in milliseconds: long enough to be seen, and for drawing it
+ * anew, which takes some frames, to leave the motion smooth.
+ */
+const SHOWN = 400;
+
+/** How a search ended. */
+const ENDS = Object.freeze({ fulfilled: "design.fulfilled", settled: "design.settled", stopped: "design.stopped" });
+
+export class DesignView {
+  #store;
+  #drafts;
+  #history;
+  #wanted = make("div");
+  #links = make("div");
+  #start = make("button", { id: "design-start", class: "control add", type: "button", "data-t": "design.start" });
+  #stop = make("button", { id: "design-stop", class: "control add", type: "button", "data-t": "design.stop" });
+  #told = make("p", { id: "design-progress", role: "status" });
+  /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
+  #rows = null;
+  /** @type {{ arc: number | null, stroke: number | null }} as written: degrees, the stroke of a length in its unit; null: as it is now */
+  #wish = { arc: null, stroke: null };
+  /** @type {{ name: string, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
+  #movable = [];
+  #built = "";
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {Worker | null} */
+  #worker = null;
+  /** @type {ReturnType<typeof subject> | null} what the search is about: as of its last better mechanism */
+  #subject = null;
+  #changed = false;
+  /** @type {Progress | null} */
+  #progress = null;
+  /** @type {keyof typeof ENDS | null} */
+  #end = null;
+  /** @type {readonly Problem[]} */
+  #problems = [];
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor({ store, drafts, history }) {
+    this.#store = store;
+    this.#drafts = drafts;
+    this.#history = history;
+    this.#start.addEventListener("click", () => this.#search());
+    this.#stop.addEventListener("click", () => this.#finish("stopped"));
+    this.element = make("details", { id: "design" }, [
+      make("summary", { "data-t": "design.heading" }),
+      this.#wanted,
+      this.#links,
+      this.#start,
+      this.#stop,
+      this.#told,
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const before = this.#snapshot;
+    this.#snapshot = snapshot;
+    const { state, summary, words, stale } = snapshot;
+    if (this.#worker && !this.#holds(state)) this.#finish("stopped");
+    this.#build(snapshot);
+    const { course } = summary;
+    const { arc, stroke } = this.#now();
+    this.#rows?.arc.show(this.#wish.arc ?? arc, words, false);
+    this.#rows?.stroke.show(this.#wish.stroke ?? stroke, words, false);
+    this.#start.disabled = stale || !summary.cycle.full || typeof course?.stroke !== "number";
+    this.#show();
+    if (before?.words !== words) this.#tell();
+  }
+
+  /** Arc and stroke of what is shown, as they are written. */
+  #now() {
+    const { course, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
+    const angle = plotted[0]?.endsWith(".angle") ?? true;
+    const arc = course?.dwell ? course.dwell.arc[1] - course.dwell.arc[0] : 0;
+    const stroke = course?.stroke ?? 0;
+    return { angle, arc: degrees(arc), stroke: angle ? degrees(stroke) : stroke };
+  }
+
+  /**
+   * Another linkage, or another output, has other wishes.
+   * @param {Snapshot} snapshot
+   */
+  #build({ state: { document: linkage }, summary, words }) {
+    const { angle } = this.#now();
+    const straight = straightLinks(linkage);
+    const built = JSON.stringify([linkage.drivers, linkage.links.map(({ name }) => name), straight, summary.plotted[0]]);
+    if (built === this.#built) return;
+    this.#built = built;
+    this.#wish = { arc: null, stroke: null };
+    this.#progress = this.#end = null;
+    this.#problems = [];
+    this.#drafts.dropAll(["design.arc", "design.stroke"]);
+    this.#rows = {
+      arc: new NumberRow({ field: "design.arc", id: "design-arc", symbol: "θ", role: "coupler", unit: "°" }, this.#drafts, (arc) => this.#wishes({ arc })),
+      stroke: new NumberRow(
+        { field: "design.stroke", id: "design-stroke", symbol: "s", role: "coupler", unit: angle ? "°" : "" },
+        this.#drafts,
+        (stroke) => this.#wishes({ stroke }),
+      ),
+    };
+    this.#wanted.replaceChildren(this.#rows.arc.element, this.#rows.stroke.element);
+    const crank = linkage.drivers[0]?.crank;
+    this.#movable = straight.map((index) => {
+      const { name } = linkage.links[index];
+      const moves = make("input", { id: `design-move-${index}`, type: "checkbox", "data-t-label": "design.move", "data-n": name });
+      moves.checked = name !== crank;
+      const by = make("select", { id: `design-by-${index}`, class: "control", "data-t-label": "design.by", "data-n": name },
+        PER_CENT.map((value) => make("option", { value }, [`± ${value} %`])));
+      by.value = USUAL;
+      return { name, moves, by };
+    });
+    this.#links.replaceChildren(
+      ...this.#movable.map(({ name, moves, by }) => make("div", { class: "row" }, [make("label", { class: "check" }, [moves, " ", name]), by])),
+    );
+    words.fill(this.element);
+    this.#tell();
+  }
+
+  /** @param {Partial<{ arc: number, stroke: number }>} change */
+  #wishes(change) {
+    this.#wish = { ...this.#wish, ...change };
+  }
+
+  /**
+   * Whether the page still shows what is searched from.
+   * @param {State} state
+   */
+  #holds({ document: linkage, view: { plot } }) {
+    return linkage === this.#subject?.document && plot === this.#subject.plot;
+  }
+
+  #search() {
+    const state = this.#store.get();
+    const { angle, arc, stroke } = this.#now();
+    // What was wanted stays wanted while the mechanism changes.
+    this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
+    const wishes = {
+      arc: radians(this.#wish.arc ?? 0),
+      stroke: angle ? radians(this.#wish.stroke ?? 0) : this.#wish.stroke,
+      movable: this.#movable.filter(({ moves }) => moves.checked).map(({ name, by }) => ({ link: name, by: Number(by.value) / 100 })),
+    };
+    this.#subject = subject(state);
+    this.#changed = false;
+    this.#progress = this.#end = null;
+    this.#problems = [];
+    const worker = new Worker(import.meta.resolve("assur/kinds/linkage/design-worker.js"), { type: "module" });
+    this.#worker = worker;
+    worker.addEventListener("message", ({ data }) => {
+      // What was under way when it was stopped no longer counts.
+      if (worker === this.#worker) this.#hear(data);
+    });
+    worker.addEventListener("error", () => this.#hear({ problems: [{ code: "not_arrived" }] }));
+    worker.postMessage({
+      engine: import.meta.resolve("assur/pkg/linkages/assur_web.js"),
+      wasm: import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm"),
+      state,
+      wishes,
+    });
+    this.#show();
+    this.#stop.focus();
+    this.#tell();
+  }
+
+  /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said by the worker */
+  #hear({ progress, problems }) {
+    if (!progress) {
+      this.#problems = problems ?? [];
+      this.#finish(null);
+      return;
+    }
+    if (!this.#holds(this.#store.get())) {
+      this.#finish("stopped");
+      return;
+    }
+    this.#progress = progress;
+    if (progress.document) this.#take(progress.document);
+    if (progress.end) this.#finish(progress.end);
+    else if (progress.accepted || progress.judged % TOLD === 0) this.#tell();
+  }
+
+  /**
+   * Puts a better mechanism on the page; all of one search are one step to undo.
+   * @param {Partial<LinkageDocument>} change
+   */
+  #take(change) {
+    if (this.#changed) this.#history.join();
+    else this.#history.close();
+    this.#changed = true;
+    this.#store.update((state) => withDocument(state, change));
+    this.#subject = subject(this.#store.get());
+    const worker = this.#worker;
+    setTimeout(() => worker?.postMessage({}), SHOWN);
+  }
+
+  /** @param {keyof typeof ENDS | null} end */
+  #finish(end) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#end = end;
+    this.#history.close();
+    const focused = document.activeElement === this.#stop;
+    this.#show();
+    if (focused) this.#start.focus();
+    this.#tell();
+  }
+
+  /** Which of the two buttons there is. */
+  #show() {
+    this.#start.hidden = this.#worker !== null;
+    this.#stop.hidden = this.#worker === null;
+  }
+
+  /** Writes how the search stands. */
+  #tell() {
+    if (!this.#snapshot) return;
+    const { words } = this.#snapshot;
+    const { numbers } = words;
+    const { angle } = this.#now();
+    const said = this.#problems.map((problem) => sentence(problem, words));
+    if (this.#progress) {
+      const { judged, before, reached: { arc, stroke, residual, conditioning } } = this.#progress;
+      said.push(words.text("design.progress", {
+        judged: numbers.exact(judged),
+        arc: `${numbers.upTo(degrees(arc), 2)}°`,
+        stroke: angle ? `${numbers.upTo(degrees(stroke), 2)}°` : numbers.short(stroke),
+        residual: numbers.short(residual),
+        before: numbers.short(before),
+      }));
+      if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
+      // 1 where no group is solved by iteration.
+      const tight = Math.abs(conditioning);
+      if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
+      this.#told.dataset.value = String(residual);
+    } else if (this.#worker) said.push(words.text("design.coming"));
+    write(this.#told, said.join(" "));
+  }
+}
+
+/** @param {State} state */
+function subject({ document, view: { plot } }) {
+  return { document, plot };
+}

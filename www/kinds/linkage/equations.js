@@ -1,0 +1,182 @@
+// The constraint equations of a linkage at the crank angle there is: both sides in numbers, and by how much they differ.
+import { degrees, radians } from "assur/core/angles.js";
+import { byId, make, setData, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+
+/**
+ * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ kind: "distance", link: string, points: [string, string] }
+ *   | { kind: "offset", link: string, points: [string, string, string] }
+ *   | { kind: "direction", link: string, on: string }
+ *   | { kind: "mesh", links: [string, string], carrier: string, teeth: [number, number] }} Equation
+ * as the engine's summary has it: a link and its points P, Q; a link that slides, its point and the line PQ; a link and what
+ * it keeps its angle against; wheels, their carrier and teeth, the second below zero where the sense is kept
+ */
+
+/** Orders of the derivatives, with the words for them. */
+const ORDERS = Object.freeze(["equations.places", "equations.first", "equations.second"]);
+const STROKES = Object.freeze(["", "′", "″"]);
+const SIDES = Object.freeze(/** @type {const} */ (["left", "right", "residual"]));
+const NONE = "—";
+/** Decimals of the sides; beyond this size they would only take room. */
+const DECIMALS = 4;
+const LARGE = 1e4;
+const SUPERSCRIPTS = Object.freeze([..."⁰¹²³⁴⁵⁶⁷⁸⁹"]);
+
+export class EquationsView {
+  #engine;
+  #order = make("select", { id: "equations-order", class: "control", "data-t-label": "equations.order" });
+  #note = make("p", { class: "note" }, ["x", make("sub", {}, ["PQ"]), " = x", make("sub", {}, ["P"]), " − x", make("sub", {}, ["Q"])]);
+  #body = make("tbody");
+  #table = make("table", { class: "course" }, [this.#body]);
+  #details;
+  /** @type {HTMLElement[][]} of each equation what it says */
+  #cells = [];
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {readonly unknown[]} what the rows were made of */
+  #built = [];
+  /** @type {readonly unknown[]} what the numbers were written of */
+  #written = [];
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor({ engine }) {
+    this.#engine = engine;
+    this.#order.append(...ORDERS.map((key, order) => make("option", { value: String(order), "data-t": key })));
+    const head = ["equation", ...SIDES].map((name) => make("th", { scope: "col", "data-t": `equations.${name}` }));
+    this.#table.prepend(make("thead", {}, [make("tr", {}, head)]));
+    // What scrolls must be reached by keys, too.
+    const window = make("div", { class: "equations", tabindex: "0", role: "region", "data-t-label": "equations.heading" }, [this.#table]);
+    this.#details = make("details", { id: "equations", class: "of-linkage" }, [
+      make("summary", { "data-t": "equations.heading" }),
+      this.#order,
+      this.#note,
+      window,
+    ]);
+    for (const event of ["toggle", "change"]) this.#details.addEventListener(event, () => this.#show());
+    byId("readouts", HTMLElement).after(this.#details);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const before = this.#snapshot;
+    this.#snapshot = snapshot;
+    // Numbers that change with every frame cannot be read; another mechanism is said at once.
+    if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
+  }
+
+  #show() {
+    if (!this.#details.open || !this.#snapshot) return;
+    const { summary, words, phiDeg, stale, problems } = this.#snapshot;
+    setData(this.#table, "faded", String(stale));
+    const order = Number(this.#order.value);
+    this.#build(summary.equations, order);
+    const written = [summary, order, phiDeg, words, problems.length];
+    if (stale || written.every((part, i) => part === this.#written[i])) return;
+    this.#written = written;
+    const { value: sides } = attempt(() => this.#engine.ask((simulator) => simulator.equations(radians(phiDeg), order)));
+    summary.equations.forEach(({ kind }, row) => {
+      const angle = order === 0 && (kind === "direction" || kind === "mesh");
+      SIDES.forEach((side, column) => {
+        const cell = this.#cells[row][column];
+        const value = sides?.[SIDES.length * row + column];
+        if (value === undefined) {
+          write(cell, NONE);
+          delete cell.dataset.value;
+          return;
+        }
+        cell.dataset.value = String(value);
+        const shown = angle ? degrees(value) : value;
+        write(cell, (side === "residual" ? scientific(shown, words) : decimal(shown, words)) + (angle ? "°" : ""));
+      });
+    });
+  }
+
+  /**
+   * @param {readonly Equation[]} equations
+   * @param {number} order
+   */
+  #build(equations, order) {
+    const built = [JSON.stringify(equations), order];
+    if (built.every((part, i) => part === this.#built[i])) return;
+    this.#built = built;
+    this.#written = [];
+    this.#note.hidden = order === 0;
+    const rows = equations.map((equation, row) => {
+      const cells = SIDES.map((side) => make("td", { id: `equation-${row}-${side}` }));
+      this.#cells[row] = cells;
+      return make("tr", {}, [make("th", { id: `equation-${row}`, scope: "row" }, spelled(equation, order)), ...cells]);
+    });
+    this.#body.replaceChildren(...rows);
+  }
+}
+
+/**
+ * What stands in the places of a text is written below the line.
+ * @param {TemplateStringsArray} texts
+ * @param {readonly string[]} subscripts
+ */
+function formula(texts, ...subscripts) {
+  return texts.flatMap((text, i) => [text, ...(i < subscripts.length ? [make("sub", {}, [subscripts[i]])] : [])]);
+}
+
+/**
+ * @param {readonly string[]} names
+ * @returns {string} EG of two letters, else with a comma
+ */
+function together(...names) {
+  return names.join(names.every((name) => name.length === 1) ? "" : ",");
+}
+
+/**
+ * An equation, or its derivative of an order, as papers write it.
+ * @param {Equation} equation
+ * @param {number} order
+ * @returns {(Node | string)[]}
+ */
+function spelled(equation, order) {
+  const stroke = STROKES[order];
+  if (equation.kind === "distance") {
+    const [p, q] = equation.points;
+    const pq = together(p, q);
+    if (order === 0) return formula`(x${p} − x${q})² + (y${p} − y${q})² = l²${pq}`;
+    const terms = [...formula`x${pq} `, `x${stroke}`, ...formula`${pq} + y${pq} `, `y${stroke}`, ...formula`${pq} = `];
+    return order === 1 ? [...terms, "0"] : [...terms, ...formula`−x′²${pq} − y′²${pq}`];
+  }
+  if (equation.kind === "offset") {
+    const [s, p, q] = equation.points;
+    const [along, to] = [together(q, p), together(s, p)];
+    const area = formula`x${along} y${to} − y${along} x${to}`;
+    return order === 0 ? [...area, ...formula` = h·l${along}`] : ["(", ...area, `)${stroke} = 0`];
+  }
+  const angle = (/** @type {string} */ name) => [`θ${stroke}`, ...formula`${name}`];
+  const right = order === 0 ? " = α" : " = 0";
+  if (equation.kind === "direction") return [...angle(equation.link), " − ", ...angle(equation.on), right];
+  const { links, carrier, teeth } = equation;
+  const turned = (/** @type {string} */ name) => ["(", ...angle(name), " − ", ...angle(carrier), ")"];
+  const sign = teeth[1] < 0 ? " − " : " + ";
+  return [`${teeth[0]}`, ...turned(links[0]), `${sign}${Math.abs(teeth[1])}`, ...turned(links[1]), right];
+}
+
+/**
+ * @param {number} value
+ * @param {Words} words
+ */
+function decimal(value, { numbers }) {
+  return Math.abs(value) < LARGE ? numbers.fixed(value, DECIMALS) : numbers.brief(value);
+}
+
+/**
+ * @param {number} value
+ * @param {Words} words
+ * @returns {string} as 1.78·10⁻¹⁵
+ */
+function scientific(value, { numbers }) {
+  if (value === 0) return "0";
+  const power = Math.floor(Math.log10(Math.abs(value)));
+  const digits = [...String(Math.abs(power))].map((digit) => SUPERSCRIPTS[Number(digit)]).join("");
+  return `${numbers.upTo(value / 10 ** power, 2)}·10${power < 0 ? "⁻" : ""}${digits}`;
+}

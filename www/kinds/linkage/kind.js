@@ -1,0 +1,16 @@
+// What the page shows of a linkage only. Loaded with the first linkage.
+import { CourseView, paintCourse } from "assur/kinds/linkage/course.js";
+import { EquationsView } from "assur/kinds/linkage/equations.js";
+import { LinkageRail } from "assur/kinds/linkage/rail.js";
+import { LinkageStatus } from "assur/kinds/linkage/status.js";
+import "assur/kinds/linkage/style.js";
+import { LinkageTitle } from "assur/kinds/linkage/title.js";
+
+/** @param {import("assur/app/page.js").Page} page */
+export function linkageViews(page) {
+  page.chart.lay(paintCourse);
+  return {
+    views: [new LinkageRail(page), new CourseView(page), new LinkageStatus(), new EquationsView(page)],
+    common: [new LinkageTitle(page)],
+  };
+}

@@ -1,0 +1,100 @@
+// The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
+import { NumberRow } from "assur/controls/number-row.js";
+import { byId, make } from "assur/core/dom.js";
+import { RailList, TEETH, anotherTracer, anotherWheel, tracerCard, wheelCard } from "assur/kinds/mixer/lists.js";
+import { contains, withDocument } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
+ * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
+ * @typedef {import("assur/state/state.js").NumberField} NumberField
+ * @typedef {import("assur/controls/number-row.js").RowKind} RowKind
+ */
+
+const LENGTH = Object.freeze({ min: 0.05, max: 1.5, step: 0.01 });
+
+/** @type {readonly RowKind[]} */
+const LENGTHS = Object.freeze([
+  { field: "l1", symbol: "l₁", role: "crank", slider: LENGTH },
+  { field: "l2", symbol: "l₂", role: "coupler", slider: LENGTH },
+  { field: "l3", symbol: "l₃", role: "rocker", slider: LENGTH },
+  { field: "l4", symbol: "l₄", role: "secondary", slider: LENGTH },
+]);
+
+/** @type {readonly RowKind[]} */
+const WHEELS = Object.freeze([
+  { field: "module", symbol: "m", role: "secondary" },
+  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH, counted: "wheels.teeth" },
+]);
+
+const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
+const ASSEMBLIES = /** @type {const} */ ([1, 2]);
+
+export class Rail {
+  /** @type {NumberRow[]} */
+  #rows = [];
+  /** @type {{ button: HTMLButtonElement, document: Partial<MixerDocument> }[]} */
+  #presets = [];
+  /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
+  #choices = [];
+  #lists;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor({ store, engine, drafts }) {
+    const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => withDocument(state, change));
+    for (const [place, kinds] of /** @type {const} */ ([["lengths", LENGTHS], ["train", WHEELS]])) {
+      for (const kind of kinds) {
+        const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
+        byId(place, HTMLElement).append(row.element);
+        this.#rows.push(row);
+      }
+    }
+    this.#lists = [
+      new RailList("wheels", wheelCard, anotherWheel, store, drafts),
+      new RailList("tracers", tracerCard, anotherTracer, store, drafts),
+    ];
+    for (const { id, document } of engine.presets) {
+      const button = make("button", { id: `preset-${id}`, type: "button", class: "segment", "data-t": `preset.${id}` });
+      button.addEventListener("click", () => {
+        drafts.dropAll(Object.keys(document));
+        edit(document);
+      });
+      byId("presets", HTMLElement).append(button);
+      this.#presets.push({ button, document });
+    }
+    for (const mesh of MESHES) this.#choice("mesh", mesh, () => edit({ mesh }));
+    for (const assembly of ASSEMBLIES) this.#choice("assembly", assembly, () => edit({ assembly }));
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, problems, words, summary } = snapshot;
+    const wrong = new Set(problems.map(({ field }) => field));
+    const shown = [state.document, words, summary, ...wrong];
+    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words, wrong.has(row.field));
+    for (const list of this.#lists) list.show(snapshot, wrong);
+    for (const { button, document } of this.#presets) {
+      button.setAttribute("aria-pressed", String(contains(state.document, document)));
+    }
+    for (const { input, field, value } of this.#choices) input.checked = state.document[field] === value;
+  }
+
+  /**
+   * @param {"mesh" | "assembly"} field
+   * @param {string | number} value
+   * @param {() => void} choose
+   */
+  #choice(field, value, choose) {
+    const input = make("input", { id: `${field}-${value}`, type: "radio", name: field, value: String(value) });
+    const label = make("label", { class: field === "mesh" ? "choice" : "segment" }, [input, make("span", { "data-t": `${field}.${value}` })]);
+    input.addEventListener("change", choose);
+    byId(field, HTMLElement).append(label);
+    this.#choices.push({ input, field, value });
+  }
+}

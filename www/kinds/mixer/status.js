@@ -1,0 +1,134 @@
+// The status line: what kind of mechanism it is and what it does over a turn.
+import { degrees } from "assur/core/angles.js";
+import { byId, make, setData, write } from "assur/core/dom.js";
+import { LISTS, wheelLink } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").MixerSummary} Summary
+ * @typedef {import("assur/engine.js").Swing} Swing
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
+ * @typedef {import("assur/state/state.js").State<"mixer">} State
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ text: string, value?: number }} Entry
+ */
+
+/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say what an entry says; null where there is nothing to say */
+
+/** The most peripheral wheels there are, from 0. */
+const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
+
+/** @type {[string, Say][]} */
+const WHEEL_SWINGS = WHEELS.map((index) => [
+  `swing-${wheelLink(index)}`,
+  ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
+]);
+
+/** @type {Readonly<Record<string, Say>>} */
+const ENTRIES = Object.freeze({
+  grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
+  assembly: (_, words, { document }) => ({
+    text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
+    value: document.assembly,
+  }),
+  "swing-rocker": ({ swing }, words) => swingEntry(swing, words),
+  ...Object.fromEntries(WHEEL_SWINGS),
+  overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
+  turns: ({ wheels }, words) => ({
+    text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
+    value: wheels[0].turns[0],
+  }),
+  ratio: ({ wheels }, words) => ({ text: wheels.map(({ ratio }) => words.numbers.upTo(ratio, 4)).join("; "), value: wheels[0].ratio }),
+  "time-ratio": ({ time_ratio: ratio }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
+  transmission: ({ transmission }, words) => angleEntry(transmission.min, words),
+  range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
+  "dead-points": ({ dead_points: points }, words) => anglesEntry(points, words),
+  "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
+});
+
+export class StatusLine {
+  #list = byId("status", HTMLElement);
+  /** @type {{ name: string, entry: HTMLElement, output: HTMLElement }[]} */
+  #entries = [];
+  #shown = "";
+
+  constructor() {
+    for (const name of Object.keys(ENTRIES)) {
+      const output = make("dd", { id: `out-${name}` });
+      const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
+      const title = make("dt", { "data-t": wheel ? "name.wheels.z" : `status.${name}`, "data-n": wheel ?? "" });
+      const entry = make("div", { class: name === "overlaps" ? "entry of-mixer warning" : "entry of-mixer" }, [title, " ", output, " "]);
+      this.#list.append(entry);
+      this.#entries.push({ name, entry, output });
+    }
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ summary, state, words, revision, stale }) {
+    setData(this.#list, "faded", String(stale));
+    // What is not the state's own mechanism keeps the words it had.
+    if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
+    const shown = `${revision} ${words.lang}`;
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    for (const { name, entry, output } of this.#entries) {
+      const said = ENTRIES[name](summary, words, state);
+      entry.hidden = said === null;
+      write(output, said?.text ?? "");
+      if (said?.value === undefined) output.removeAttribute("data-value");
+      else output.dataset.value = String(said.value);
+    }
+  }
+}
+
+/**
+ * @param {readonly (Swing | null)[]} swings one for every arc of the cycle
+ * @param {Words} words
+ * @returns {Entry}
+ */
+function swingEntry(swings, words) {
+  const entries = swings.map((swing) =>
+    swing ? angleEntry(swing.stroke, words) : { text: words.text("status.turns_fully") },
+  );
+  return entries.length === 1 ? entries[0] : { text: entries.map(({ text }) => text).join(", ") };
+}
+
+/**
+ * @param {readonly (readonly [number, number])[]} pairs of wheels, from 0
+ * @param {Words} words
+ * @returns {Entry | null}
+ */
+function overlapsEntry(pairs, words) {
+  if (pairs.length === 0) return null;
+  const { first } = LISTS.wheels;
+  const pair = (/** @type {readonly [number, number]} */ [one, other]) =>
+    words.text("status.pair", { one: String(one + first), other: String(other + first) });
+  return { text: pairs.map(pair).join(", ") };
+}
+
+/**
+ * @param {number} angle
+ * @param {Words} words
+ * @returns {Entry}
+ */
+function angleEntry(angle, words) {
+  return { text: `${words.numbers.fixed(degrees(angle), 3)}°`, value: degrees(angle) };
+}
+
+/**
+ * @param {readonly number[]} angles
+ * @param {Words} words
+ * @returns {Entry | null}
+ */
+function anglesEntry(angles, words) {
+  if (angles.length === 0) return null;
+  return { text: angles.map((angle) => `${words.numbers.upTo(degrees(angle), 2)}°`).join(", ") };
+}
+
+/**
+ * @param {readonly [number, number]} arc
+ * @param {Words} words
+ */
+function range([from, to], words) {
+  const [first, last] = [from, to].map((angle) => `${words.numbers.upTo(degrees(angle), 2)}°`);
+  return `${first}…${last}`;
+}

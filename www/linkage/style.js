@@ -1,9 +1,0 @@
-// The style sheet of what only a linkage needs. Who imports this waits until it is there.
-import { make } from "assur/dom.js";
-
-const sheet = make("link", { rel: "stylesheet", href: import.meta.resolve("assur/linkage/style.css") });
-await new Promise((resolve) => {
-  // Without it everything still works.
-  sheet.onload = sheet.onerror = resolve;
-  document.head.append(sheet);
-});

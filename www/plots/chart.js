@@ -1,0 +1,100 @@
+// The plots: curves by the engine, text by us, both on one canvas that is redrawn only when the curves change.
+import { Surface } from "assur/canvas/surface.js";
+import { setData } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { drawMarks } from "assur/plots/marks.js";
+import { drawChartText } from "assur/plots/text.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => void} Overlay
+ */
+
+export class ChartView {
+  #surface;
+  #engine;
+  #theme;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {string} what was drawn last */
+  #drawn = "";
+  /** @type {readonly Panel[]} */
+  panels = [];
+  /** @type {Overlay | null} */
+  #overlay = null;
+  /** Called when the panels may have changed their places. */
+  redrawn = () => {};
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Engine} engine
+   * @param {Theme} theme
+   */
+  constructor(canvas, engine, theme) {
+    this.#engine = engine;
+    this.#theme = theme;
+    this.#surface = new Surface(canvas, () => this.#draw());
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    this.#snapshot = snapshot;
+    setData(this.#surface.canvas, "faded", String(snapshot.stale));
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision}`;
+    if (wanted === this.#drawn) return;
+    this.#drawn = wanted;
+    this.#draw();
+  }
+
+  #draw() {
+    const snapshot = this.#snapshot;
+    if (!snapshot || !this.#surface.begin()) return;
+    this.#surface.clear();
+    this.panels = this.#paint(this.#surface, snapshot, this.#theme, false);
+    this.redrawn();
+  }
+
+  /** @param {Overlay} overlay what is painted over the curves from now on */
+  lay(overlay) {
+    this.#overlay = overlay;
+    this.#draw();
+  }
+
+  /** @returns {import("assur/stage/figure.js").Size} */
+  get size() {
+    return this.#surface;
+  }
+
+  /**
+   * Paints the plots, without the cursor, on another target of the same size.
+   * @param {import("assur/canvas/painter.js").Target} target
+   * @param {Theme} theme
+   */
+  paint(target, theme) {
+    if (this.#snapshot) this.#paint(target, this.#snapshot, theme, true);
+  }
+
+  /**
+   * @param {import("assur/canvas/painter.js").Target} target one unit of which is one CSS pixel
+   * @param {Snapshot} snapshot
+   * @param {Theme} theme
+   * @param {boolean} whole whether the curves go through all their points
+   * @returns {readonly Panel[]} where the plots are
+   */
+  #paint({ context, ratio }, snapshot, theme, whole) {
+    const { words } = snapshot;
+    const { width, height } = this.#surface;
+    const { palette, scale } = theme;
+    // Not as the text that was written last left it.
+    context.lineJoin = "round";
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole }));
+    const panels = drawn.value?.panels ?? [];
+    this.#overlay?.(context, panels, snapshot, this.#engine, theme);
+    const titles = drawChartText(context, panels, words, theme);
+    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));
+    return panels;
+  }
+}

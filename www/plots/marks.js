@@ -1,0 +1,160 @@
+// The labels at zeros, extrema and limit positions: a value and its angle, placed where no label covers another.
+import { textWidth } from "assur/canvas/text-width.js";
+import { degrees } from "assur/core/angles.js";
+import { across, down } from "assur/plots/panel.js";
+import { setChartFont } from "assur/plots/text.js";
+import { written } from "assur/plots/units.js";
+
+/**
+ * @typedef {import("assur/engine.js").Mark} Mark
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
+ */
+
+/** Sizes in pixels of usual text: from a mark to its label, height of a label, a second try farther off. */
+const GAP = 5;
+const HEIGHT = 13;
+const FARTHER = 11;
+
+/** Between labels side by side, in pixels. */
+const BETWEEN = 4;
+
+/** Between points of the line at zero, in pixels. */
+const SPARSE = 12;
+
+/** A label that would cover more points of the curves than this is left out. */
+const MOST_COVERED = 4;
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {Box} title the place of the panel's title
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+export function drawMarks(context, panel, title, words, theme) {
+  const font = setChartFont(context, theme);
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = 3;
+  context.strokeStyle = theme.colours.paper;
+  const points = [...panel.points, ...zeroLine(panel)];
+  const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
+  for (const mark of labelled(panel.marks)) {
+    const text = markText(mark, panel, words);
+    const box = freePlace(panel, mark, textWidth(context, font, text), taken, points, theme.scale);
+    if (!box) continue;
+    taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
+    const middle = (box.top + box.bottom) / 2;
+    context.strokeText(text, box.left, middle);
+    context.fillStyle = theme.inks[mark.role];
+    context.fillText(text, box.left, middle);
+  }
+}
+
+/**
+ * The marks in the order in which they get their labels: the widest swings first, zeros last. Where several curves pass
+ * zero together one label serves them all.
+ * @param {readonly Mark[]} marks
+ * @returns {Mark[]}
+ */
+function labelled(marks) {
+  const zeros = new Map();
+  for (const mark of marks) {
+    if (mark.kind !== "zero") continue;
+    const shared = zeros.has(mark.phi);
+    zeros.set(mark.phi, shared ? { ...mark, role: "secondary" } : mark);
+  }
+  const extrema = marks.filter(({ kind }) => kind !== "zero").sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
+  return [...extrema, ...zeros.values()];
+}
+
+/**
+ * @param {Mark} mark
+ * @param {Panel} panel
+ * @param {Words} words
+ */
+function markText({ kind, phi, value }, panel, words) {
+  const angle = `${words.numbers.fixed(degrees(phi), 1)}°`;
+  return kind === "zero" ? angle : words.text("plots.mark", { value: written(panel, value, words.numbers), angle });
+}
+
+/**
+ * @param {Panel} panel
+ * @returns {number[]} points along the line at zero: labels keep off it, too
+ */
+function zeroLine({ left, width, y0, y1, top, height }) {
+  if (y0 >= 0 || y1 <= 0) return [];
+  const y = top + (height * y1) / (y1 - y0);
+  return Array.from({ length: Math.floor(width / SPARSE) }, (_, i) => [left + i * SPARSE, y]).flat();
+}
+
+/**
+ * The place near a mark that covers nothing, or least of the curves.
+ * @param {Panel} panel
+ * @param {Mark} mark
+ * @param {number} width
+ * @param {readonly Box[]} taken
+ * @param {readonly number[]} points of the curves, x and y of each
+ * @param {number} scale how much larger than usual text is
+ * @returns {Box | null} null where every place is taken
+ */
+function freePlace(panel, mark, width, taken, points, scale) {
+  const [gap, height, farther] = [GAP, HEIGHT, FARTHER].map((pixels) => pixels * scale);
+  const x = across(panel, mark.phi);
+  const y = down(panel, mark.value);
+  const [above, below] = [y - gap - height, y + gap];
+  const tops = mark.kind === "max" ? [above, above - farther, below, below + farther] : [below, below + farther, above, above - farther];
+  const lefts = [x - width / 2, x - width / 4, x - (3 * width) / 4, x + gap, x - gap - width];
+  let best = null;
+  let least = MOST_COVERED + 1;
+  for (const top of tops) {
+    if (top < panel.top - height || top + height > panel.top + panel.height + 3) continue;
+    for (const wanted of lefts) {
+      const left = Math.min(Math.max(wanted, panel.left + 2), panel.left + panel.width - width);
+      const box = { left, top, right: left + width, bottom: top + height };
+      if (taken.some((other) => overlap(box, other))) continue;
+      const covered = count(points, box);
+      if (covered >= least) continue;
+      least = covered;
+      best = box;
+    }
+  }
+  return best;
+}
+
+/**
+ * @param {readonly number[]} points x and y of each
+ * @param {Box} box
+ * @returns {number} how many lie in the box or beside it
+ */
+function count(points, { left, top, right, bottom }) {
+  let inside = 0;
+  for (let i = 0; i < points.length; i += 2) {
+    const x = points[i];
+    const y = points[i + 1];
+    if (x > left - 1 && x < right + 1 && y > top - 1 && y < bottom + 1) inside += 1;
+  }
+  return inside;
+}
+
+/**
+ * @param {number} x
+ * @param {number} y
+ * @param {number} by
+ * @returns {Box}
+ */
+function around(x, y, by) {
+  return { left: x - by, top: y - by, right: x + by, bottom: y + by };
+}
+
+/**
+ * @param {Box} a
+ * @param {Box} b
+ */
+function overlap(a, b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}

@@ -1,0 +1,39 @@
+// Where things are in a panel of the chart, from the layout the engine returns.
+
+/** @typedef {import("assur/engine.js").Panel} Panel */
+
+/**
+ * @param {Panel} panel
+ * @param {number} phi radians
+ * @returns {number} CSS pixels from the left
+ */
+export function across(panel, phi) {
+  return panel.left + (panel.width * (phi - panel.x0)) / (panel.x1 - panel.x0);
+}
+
+/**
+ * @param {Panel} panel
+ * @param {number} left CSS pixels from the left
+ * @returns {number} the crank angle there, radians; at the ends of the axis for what lies beyond
+ */
+export function angleAt(panel, left) {
+  const share = Math.min(Math.max((left - panel.left) / panel.width, 0), 1);
+  return panel.x0 + share * (panel.x1 - panel.x0);
+}
+
+/**
+ * @param {Panel} panel
+ * @param {number} value
+ * @returns {number} CSS pixels from the top
+ */
+export function down(panel, value) {
+  return panel.top + (panel.height * (panel.y1 - value)) / (panel.y1 - panel.y0);
+}
+
+/**
+ * @param {Panel} panel
+ * @param {number} value
+ */
+export function shows(panel, value) {
+  return value >= panel.y0 && value <= panel.y1;
+}

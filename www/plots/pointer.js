@@ -1,0 +1,105 @@
+// Hands on the plots: a click or a drag drives the crank to the angle under the pointer, hovering shows the values there.
+import { degrees } from "assur/core/angles.js";
+import { setData } from "assur/core/dom.js";
+import { angleAt } from "assur/plots/panel.js";
+import { placed } from "assur/state/player.js";
+
+/** A finger that moved less, in pixels, has only touched. */
+const SLOP = 6;
+
+/** So far beyond the ends of the axis a pointer still counts, in pixels. */
+const BEYOND = 16;
+
+export class ChartPointer {
+  #canvas;
+  #chart;
+  #cursor;
+  #drive;
+  /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pointer that is down */
+  #held = null;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {{ hover(phi: number | null): void }} cursor
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor(canvas, cursor, { chart, store, model, drafts }) {
+    this.#canvas = canvas;
+    this.#chart = chart;
+    this.#cursor = cursor;
+    this.#drive = (/** @type {number} */ phi) => {
+      drafts.drop("phi_deg");
+      store.update((state) => placed(state, degrees(phi), model));
+    };
+    canvas.addEventListener("pointerdown", (event) => this.#down(event));
+    canvas.addEventListener("pointermove", (event) => this.#move(event));
+    canvas.addEventListener("pointerup", (event) => this.#up(event));
+    canvas.addEventListener("pointercancel", () => this.#leave());
+    canvas.addEventListener("pointerleave", () => this.#leave());
+  }
+
+  /** @param {PointerEvent} event */
+  #down(event) {
+    if (this.#held || event.button !== 0 || this.#angle(event, BEYOND) === null) return;
+    // A finger may be about to scroll the page: it drives once it moves sideways or is lifted.
+    const driving = event.pointerType !== "touch";
+    this.#held = { id: event.pointerId, x: event.clientX, y: event.clientY, driving };
+    this.#hover(null);
+    if (!driving) return;
+    this.#canvas.setPointerCapture(event.pointerId);
+    this.#driveTo(event);
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const held = this.#held;
+    if (!held) {
+      if (event.pointerType !== "touch") this.#hover(this.#angle(event, BEYOND));
+      return;
+    }
+    if (event.pointerId !== held.id) return;
+    const aside = Math.abs(event.clientX - held.x);
+    if (!held.driving && aside > SLOP && aside > Math.abs(event.clientY - held.y)) {
+      held.driving = true;
+      this.#canvas.setPointerCapture(event.pointerId);
+    }
+    if (held.driving) this.#driveTo(event);
+  }
+
+  /** @param {PointerEvent} event */
+  #up(event) {
+    if (event.pointerId !== this.#held?.id) return;
+    this.#driveTo(event);
+    this.#held = null;
+  }
+
+  #leave() {
+    this.#held = null;
+    this.#hover(null);
+  }
+
+  /** @param {PointerEvent} event */
+  #driveTo(event) {
+    const phi = this.#angle(event, Infinity);
+    if (phi !== null) this.#drive(phi);
+  }
+
+  /** @param {number | null} phi */
+  #hover(phi) {
+    setData(this.#canvas, "hover", phi === null ? "" : String(degrees(phi)));
+    this.#cursor.hover(phi);
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {number} beyond
+   * @returns {number | null} the crank angle under the pointer; null where there is no axis
+   */
+  #angle(event, beyond) {
+    const [panel] = this.#chart.panels;
+    if (!panel) return null;
+    const left = event.clientX - this.#canvas.getBoundingClientRect().left;
+    if (left < panel.left - beyond || left > panel.left + panel.width + beyond) return null;
+    return angleAt(panel, left);
+  }
+}

@@ -1,0 +1,142 @@
+// The text of the chart: titles with units and the numbers along the axes.
+import { textWidth } from "assur/canvas/text-width.js";
+import { radians } from "assur/core/angles.js";
+import { subscript, symbol } from "assur/core/symbols.js";
+import { across, down } from "assur/plots/panel.js";
+import { inDegrees, power, powerOf, unitOf } from "assur/plots/units.js";
+
+/**
+ * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+const SIZE = 11;
+
+/** So many curves are named in the title, each in its colour; of more only what they are. */
+const MOST_NAMED = 3;
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {readonly Panel[]} panels
+ * @param {Words} words
+ * @param {Theme} theme
+ * @returns {Box[]} where the titles are
+ */
+export function drawChartText(context, panels, words, theme) {
+  const titles = panels.map((panel) => drawTitle(context, panel, words, theme));
+  for (const panel of panels) drawValues(context, panel, words, theme);
+  const last = panels[panels.length - 1];
+  if (last) drawAngles(context, last, words, theme);
+  return titles;
+}
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Theme} theme
+ * @param {number} [size]
+ * @returns {string} the font
+ */
+export function setChartFont(context, theme, size = SIZE) {
+  const font = `${size * theme.scale}px ${theme.font}`;
+  context.font = font;
+  return font;
+}
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {Words} words
+ * @param {Theme} theme
+ * @returns {Box}
+ */
+function drawTitle(context, panel, words, theme) {
+  const { left, top } = panel;
+  context.textAlign = "left";
+  context.textBaseline = "alphabetic";
+  let right = left;
+  const write = (/** @type {string} */ text, /** @type {string} */ colour) => {
+    context.fillStyle = colour;
+    context.fillText(text, right, top - 9 * theme.scale);
+    right += textWidth(context, font, text);
+  };
+  let font = `600 ${14 * theme.scale}px ${theme.font}`;
+  context.font = font;
+  for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
+  font = setChartFont(context, theme, 12);
+  const unit = words.text(unitOf(panel), { power: powerOf(panel) });
+  const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel) })}` : "";
+  // Where all of it has no room, the unit goes without its name.
+  const fits = right + textWidth(context, font, `  ${unit}${proof}`) <= left + panel.width;
+  write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
+  write(proof, theme.colours.ink);
+  return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
+}
+
+/**
+ * The symbols of a panel's title, each with the role of its curve.
+ * @param {Panel} panel
+ * @returns {[text: string, role?: string][]}
+ */
+function names({ kind, order, physical, series }) {
+  const symbols = series.map(({ name, role }) => /** @type {[string, string]} */ ([symbol(name, order, physical), role]));
+  if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
+  /** @type {[string, string?][]} */
+  const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
+  return kind === "length" ? [[`${subscript(series[0].name.split(".")[0])}: `], ...listed] : listed;
+}
+
+/**
+ * @param {Panel} panel
+ * @returns {string} the symbols of the first derivatives
+ */
+function firsts({ physical, series }) {
+  const symbols = series.map(({ name }) => symbol(name, 1, physical).replace(/[₀-₉]/g, ""));
+  return [...new Set(symbols)].join(", ");
+}
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function drawValues(context, panel, words, theme) {
+  setChartFont(context, theme);
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.fillStyle = theme.colours.secondary;
+  const angle = inDegrees(panel);
+  const unit = 10 ** power(panel);
+  for (const { value } of panel.yticks) {
+    const at = down(panel, angle ? radians(value) : value);
+    const text = words.numbers.upTo(value / unit, 6) + (angle ? "°" : "");
+    context.fillText(text, panel.left - 5, at, panel.left - 5);
+  }
+}
+
+/**
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Panel} panel
+ * @param {Words} words
+ * @param {Theme} theme
+ */
+function drawAngles(context, panel, words, theme) {
+  const font = setChartFont(context, theme);
+  context.textBaseline = "top";
+  context.fillStyle = theme.colours.secondary;
+  const right = panel.left + panel.width;
+  const top = panel.top + panel.height + 7 * theme.scale;
+  let free = -Infinity;
+  for (const { value } of panel.xticks) {
+    const text = `${words.numbers.upTo(value, 2)}°`;
+    const half = textWidth(context, font, text) / 2;
+    // Numbers at the very ends stay on the canvas; numbers without room are left out.
+    const middle = Math.min(across(panel, radians(value)), right + 8 - half);
+    if (middle - half < free) continue;
+    context.textAlign = "center";
+    context.fillText(text, middle, top);
+    free = middle + half + 4;
+  }
+}

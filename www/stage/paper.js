@@ -1,0 +1,135 @@
+// What is under the drawing: squared paper with its scale and what does not move, painted once and then copied.
+
+/**
+ * @typedef {import("assur/stage/figure.js").Size} Size
+ * @typedef {import("assur/canvas/painter.js").Context} Context
+ * @typedef {import("assur/canvas/surface.js").Surface} Surface
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/canvas/transform.js").Transform} Transform
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** Squares of the paper are at least this wide, in pixels. */
+const SQUARE = 44;
+
+export class Backdrop {
+  #painted = "";
+  ratio = 1;
+
+  constructor() {
+    const context = new OffscreenCanvas(1, 1).getContext("2d", { alpha: false });
+    if (!context) throw new Error("no 2d context");
+    this.context = context;
+  }
+
+  /**
+   * Covers a surface with the backdrop.
+   * @param {Surface} surface
+   * @param {string} key of what is on it
+   * @param {() => void} paint called where it has to be painted anew
+   */
+  cover(surface, key, paint) {
+    const { canvas } = this.context;
+    const { width, height } = surface.canvas;
+    const wanted = `${key} ${width}×${height} ${surface.ratio}`;
+    if (wanted !== this.#painted) {
+      this.#painted = wanted;
+      this.ratio = surface.ratio;
+      // A canvas is emptied and made anew by setting its size, even to what it was.
+      if (canvas.width !== width) canvas.width = width;
+      if (canvas.height !== height) canvas.height = height;
+      this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+      paint();
+    }
+    surface.context.setTransform(1, 0, 0, 1, 0, 0);
+    surface.context.drawImage(canvas, 0, 0);
+    surface.toPixels();
+  }
+}
+
+/**
+ * Squares of a round size, and how long the side of one is.
+ * @param {Context} context
+ * @param {Size} size
+ * @param {Transform} view
+ * @param {Theme} theme
+ * @param {Words} words
+ * @param {number} ratio device pixels per CSS pixel
+ */
+export function paintSquares(context, { width, height }, view, theme, words, ratio) {
+  const side = roundUp(SQUARE / view.scale);
+  const pixels = side * view.scale;
+  context.fillStyle = theme.ground;
+  context.fillRect(0, 0, width, height);
+  const line = sharp(theme.weight, ratio);
+  context.beginPath();
+  for (let x = positive(view.left, pixels); x < width; x += pixels) {
+    context.moveTo(line.at(x), 0);
+    context.lineTo(line.at(x), height);
+  }
+  for (let y = positive(view.top, pixels); y < height; y += pixels) {
+    context.moveTo(0, line.at(y));
+    context.lineTo(width, line.at(y));
+  }
+  context.lineWidth = line.width;
+  context.globalAlpha = 0.55;
+  context.strokeStyle = theme.colours.line;
+  context.stroke();
+  context.globalAlpha = 1;
+  paintScaleBar(context, height, pixels, words.text("unit.length", { value: words.numbers.short(side) }), theme, ratio);
+}
+
+/**
+ * @param {Context} context
+ * @param {number} height of the paper
+ * @param {number} length
+ * @param {string} text
+ * @param {Theme} theme
+ * @param {number} ratio
+ */
+function paintScaleBar(context, height, length, text, theme, ratio) {
+  const line = sharp(1.5 * theme.weight, ratio);
+  const [left, bottom] = [line.at(16), line.at(height - 14)];
+  context.beginPath();
+  context.moveTo(left, bottom - 5);
+  context.lineTo(left, bottom);
+  context.lineTo(left + length, bottom);
+  context.lineTo(left + length, bottom - 5);
+  context.lineWidth = line.width;
+  context.strokeStyle = theme.colours.secondary;
+  context.stroke();
+  context.font = `${12 * theme.scale}px ${theme.font}`;
+  context.textAlign = "left";
+  context.textBaseline = "alphabetic";
+  context.fillStyle = theme.colours.secondary;
+  context.fillText(text, left + 5, bottom - 6);
+}
+
+/**
+ * A line along an axis whose edges lie between pixels of the screen: else a thin one is pale and twice as wide.
+ * @param {number} width
+ * @param {number} ratio device pixels per CSS pixel
+ * @returns {{ width: number, at(place: number): number }} its width, and where it stands for a place
+ */
+function sharp(width, ratio) {
+  const whole = Math.max(Math.round(width * ratio), 1) / ratio;
+  return { width: whole, at: (place) => Math.round((place - whole / 2) * ratio) / ratio + whole / 2 };
+}
+
+/**
+ * @param {number} length
+ * @returns {number} 1, 2 or 5 times a power of ten, not below the length
+ */
+function roundUp(length) {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return power * ([1, 2, 5].find((step) => step * power >= length) ?? 10);
+}
+
+/**
+ * @param {number} value
+ * @param {number} period
+ * @returns {number} the remainder, never below zero
+ */
+function positive(value, period) {
+  return ((value % period) + period) % period;
+}

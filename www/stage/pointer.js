@@ -1,0 +1,243 @@
+// Hands on the drawing: joints and traced points are dragged, empty paper is panned, the wheel and two fingers zoom.
+import { degrees, ontoAxis, radians } from "assur/core/angles.js";
+import { byId, setData } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { placed } from "assur/state/player.js";
+import { LISTS, withDocument, withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/stage/view.js").Joint} Joint
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {{ x: number, y: number }} Place on the canvas, in pixels
+ */
+
+/** So near a joint a pointer takes it, in pixels. */
+const REACH = 18;
+const FINGER_REACH = 28;
+
+/** One press of + or −. */
+const STEP = 1.3;
+
+/** The wheel: zoom per pixel it would scroll; pixels of a line and of a page; more where a touch pad pinches. */
+const WHEEL = 0.0015;
+const WHEEL_UNIT = Object.freeze([1, 20, 400]);
+const PINCHED = 6;
+
+export class MechanismPointer {
+  #canvas;
+  #view;
+  #engine;
+  #store;
+  #model;
+  #drafts;
+  /** @type {Map<number, Place>} the pointers that are down */
+  #pointers = new Map();
+  /** @type {{ name: Joint["name"], dx: number, dy: number } | null} the joint in hand, and where it was taken */
+  #taken = null;
+  /** Whether the next press puts a traced point. */
+  #tracing = false;
+  #trace = byId("trace", HTMLButtonElement);
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor(canvas, { mechanism, engine, store, model, drafts }) {
+    const view = mechanism;
+    this.#canvas = canvas;
+    this.#view = view;
+    this.#engine = engine;
+    this.#store = store;
+    this.#model = model;
+    this.#drafts = drafts;
+    canvas.addEventListener("pointerdown", (event) => this.#down(event));
+    canvas.addEventListener("pointermove", (event) => this.#move(event));
+    canvas.addEventListener("pointerup", (event) => this.#up(event));
+    canvas.addEventListener("pointercancel", (event) => this.#up(event));
+    canvas.addEventListener("pointerleave", () => this.#show(this.#taken?.name ?? ""));
+    canvas.addEventListener("dblclick", () => view.fit());
+    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+    // A finger on the fitted drawing scrolls the page; on a joint, and with a second one, it does not.
+    canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
+    byId("zoom-in", HTMLButtonElement).addEventListener("click", () => view.zoom(STEP));
+    byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));
+    byId("zoom-fit", HTMLButtonElement).addEventListener("click", () => view.fit());
+    byId("presets", HTMLElement).addEventListener("click", () => view.fit());
+    this.#trace.addEventListener("click", () => this.trace(!this.#tracing));
+  }
+
+  /**
+   * Takes up the tool that puts a traced point, or lays it down.
+   * @param {boolean} [on] the other of the two where it is not said
+   */
+  trace(on = !this.#tracing) {
+    this.#tracing = on && !this.#trace.disabled;
+    this.#trace.setAttribute("aria-pressed", String(this.#tracing));
+    setData(this.#canvas, "tracing", String(this.#tracing));
+  }
+
+  /** @param {{ state: State }} snapshot */
+  render({ state }) {
+    const full = state.lesson !== "mixer" || state.document.tracers.length >= LISTS.tracers.most;
+    if (this.#trace.disabled !== full) this.#trace.disabled = full;
+  }
+
+  /** @param {PointerEvent} event */
+  #down(event) {
+    if (event.button !== 0) return;
+    const at = this.#place(event);
+    this.#pointers.set(event.pointerId, at);
+    this.#canvas.setPointerCapture(event.pointerId);
+    if (this.#pointers.size > 1) {
+      this.#drop();
+      return;
+    }
+    const joint = this.#tracing ? this.#put(at) : this.#near(at, event.pointerType);
+    if (!joint) {
+      this.#show("");
+      return;
+    }
+    const [left, top] = this.#view.view.toScreen(joint.x, joint.y);
+    this.#taken = { name: joint.name, dx: left - at.x, dy: top - at.y };
+    this.#view.hold();
+    this.#show(joint.name);
+    // What is taken hold of stands still.
+    this.#store.update((state) => withView(state, { playing: false }));
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const at = this.#place(event);
+    const from = this.#pointers.get(event.pointerId);
+    if (!from) {
+      if (event.pointerType !== "touch") this.#show(this.#near(at, event.pointerType)?.name ?? "");
+      return;
+    }
+    this.#pointers.set(event.pointerId, at);
+    if (this.#taken) this.#drag(this.#taken, at);
+    else if (this.#pointers.size === 2) this.#pinch(event.pointerId, from, at);
+    else if (this.#pointers.size === 1) this.#pan(event.pointerType, from, at);
+  }
+
+  /** @param {PointerEvent} event */
+  #up(event) {
+    if (!this.#pointers.delete(event.pointerId)) return;
+    this.#drop();
+    this.#show("");
+  }
+
+  #drop() {
+    if (!this.#taken) return;
+    this.#taken = null;
+    this.#view.release();
+  }
+
+  /**
+   * Puts a traced point on the link next to a place.
+   * @param {Place} at
+   * @returns {Joint | null} the point, in hand; null where there is no mechanism to put it on
+   */
+  #put(at) {
+    const [x, y] = this.#view.view.toModel(at.x, at.y);
+    const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
+    const put = attempt(() => this.#engine.trace(radians(phiDeg), x, y)).value;
+    if (!put) return null;
+    this.#store.update((state) => withDocument(state, put.document));
+    this.trace(false);
+    const { tracers } = put.document;
+    return { name: `P${tracers.length}`, role: tracers[tracers.length - 1].link, x, y };
+  }
+
+  /**
+   * @param {{ name: Joint["name"], dx: number, dy: number }} taken
+   * @param {Place} at
+   */
+  #drag({ name, dx, dy }, at) {
+    const [x, y] = this.#view.view.toModel(at.x + dx, at.y + dy);
+    const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
+    const change = attempt(() => this.#engine.drag(name, radians(phiDeg), x, y)).value;
+    if (!change) return;
+    const { document, phi } = change;
+    if (document) {
+      this.#drafts.dropAll(Object.keys(document));
+      this.#store.update((state) => withDocument(state, document));
+    } else {
+      this.#drafts.drop("phi_deg");
+      this.#store.update((state) => placed(state, degrees(phi), this.#model));
+    }
+  }
+
+  /**
+   * @param {string} pointer
+   * @param {Place} from
+   * @param {Place} at
+   */
+  #pan(pointer, from, at) {
+    if (pointer === "touch" && !this.#view.zoomed) return;
+    setData(this.#canvas, "hand", "closed");
+    this.#view.pan(at.x - from.x, at.y - from.y);
+  }
+
+  /**
+   * Two fingers: the points under them stay under them.
+   * @param {number} moving
+   * @param {Place} from
+   * @param {Place} at
+   */
+  #pinch(moving, from, at) {
+    const other = [...this.#pointers].find(([id]) => id !== moving)?.[1];
+    if (!other) return;
+    const before = Math.hypot(from.x - other.x, from.y - other.y);
+    const after = Math.hypot(at.x - other.x, at.y - other.y);
+    if (before < 1 || after < 1) return;
+    this.#view.zoom(after / before, (from.x + other.x) / 2, (from.y + other.y) / 2);
+    this.#view.pan((at.x - from.x) / 2, (at.y - from.y) / 2);
+  }
+
+  /** @param {WheelEvent} event */
+  #wheel(event) {
+    event.preventDefault();
+    const at = this.#place(event);
+    const pixels = event.deltaY * WHEEL_UNIT[event.deltaMode] * (event.ctrlKey ? PINCHED : 1);
+    this.#view.zoom(Math.exp(-WHEEL * pixels), at.x, at.y);
+  }
+
+  /** @param {TouchEvent} event */
+  #touch(event) {
+    const [touch] = event.touches;
+    const ours = event.touches.length > 1 || this.#view.zoomed || this.#tracing || this.#near(this.#place(touch), "touch");
+    if (ours && event.cancelable) event.preventDefault();
+  }
+
+  /**
+   * @param {{ clientX: number, clientY: number }} event
+   * @returns {Place}
+   */
+  #place({ clientX, clientY }) {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  }
+
+  /**
+   * @param {Place} at
+   * @param {string} pointer
+   * @returns {Joint | null} the joint next to a pointer
+   */
+  #near({ x, y }, pointer) {
+    const reach = pointer === "touch" ? FINGER_REACH : REACH;
+    const { view } = this.#view;
+    let [nearest, least] = [/** @type {Joint | null} */ (null), reach];
+    for (const joint of this.#view.joints()) {
+      const [left, top] = view.toScreen(joint.x, joint.y);
+      const off = Math.hypot(left - x, top - y);
+      if (off <= least) [nearest, least] = [joint, off];
+    }
+    return nearest;
+  }
+
+  /** @param {string} joint the joint under the pointer or in hand */
+  #show(joint) {
+    this.#view.ring(joint);
+    setData(this.#canvas, "hand", this.#taken ? "closed" : joint ? "open" : "");
+  }
+}

@@ -1,0 +1,211 @@
+// The drawing of the mechanism on its canvas.
+import { Surface } from "assur/canvas/surface.js";
+import { Transform, Zoom } from "assur/canvas/transform.js";
+import { radians } from "assur/core/angles.js";
+import { setData } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { Figure } from "assur/stage/figure.js";
+import { Backdrop } from "assur/stage/paper.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {{ name: string, role: string, x: number, y: number }} Joint a joint or a traced point in model coordinates
+ */
+
+/** Free room around the drawing, in pixels. */
+const MARGIN = 44;
+const SMALL_MARGIN = 36;
+/** A drawing whose shorter side has less is a small one. */
+const SMALL = 320;
+
+/** Radius and strength of the ring around a joint that can be dragged. */
+const RING = 15;
+const RING_OPACITY = 0.28;
+
+export class MechanismView {
+  #surface;
+  #backdrop = new Backdrop();
+  #figure;
+  #theme;
+  #engine;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  #zoom = Zoom.NONE;
+  /** @type {readonly number[] | null} the bounds that stay fitted while the reader has zoomed */
+  #bounds = null;
+  /** @type {Transform | null} the view that stays while a joint is dragged */
+  #held = null;
+  /** @type {string} the joint with a ring around it */
+  #ringed = "";
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Engine} engine
+   * @param {Theme} theme
+   */
+  constructor(canvas, engine, theme) {
+    this.#engine = engine;
+    this.#theme = theme;
+    this.#surface = new Surface(canvas, () => this.#draw(), { alpha: false });
+    this.#figure = new Figure(engine, theme);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    this.#snapshot = snapshot;
+    this.#figure.take(snapshot);
+    setData(this.#surface.canvas, "faded", String(snapshot.faded));
+    this.#draw();
+  }
+
+  /** @returns {Joint[]} the joints and traced points that can be dragged, where they are drawn */
+  joints() {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return [];
+    const places = attempt(() => this.#engine.joints(radians(snapshot.frameDeg))).value;
+    if (!places) return [];
+    if (snapshot.lesson === "linkage") {
+      return snapshot.summary.handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
+    }
+    if (snapshot.state.lesson !== "mixer") return [];
+    const [, , bx, by, cx, cy, dx, dy, ...traced] = places;
+    const { tracers } = snapshot.state.document;
+    return [
+      { name: "B", role: "crank", x: bx, y: by },
+      { name: "C", role: "rocker", x: cx, y: cy },
+      { name: "D", role: "ink", x: dx, y: dy },
+      ...tracers.flatMap(({ link }, i) => (2 * i < traced.length ? { name: `P${i + 1}`, role: link, x: traced[2 * i], y: traced[2 * i + 1] } : [])),
+    ];
+  }
+
+  /** @returns {Transform} from the model to the pixels of the canvas */
+  get view() {
+    const { width, height } = this.#surface;
+    return this.#held ?? this.#zoom.upon(this.#fit(), width, height);
+  }
+
+  /** @returns {import("assur/stage/figure.js").Size} */
+  get size() {
+    return this.#surface;
+  }
+
+  /**
+   * Paints what is on the canvas, without signs of a hand at it, on another target of the same size.
+   * @param {import("assur/canvas/painter.js").Target} target
+   * @param {Theme} theme
+   * @param {() => Path2D} [newPath] an empty path of the kind the target takes
+   */
+  paint(target, theme, newPath) {
+    if (!this.#snapshot) return;
+    const { view } = this;
+    const figure = new Figure(this.#engine, theme, newPath);
+    figure.take(this.#snapshot);
+    figure.paintGround(target, this.#surface, view);
+    figure.paintMoving(target, view);
+    figure.paintLabels(target, view, this.#small);
+  }
+
+  get zoomed() {
+    return this.#zoom !== Zoom.NONE;
+  }
+
+  /**
+   * Larger by a factor; a point of the canvas, its middle where none is given, stays.
+   * @param {number} factor
+   * @param {number} [left] pixels
+   * @param {number} [top]
+   */
+  zoom(factor, left = this.#surface.width / 2, top = this.#surface.height / 2) {
+    const limited = Math.min(Math.max(factor, Zoom.LEAST / this.#zoom.factor), Zoom.MOST / this.#zoom.factor);
+    this.#look(this.view.scaled(limited, left, top));
+  }
+
+  /**
+   * @param {number} right pixels
+   * @param {number} down
+   */
+  pan(right, down) {
+    this.#look(this.view.moved(right, down));
+  }
+
+  /** All of the mechanism, as large as there is room. */
+  fit() {
+    this.#zoom = Zoom.NONE;
+    this.#bounds = null;
+    this.release();
+  }
+
+  /** Keeps the view from following what is dragged. */
+  hold() {
+    this.#held = this.view;
+  }
+
+  /** Lets the view follow the bounds again, unless the reader has zoomed. */
+  release() {
+    this.#held = null;
+    this.#shown();
+  }
+
+  /** @param {string} name of the joint to put a ring around; none if empty */
+  ring(name) {
+    if (name === this.#ringed) return;
+    this.#ringed = name;
+    this.#draw();
+  }
+
+  /** @param {Transform} view */
+  #look(view) {
+    const { width, height, visible } = this.#surface;
+    if (!visible) return;
+    this.#held = null;
+    this.#bounds ??= this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    this.#zoom = Zoom.between(this.#fit(), view, this.#bounds, width, height);
+    this.#shown();
+  }
+
+  #shown() {
+    setData(this.#surface.canvas, "zoom", String(this.#zoom.factor));
+    setData(this.#surface.canvas, "zoomed", String(this.zoomed));
+    this.#draw();
+  }
+
+  get #small() {
+    return Math.min(this.#surface.width, this.#surface.height) < SMALL;
+  }
+
+  /** @returns {Transform} */
+  #fit() {
+    const { width, height } = this.#surface;
+    const margin = (this.#small ? SMALL_MARGIN : MARGIN) * this.#theme.scale;
+    const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    return Transform.fit(bounds, width, height, margin);
+  }
+
+  #draw() {
+    const snapshot = this.#snapshot;
+    if (!snapshot || !this.#surface.begin()) return;
+    const { view } = this;
+    const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
+    this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
+    this.#figure.paintMoving(this.#surface, view);
+    this.#paintRing(view);
+    this.#figure.paintLabels(this.#surface, view, this.#small);
+  }
+
+  /** @param {Transform} view */
+  #paintRing(view) {
+    if (!this.#ringed) return;
+    const joint = this.joints().find(({ name }) => name === this.#ringed);
+    if (!joint) return;
+    const { context } = this.#surface;
+    const [left, top] = view.toScreen(joint.x, joint.y);
+    context.beginPath();
+    context.arc(left, top, RING * this.#theme.weight, 0, 2 * Math.PI);
+    context.globalAlpha = RING_OPACITY;
+    context.fillStyle = this.#theme.colours[joint.role];
+    context.fill();
+    context.globalAlpha = 1;
+  }
+}

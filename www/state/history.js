@@ -1,0 +1,132 @@
+// Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
+import { OVERLAYS, withDocument, withMechanism, withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {Readonly<{ lesson: State["lesson"], document: State["document"], shown: Partial<State["view"]> }>} Moment
+ * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
+ */
+
+/**
+ * Each of these ends a step; what changes between two of them (a drag, a typed number) is one. A drag ends with the next
+ * press: the last movement of a slider may be told after the finger is lifted.
+ */
+const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
+
+export class History {
+  /** @type {Moment[]} */
+  #past = [];
+  /** @type {Moment[]} */
+  #future = [];
+  /** Whether what changes now belongs to the step before. */
+  #open = false;
+  #walking = false;
+  /** Whether a pointer has changed, or changes, something. */
+  #pointed = false;
+  #store;
+  #drafts;
+
+  /**
+   * @param {import("assur/state/store.js").Store<State>} store
+   * @param {import("assur/state/drafts.js").Drafts} drafts
+   */
+  constructor(store, drafts) {
+    this.#store = store;
+    this.#drafts = drafts;
+    store.subscribe((state, previous) => {
+      if (this.#walking || same(moment(state), moment(previous))) return;
+      if (!this.#open) this.#past.push(moment(previous));
+      this.#future = [];
+      this.#open = true;
+    });
+    for (const end of ENDS) {
+      addEventListener(end, ({ target }) => {
+        // A slider moved by keys changes at every press: they are one step until the focus leaves it.
+        const pressed = end === "change" && target instanceof HTMLInputElement && target.type === "range";
+        if (!pressed) this.close();
+        if (end === "pointerdown") this.#pointed = true;
+      }, true);
+    }
+    // Keys after a drag are another step.
+    addEventListener("keydown", () => {
+      if (this.#pointed) this.close();
+      this.#pointed = false;
+    }, true);
+  }
+
+  get canUndo() {
+    return this.#past.length > 0;
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /** What changes next is a step of its own. */
+  close() {
+    this.#open = false;
+  }
+
+  /** What changes next belongs to the step before. */
+  join() {
+    this.#open = true;
+  }
+
+  /**
+   * A change that is a step of its own, whatever is being edited.
+   * @param {() => void} change
+   */
+  step(change) {
+    this.close();
+    this.#drafts.dropAll(this.#drafts.fields());
+    change();
+    this.close();
+  }
+
+  undo() {
+    this.#walk(this.#past, this.#future);
+  }
+
+  redo() {
+    this.#walk(this.#future, this.#past);
+  }
+
+  /**
+   * @param {Moment[]} from
+   * @param {Moment[]} to
+   */
+  #walk(from, to) {
+    this.close();
+    const next = from.pop();
+    if (!next) return;
+    const state = this.#store.get();
+    to.push(moment(state));
+    this.#drafts.dropAll(Object.keys(next.document));
+    this.#walking = true;
+    try {
+      this.#store.update((now) => {
+        const mixer = now.lesson === "mixer" && next.lesson === "mixer";
+        const changed = mixer ? withDocument(now, next.document) : withMechanism(now, next.lesson, next.document);
+        return withView(changed, next.shown);
+      });
+    } finally {
+      this.#walking = false;
+    }
+  }
+}
+
+/**
+ * @param {State} state
+ * @returns {Moment}
+ */
+function moment({ lesson, document, view }) {
+  return { lesson, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+}
+
+/**
+ * @param {Moment} one
+ * @param {Moment} other
+ */
+function same(one, other) {
+  return one.document === other.document && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
+}

@@ -1,0 +1,210 @@
+// From the state to everything that is shown: asks the engine only for what a change makes necessary.
+import { degrees, ontoAxis, radians } from "assur/core/angles.js";
+import { attempt } from "assur/core/problem.js";
+import { partOf } from "assur/state/drafts.js";
+import { DRAWN } from "assur/state/state.js";
+
+/**
+ * @template {import("assur/state/state.js").Kind} [K=import("assur/state/state.js").Kind]
+ * @typedef {import("assur/state/state.js").State<K>} State
+ */
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/core/problem.js").Problem} Problem
+ * @typedef {import("assur/engine.js").Readouts} Readouts
+ * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/state.js").Kind} Kind
+ *
+ * @typedef {{
+ *   state: State,
+ *   phiDeg: number,
+ *   words: Words,
+ *   scene: Float32Array,
+ *   revision: number,
+ *   frame: Float32Array,
+ *   frameDeg: number,
+ *   readouts: Readouts | null,
+ *   plotted: Float64Array | null,
+ *   problems: readonly Problem[],
+ *   stale: boolean,
+ *   faded: boolean,
+ *   legible: boolean,
+ * }} Shown
+ * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
+ * of the last drawing; `readouts` and `plotted` are null where there are none at this
+ * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
+ * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
+ */
+
+/**
+ * The mechanism that is drawn: its kind, and what the engine says of its motion.
+ * @template {Kind} [K=Kind]
+ * @typedef {K extends Kind ? { lesson: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Shown & Drawn<K>} Snapshot
+ */
+
+/**
+ * Where the mechanism that is drawn is of the state's own kind.
+ * @template {Kind} K
+ * @typedef {Snapshot<K> & { state: State<K> }} OwnSnapshot
+ */
+
+const TRAPPED = Object.freeze({ code: "trapped" });
+
+/** @param {Problem} problem */
+function notTrapped(problem) {
+  return problem.code !== TRAPPED.code;
+}
+
+export class Model {
+  #engine;
+  #drafts;
+  /** @type {State | null} the state the engine was asked about last */
+  #asked = null;
+  /** @type {State} */
+  #good;
+  #revision = 0;
+  /** @type {Drawn} */
+  #drawn;
+  /** @type {Float32Array} */
+  #scene;
+  /** @type {Float32Array} */
+  #frame;
+  #frameDeg;
+  /** @type {Readouts | null} */
+  #readouts = null;
+  /** @type {Float64Array | null} */
+  #plotted = null;
+  /** @type {readonly Problem[]} */
+  #refused = [];
+  /** @type {readonly Problem[]} */
+  #unplaced = [];
+  /** @type {readonly Problem[]} */
+  #unread = [];
+
+  /**
+   * @param {Engine} engine
+   * @param {import("assur/state/drafts.js").Drafts} drafts
+   * @param {State} state must be one the engine takes
+   */
+  constructor(engine, drafts, state) {
+    this.#engine = engine;
+    this.#drafts = drafts;
+    this.#drawn = drawn(engine, state);
+    this.#scene = engine.scene();
+    this.#frame = engine.frame(this.summary.home);
+    this.#frameDeg = degrees(this.summary.home);
+    this.#revision = 1;
+    this.#asked = state;
+    this.#good = state;
+    this.#place(state);
+  }
+
+  /** @returns {Summary} */
+  get summary() {
+    return this.#drawn.summary;
+  }
+
+  /** @returns {State} the state asked about, or the last the engine took before it */
+  get good() {
+    return this.#good;
+  }
+
+  /** Whether the engine took the state it was asked about last. */
+  get sound() {
+    return this.#refused.length === 0;
+  }
+
+  /** Whether the mechanism can be assembled where its crank is now. */
+  get placed() {
+    return this.#unplaced.length === 0;
+  }
+
+  /**
+   * Brings everything up to a state.
+   * @param {State} state
+   */
+  follow(state) {
+    const asked = this.#asked;
+    const other = !asked || asked.document !== state.document || DRAWN.some((name) => asked.view[name] !== state.view[name]);
+    const moved = !asked || asked.view.phi_deg !== state.view.phi_deg;
+    if (other) this.#take(state);
+    if (other || moved) this.#place(state);
+    this.#asked = state;
+    if (this.sound) this.#good = state;
+  }
+
+  /**
+   * @param {State} state
+   * @param {Words} words
+   * @param {boolean} legible
+   * @returns {Snapshot}
+   */
+  snapshot(state, words, legible) {
+    // What is typed takes the place of what the state still holds.
+    const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
+    const drafted = this.#drafts.fields().map((field) => ({ code: "not_a_number", field }));
+    const stale = this.#refused.length > 0 || drafted.some(({ field }) => partOf(field) in state.document);
+    // While it plays, a dead point is passed within one frame: too short for a sentence.
+    const unread = state.view.playing ? [] : this.#unread;
+    const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
+    const trapped = this.#engine.trapped ? [TRAPPED] : [];
+    return {
+      ...this.#drawn,
+      state,
+      phiDeg: ontoAxis(state.view.phi_deg, this.summary.cycle),
+      words,
+      scene: this.#scene,
+      revision: this.#revision,
+      frame: this.#frame,
+      frameDeg: this.#frameDeg,
+      readouts: this.#readouts,
+      plotted: this.#plotted,
+      problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
+      stale,
+      faded: stale || this.#unplaced.length > 0,
+      legible,
+    };
+  }
+
+  /** @param {State} state */
+  #take(state) {
+    const taken = attempt(() => ({ drawn: drawn(this.#engine, state), scene: this.#engine.scene() }));
+    this.#refused = taken.problems;
+    if (!taken.value) return;
+    this.#drawn = taken.value.drawn;
+    this.#scene = taken.value.scene;
+    this.#revision += 1;
+  }
+
+  /** @param {State} state */
+  #place(state) {
+    const phiDeg = ontoAxis(state.view.phi_deg, this.summary.cycle);
+    const phi = radians(phiDeg);
+    const placed = attempt(() => this.#engine.frame(phi));
+    this.#unplaced = placed.problems;
+    if (placed.value) {
+      this.#frame = placed.value;
+      this.#frameDeg = phiDeg;
+    }
+    const read = attempt(() => ({ readouts: this.#engine.readouts(phi), plotted: this.#engine.plotted(phi) }));
+    this.#unread = read.problems;
+    this.#readouts = read.value?.readouts ?? null;
+    this.#plotted = read.value?.plotted ?? null;
+  }
+}
+
+/**
+ * @param {Engine} engine
+ * @param {State} state
+ * @returns {Drawn}
+ */
+function drawn(engine, state) {
+  return /** @type {Drawn} */ ({ lesson: state.lesson, summary: engine.set(state) });
+}

@@ -1,0 +1,86 @@
+// Where the state outlives the page: the address and the browser's own store. Both may be forbidden; the page then does without.
+import { toAddress, toFile } from "assur/state/codec.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+const KEY = "assur.state";
+/** What could not be read is not written over but put aside. */
+const ASIDE = "assur.state.unread";
+
+/** Not more often than this, in milliseconds: browsers limit how often an address may change. */
+const PERIOD = 400;
+
+/**
+ * @param {string} address
+ * @returns {string} what follows the # in it, or nothing
+ */
+export function addressed(address) {
+  return address.split("#").slice(1).join("#");
+}
+
+/** @returns {string | null} what was kept last */
+export function stored() {
+  return guarded(() => localStorage.getItem(KEY));
+}
+
+/** @param {string} text */
+export function putAside(text) {
+  guarded(() => localStorage.setItem(ASIDE, text));
+}
+
+/**
+ * @param {State} state
+ * @returns {string} the whole address that shows it
+ */
+export function linkTo(state) {
+  return `${location.href.split("#")[0]}#${toAddress(state)}`;
+}
+
+/** @param {State} state */
+export function showInAddress(state) {
+  guarded(() => history.replaceState(null, "", linkTo(state)));
+}
+
+/**
+ * From now on every change is kept: in the browser at once, in the address when the crank is at rest.
+ * @param {import("assur/state/store.js").Store<State>} store
+ * @param {() => boolean} sound whether the engine took the state; another is not kept
+ */
+export function persist(store, sound) {
+  let timer = 0;
+  let changed = false;
+  const save = () => {
+    clearTimeout(timer);
+    timer = 0;
+    if (!changed || !sound()) return;
+    changed = false;
+    const state = store.get();
+    guarded(() => localStorage.setItem(KEY, toFile(state)));
+    if (!state.view.playing) showInAddress(state);
+  };
+  store.subscribe((state, previous) => {
+    changed = true;
+    // A turning crank alone is written when the page is left.
+    if (state.view.playing && previous.view.playing && state.document === previous.document) return;
+    timer ||= setTimeout(save, PERIOD);
+  });
+  addEventListener("pagehide", save);
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) save();
+  });
+}
+
+/**
+ * @template T
+ * @param {() => T} work
+ * @returns {T | null} null where the browser forbids it
+ */
+function guarded(work) {
+  try {
+    return work();
+  } catch {
+    return null;
+  }
+}
