@@ -19,6 +19,7 @@ mod keyboard;
 mod keys;
 mod layout;
 mod lesson;
+mod loading;
 mod overlays;
 mod picture;
 mod pixels;

@@ -226,6 +226,7 @@ async fn true_time_is_true() {
         assert_near(speed, 4.0 * std::f64::consts::TAU / 6.0, 1e-9, "4 ×");
     }
     page.click("play").await;
+    page.choose("speed", "1").await;
     page.choose("speed", "true_time").await;
 
     // It plays, and the keys of speed leave it.

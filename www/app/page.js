@@ -35,8 +35,8 @@ const WRITING_PERIOD = 0.2;
 export class Page {
   #loop = new Loop((dt) => this.#step(dt), () => this.#render());
   #views;
-  /** Seconds since numbers were written. */
-  #unwritten = 0;
+  /** Seconds since numbers were written: at first they are due. */
+  #unwritten = WRITING_PERIOD;
 
   /**
    * @param {import("assur/engine.js").Engine} engine

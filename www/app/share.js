@@ -1,5 +1,6 @@
 // Copying the link, opening and saving files.
 import { byId } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
 import { toFile } from "assur/state/codec.js";
 import { linkTo, showInAddress } from "assur/state/storage.js";
 
@@ -29,21 +30,6 @@ export async function copyLink(state, copied) {
 /** @param {State} state */
 export function saveFile(state) {
   download(new Blob([toFile(state)], { type: "application/json" }), `${state.kind}.assur.json`);
-}
-
-let address = "";
-
-/**
- * @param {Blob} file
- * @param {string} name
- */
-export function download(file, name) {
-  URL.revokeObjectURL(address);
-  address = URL.createObjectURL(file);
-  const link = byId("save-link", HTMLAnchorElement);
-  link.href = address;
-  link.download = name;
-  link.click();
 }
 
 /**

@@ -1,6 +1,6 @@
 // The dialog of exports: table, drawing and plots as files. Loaded when it is asked for.
-import { download } from "assur/app/share.js";
 import { byId, make } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";

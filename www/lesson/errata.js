@@ -2,7 +2,6 @@
 import { byId, make } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { Words } from "assur/core/words.js";
-import "assur/kinds/linkage/style.js";
 
 const COLUMNS = Object.freeze(["equation", "printed", "right"]);
 

@@ -8,6 +8,7 @@ import { SWITCHES, withDocument, withView } from "assur/state/state.js";
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/core/words.js").Words} Words
@@ -46,7 +47,9 @@ import { SWITCHES, withDocument, withView } from "assur/state/state.js";
 
 /**
  * @template {Kind} K
- * @typedef {Readonly<{ id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: string }>} Step
+ * @typedef {Readonly<{
+ *   id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: string,
+ * }>} Step
  * `formula`: one with a number in it is written with the reader's decimal sign; `errata`: the lesson whose paper's misprints concern the step.
  */
 

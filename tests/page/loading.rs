@@ -1,0 +1,38 @@
+//! What the first view asks for, and when.
+
+use crate::browser::Page;
+
+/// The head of the page asks for all of it, so that it comes with the second round trip: no
+/// script has to arrive before it says what else is needed.
+#[tokio::test]
+async fn the_first_view_is_asked_for_at_once() {
+    let page = Page::open().await;
+    let asked = page
+        .ask(
+            "const ready = performance.getEntriesByName('ready')[0].startTime;
+            const asked = performance.getEntriesByType('resource').filter(({ startTime }) => startTime < ready);
+            const linked = [...document.querySelectorAll('head link')].map(({ href }) => href);
+            return [asked.map(({ name }) => name), linked];",
+        )
+        .await;
+    let [names, linked]: [Vec<String>; 2] = serde_json::from_value(asked).unwrap();
+    for name in [
+        "/style.css",
+        "/app/main.js",
+        "/pkg/assur_web_bg.wasm",
+        "/lang/en.json",
+    ] {
+        let there = names.iter().any(|address| address.ends_with(name));
+        assert!(there, "{name} is missing: {names:?}");
+    }
+    let first: std::collections::BTreeSet<_> = names.iter().collect();
+    assert_eq!(first.len(), names.len(), "asked for twice: {names:?}");
+    assert!(names.len() <= 20, "{names:?}");
+    for name in &names {
+        assert!(
+            linked.contains(name),
+            "{name} is not in the head: {linked:?}"
+        );
+    }
+    page.close().await;
+}
