@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::knots::Knots;
 use super::trace::{DeadPoint, DeadPointKind, Motion};
-use crate::Cycle;
-use crate::mechanism::{ClosedStep, Mechanism};
+use crate::mechanism::{ClosedStep, Mechanism, Quantity};
+use crate::{Assembly, Cycle};
 
 impl Motion {
     /// The motion from an assembly, where the closed form of a four-bar is all there
@@ -34,6 +34,36 @@ impl Motion {
         let home = cycle.wrap(mechanism.home() - turned);
         let knots = Knots::alone(home, signs, stands);
         Some(Self::of(mechanism, cycle, knots, dead_points, home))
+    }
+}
+
+impl Motion {
+    /// The inputs at which the angle of a four-bar's rocker, and so that of a wheel it
+    /// drives, has its extrema; none where the closed form does not tell.
+    pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
+        let mechanism = &self.mechanism;
+        let closed = mechanism.closed_steps().next()?;
+        let Quantity::Angle(link) = quantity else {
+            return None;
+        };
+        let turned = mechanism.multiple_of(link).of;
+        if !mechanism.whole_closed_form() || mechanism.rocker_of(&closed) != Some(turned) {
+            return None;
+        }
+        let mut guess = Vec::new();
+        let (signs, _) = self.knots.near(self.home, &mut guess);
+        let assembly = if signs[closed.step] > 0.0 {
+            Assembly::First
+        } else {
+            Assembly::Second
+        };
+        let limits = closed.linkage.limits(assembly).into_iter();
+        let mut inputs: Vec<f64> = limits
+            .map(|limit| self.cycle.wrap(limit.crank - closed.lead))
+            .filter(|input| self.cycle.contains(*input))
+            .collect();
+        inputs.sort_unstable_by(f64::total_cmp);
+        Some(inputs)
     }
 }
 

@@ -68,17 +68,24 @@ impl<'a> Course<'a> {
             mechanism.size()
         };
         let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
-        let extrema = turning_points(motion.cycle(), &jet, unit);
+        let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
+            Some(inputs) => inputs,
+            None => turning_points(motion.cycle(), &jet, unit)
+                .iter()
+                .map(|extremum| extremum.crank)
+                .collect(),
+        };
         let mut course = Self {
             motion,
             quantity,
             stations: Vec::new(),
             once: 0,
             gain: 0.0,
-            extrema: extrema.iter().map(|e| [e.crank, e.value]).collect(),
+            extrema: Vec::new(),
             monotone: extrema.is_empty(),
         };
-        let inputs = extrema.iter().map(|extremum| extremum.crank);
+        course.extrema = course.valued(extrema.iter().copied());
+        let inputs = extrema.iter().copied();
         // Of several arcs the one of the drawn pose.
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
@@ -115,11 +122,12 @@ impl<'a> Course<'a> {
             let pose = self.motion.pose::<2>(input).ok()?;
             Some(self.quantity.of(self.motion.mechanism(), &pose))
         };
-        // The very end is the start again: from just before it by the rate.
-        let before = period * (1.0 - 1e-6);
-        match (value(before), value(0.0)) {
+        // The very end is the start again, where a deltoid has no pose: from just
+        // before it to just after by the rate.
+        let after = period * 1e-6;
+        match (value(period - after), value(after)) {
             (Some(a), Some(b)) if self.quantity.is_angle() => {
-                let end = a.value() + a.derivative(1) * (period - before);
+                let end = a.value() + a.derivative(1) * 2.0 * after;
                 TAU * ((end - b.value()) / TAU).round()
             }
             _ => 0.0,
