@@ -90,7 +90,8 @@ impl<'a> Course<'a> {
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
-            course.gain = course.gained(period);
+            let known = motion.gain_in_closed_form(quantity, period);
+            course.gain = known.unwrap_or_else(|| course.gained(period));
             let mut inputs: Vec<f64> = inputs.collect();
             if inputs.is_empty() {
                 inputs.push(0.0);
@@ -116,19 +117,25 @@ impl<'a> Course<'a> {
             .collect()
     }
 
-    /// What an angle has gained when a full cycle is over: whole turns.
+    /// What an angle has gained when a full cycle is over: whole turns, or of a wheel
+    /// its ratio times those of what drives it.
     fn gained(&self, period: f64) -> f64 {
+        let mechanism = self.motion.mechanism();
+        let Quantity::Angle(link) = self.quantity else {
+            return 0.0;
+        };
+        let turned = mechanism.multiple_of(link);
         let value = |input: f64| {
             let pose = self.motion.pose::<2>(input).ok()?;
-            Some(self.quantity.of(self.motion.mechanism(), &pose))
+            Some(mechanism.angle(&pose, turned.of))
         };
         // The very end is the start again, where a deltoid has no pose: from just
         // before it to just after by the rate.
         let after = period * 1e-6;
         match (value(period - after), value(after)) {
-            (Some(a), Some(b)) if self.quantity.is_angle() => {
+            (Some(a), Some(b)) => {
                 let end = a.value() + a.derivative(1) * 2.0 * after;
-                TAU * ((end - b.value()) / TAU).round()
+                turned.factor * TAU * ((end - b.value()) / TAU).round()
             }
             _ => 0.0,
         }
