@@ -242,6 +242,8 @@ impl<'a> Walk<'a> {
             Err((step, obstacle)) if step != dead.step => {
                 self.blocked(dead.input, step, obstacle, false)
             }
+            // What happens between here and there is seen in shorter steps only.
+            _ if (dead.input - self.input).abs() > PAST * self.mechanism.span() => Ahead::Doubt,
             _ => Ahead::Blocked(dead),
         }
     }
