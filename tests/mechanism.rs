@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, Mechanism, Quantity};
-use assur::motion::{DeadPointKind, Motion};
+use assur::motion::{Course, DeadPointKind, Motion};
 use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
@@ -288,4 +288,98 @@ fn bad_tracers_are_named() {
         Mechanism::new(&hinged).unwrap_err(),
         [Defect::Unknown(name("T"))]
     );
+}
+
+/// Driven over wheels a four-bar is solved as a dyad, and followed: what is read off its motion
+/// is what the closed form says.
+#[test]
+fn readings_of_a_four_bar_that_is_followed() {
+    for lengths in [
+        [0.37, 0.85, 0.55, 0.85],
+        [0.37, 0.85, 1.0, 0.85],
+        [1.0, 0.9, 1.1, 0.5],
+        [0.6, 0.85, 0.3, 0.85],
+        [3.0, 2.0, 3.0, 4.0],
+    ] {
+        let linkage = FourBar::new(lengths).unwrap();
+        let cycle = linkage.cycle();
+        let home = if cycle.is_full() {
+            1.0
+        } else {
+            cycle.home() + 0.1
+        };
+        let mut draft = four_bar(lengths, home, Assembly::First)
+            .point("G", -1.0, 0.0)
+            .point("H", -1.0 + home.cos(), home.sin())
+            .fixed(&["G"])
+            .bar("drive", &["G", "H"]);
+        draft.drivers.clear();
+        draft = draft.crank("drive");
+        draft.gears.push(DraftGear {
+            links: ["drive", "crank"].map(str::to_owned),
+            carrier: "frame".to_owned(),
+            teeth: [20.0, 20.0],
+            mesh: Mesh::AsPrinted,
+        });
+        let mechanism = Mechanism::new(&draft).unwrap();
+        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let [found] = mechanism.four_bars()[..] else {
+            panic!("one four-bar")
+        };
+        for (a, b) in found.linkage.lengths().iter().zip(lengths) {
+            assert!((a - b).abs() < 1e-14, "{found:?}");
+        }
+        assert_eq!(found.grashof(), linkage.grashof());
+        let [dyad] = mechanism.rrr_dyads()[..] else {
+            panic!("one dyad")
+        };
+        let least = motion.least_transmission(&dyad).unwrap();
+        let (worst, _) = linkage.worst_transmission();
+        assert!(
+            (least.angle - worst).abs() < 1e-6,
+            "{lengths:?}: {least:?} {worst}"
+        );
+        for [from, to] in motion.cycle().arcs() {
+            let input = 0.3 * from + 0.7 * to;
+            let pose = motion.pose::<1>(input).unwrap();
+            let expected = linkage.transmission_angle(input).unwrap();
+            let found = mechanism.transmission_angle(&pose, &dyad);
+            assert!(
+                (found - expected).abs() < 1e-12,
+                "{lengths:?}: {found} {expected}"
+            );
+        }
+        let rocker = Quantity::named(&mechanism, "rocker.angle").unwrap();
+        let course = Course::new(&motion, rocker);
+        // Of two arcs it is followed over the drawn one.
+        let mut limits = linkage.limits(Assembly::First);
+        limits.retain(|limit| motion.cycle().contains(limit.crank));
+        assert_eq!(course.limits().len(), limits.len());
+        for (found, limit) in course.limits().iter().zip(limits) {
+            assert!(
+                (found.input - limit.crank).abs() < 1e-9,
+                "{lengths:?}: {found:?} {limit:?}"
+            );
+        }
+        for (found, expected) in course
+            .travels()
+            .iter()
+            .zip(linkage.travels(Assembly::First))
+        {
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{lengths:?}: {found} {expected}"
+            );
+        }
+        let strokes = [course.swings(), linkage.swings(Assembly::First)].map(|s| s[0].stroke());
+        match strokes {
+            [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-6),
+            strokes => assert_eq!(strokes, [None, None]),
+        }
+        let ratios = [course.time_ratio(), linkage.time_ratio(Assembly::First)];
+        match ratios {
+            [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-8),
+            ratios => assert_eq!(ratios, [None, None]),
+        }
+    }
 }

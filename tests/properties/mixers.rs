@@ -1,9 +1,10 @@
 //! A mixer as a linkage like any other moves as its four-bar's closed form says.
 
 use assur::catalog::mixer::{Carrier, Case, Mixer, Tracer};
-use assur::mechanism::Pose;
-use assur::motion::Motion;
-use assur::{Assembly, FourBar, Jet, Link, Offset};
+use assur::gears::Mesh;
+use assur::mechanism::{Multiple, Pose, Quantity};
+use assur::motion::{Course, Motion, Unjoinable};
+use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use proptest::prelude::*;
 
 use crate::draw::{config, linkage, posed};
@@ -52,12 +53,13 @@ fn agree<const N: usize>(
     let link = |name: &str| mechanism.links().position(|link| link == name).unwrap();
     let angle = |name: &str| mechanism.angle(pose, link(name));
     let ratio = mixer.gears.pairs()[0].ratio();
-    let near = |found: Jet<N>, expected: Jet<N>, unit: f64, what: &str| {
-        for (order, tolerance) in TOLERANCE.iter().enumerate().take(N) {
+    let near = |found: Jet<N>, expected: Jet<N>, units: [f64; 3], what: &str| {
+        for (order, unit) in units.iter().enumerate().take(N) {
             let [found, expected] = [found, expected].map(|jet| jet.derivative(order));
             let off = (found - expected).abs();
+            let bound = (TOLERANCE[order] * expected.abs()).max(*unit);
             prop_assert!(
-                off <= tolerance * expected.abs().max(unit),
+                off <= bound,
                 "{:?} {:?} at {crank}: {what} {order}: {found} against {expected}",
                 mixer.linkage,
                 mixer.assembly
@@ -72,11 +74,21 @@ fn agree<const N: usize>(
         ("wheel4", exact.rocker),
         ("wheel5", exact.rocker * ratio),
     ] {
-        near(angle(name), expected, 1.0, name)?;
+        near(angle(name), expected, TOLERANCE, name)?;
     }
-    // Places lose what the rates of the angles blow up.
-    let rates = [exact.coupler, exact.rocker].map(|angle| angle.derivative(1).abs());
-    let unit = size * (1.0 + rates[0].max(rates[1])).powi(2);
+    // C is the coupler's here and the rocker's there: the derivatives of the loop close
+    // beside the size of their terms, less what a short diagonal loses (poses.rs).
+    let [first, second] = [1, 2].map(|order| {
+        let rates = [exact.coupler, exact.rocker].map(|angle| angle.derivative(order).abs());
+        rates[0].max(rates[1]).max(1.0)
+    });
+    let [_, b, _, d] = mixer.linkage.joints(&exact).map(|joint| joint.place());
+    let steep = size / (d - b).norm();
+    let units = [
+        TOLERANCE[0] * size,
+        TOLERANCE[1].max(1e-14 * steep) * size * first,
+        TOLERANCE[2].max(1e-13 * steep * steep) * size * second.max(first * first),
+    ];
     let point = |name: &str| {
         let at = mechanism.points().position(|point| point == name).unwrap();
         mechanism.place(pose, at)
@@ -98,8 +110,8 @@ fn agree<const N: usize>(
         ("P4", traced(3)),
     ] {
         let found = point(name);
-        near(found.x, expected.x, unit, name)?;
-        near(found.y, expected.y, unit, name)?;
+        near(found.x, expected.x, units, name)?;
+        near(found.y, expected.y, units, name)?;
     }
     Ok(())
 }
@@ -157,4 +169,141 @@ proptest! {
         prop_assert_eq!(found.len(), expected.len(), "{:?}: {:?} {:?}", linkage, found, expected);
         prop_assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9));
     }
+}
+
+/// The course of the angle of a link.
+fn course<'a>(motion: &'a Motion, link: &str) -> Course<'a> {
+    let quantity = Quantity::named(motion.mechanism(), &format!("{link}.angle"));
+    Course::new(motion, quantity.unwrap())
+}
+
+proptest! {
+    #![proptest_config(config(3_000))]
+
+    /// Its one dyad and four-bar, and the transmission angle, are the four-bar's.
+    #[test]
+    fn transmission_is_the_four_bars((linkage, assembly, crank) in posed()) {
+        let motion = mixer(&linkage, assembly).motion().unwrap();
+        let mechanism = motion.mechanism();
+        let [four_bar] = mechanism.four_bars()[..] else { panic!("one four-bar") };
+        prop_assert_eq!(four_bar.linkage, linkage);
+        prop_assert_eq!(four_bar.grashof(), linkage.grashof());
+        prop_assert_eq!(four_bar.base, None);
+        let links: Vec<&str> = mechanism.links().collect();
+        let named = [four_bar.crank, four_bar.coupler, four_bar.rocker].map(|link| links[link]);
+        prop_assert_eq!(named, ["crank", "coupler", "rocker"]);
+        let points: Vec<&str> = mechanism.points().collect();
+        prop_assert_eq!(four_bar.joints.map(|point| points[point]), ["A", "B", "C", "D"]);
+        let [dyad] = mechanism.rrr_dyads()[..] else { panic!("one dyad") };
+        prop_assert_eq!(points[dyad.inner], "C");
+        let mut outer = dyad.outer.map(|outer| (points[outer.point], outer.on.map(|on| links[on])));
+        outer.sort();
+        prop_assert_eq!(outer, [("B", Some("crank")), ("D", None)]);
+        // Lines of short links are known the worse.
+        let [_, l2, l3, _] = linkage.lengths();
+        let longest = linkage.lengths().into_iter().fold(0.0, f64::max);
+        let bound = 1e-14 * longest / l2.min(l3) + 1e-13;
+        if let (Ok(expected), Ok(pose)) =
+            (linkage.transmission_angle(crank), motion.pose::<1>(crank))
+        {
+            let found = mechanism.transmission_angle(&pose, &dyad);
+            prop_assert!((found - expected).abs() < bound, "{linkage:?}: {found} {expected}");
+        }
+        let (worst, at) = linkage.worst_transmission();
+        let least = motion.least_transmission(&dyad).unwrap();
+        prop_assert!(
+            (least.angle - worst).abs() <= bound,
+            "{linkage:?} {assembly:?}: {least:?}, {worst} at {at}"
+        );
+    }
+
+    /// Limits, swing, travel and time ratio of the rocker and of a wheel.
+    #[test]
+    fn limits_are_the_four_bars((linkage, assembly) in linkage()) {
+        let mixer = mixer(&linkage, assembly);
+        let motion = mixer.motion().unwrap();
+        for (link, ratio) in [("rocker", 1.0), ("wheel5", mixer.gears.pairs()[0].ratio())] {
+            let course = course(&motion, link);
+            let limits = linkage.limits(assembly);
+            let found = course.limits();
+            prop_assert_eq!(found.len(), limits.len(), "{:?} {:?}: {:?} {:?}", linkage, assembly, found, limits);
+            for (found, limit) in found.iter().zip(limits) {
+                prop_assert!((found.input - limit.crank).abs() < 1e-9, "{linkage:?}: {found:?} {limit:?}");
+                prop_assert!((found.value - ratio * limit.rocker).abs() < 1e-9, "{linkage:?}");
+            }
+            let swings = linkage.swings(assembly).into_iter().map(|swing| swing.scaled(ratio));
+            for (found, expected) in course.swings().into_iter().zip(swings) {
+                match (found, expected) {
+                    (Swing::Turns, Swing::Turns) => {}
+                    (Swing::Between { min: a, max: b }, Swing::Between { min, max }) => {
+                        let off = (a - min).abs().max((b - max).abs());
+                        prop_assert!(off < 1e-9, "{linkage:?}: {found:?} {expected:?}");
+                    }
+                    _ => prop_assert!(false, "{linkage:?}: {found:?} {expected:?}"),
+                }
+            }
+            for (found, travel) in course.travels().iter().zip(linkage.travels(assembly)) {
+                let off = (found - ratio.abs() * travel).abs();
+                prop_assert!(off < 1e-8, "{linkage:?} {assembly:?}: {found} {travel}");
+            }
+            match (course.time_ratio(), linkage.time_ratio(assembly)) {
+                (Some(found), Some(expected)) => {
+                    prop_assert!((found - expected).abs() < 1e-8 * expected, "{linkage:?}");
+                }
+                (found, expected) => prop_assert_eq!(found, expected),
+            }
+        }
+    }
+}
+
+/// Links, pairs and mobility as of the mixer's graph, with the idler of the mesh as
+/// printed; a wheel's angle is a multiple of the rocker's.
+#[test]
+fn counts_and_multiples() {
+    for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+        let mut dimensions = Case::A.dimensions();
+        dimensions.mesh = mesh;
+        let mixer = Mixer::new(&dimensions).unwrap();
+        let motion = mixer.motion().unwrap();
+        let mechanism = motion.mechanism();
+        let (graph, counts) = (mixer.graph(), mechanism.counts());
+        let expected = [graph.links - 1, graph.lower_pairs(), graph.higher_pairs()];
+        assert_eq!(
+            [counts.links, counts.lower_pairs, counts.higher_pairs],
+            expected
+        );
+        assert_eq!(counts.mobility, 1);
+        let link = |name: &str| mechanism.links().position(|link| link == name).unwrap();
+        let ratio = mixer.gears.pairs()[0].ratio();
+        for (name, of, factor) in [
+            ("wheel5", "rocker", ratio),
+            ("wheel4", "rocker", 1.0),
+            ("rocker", "rocker", 1.0),
+            ("crank", "crank", 1.0),
+        ] {
+            let of = link(of);
+            let expected = Multiple {
+                of,
+                factor,
+                offset: 0.0,
+            };
+            assert_eq!(mechanism.multiple_of(link(name)), expected, "{name}");
+        }
+    }
+}
+
+/// Motions of one linkage over different inputs are joined, others not.
+#[test]
+fn only_motions_of_one_linkage_are_joined() {
+    let two = FourBar::new([2.0, 1.0, 2.5, 2.0]).unwrap();
+    assert_eq!(two.cycle().arcs().len(), 2);
+    let motion = mixer(&two, Assembly::First).motion().unwrap();
+    assert_eq!(motion.cycle(), &two.cycle());
+    assert_eq!(
+        motion.clone().joined(motion.clone()).unwrap_err(),
+        Unjoinable::Overlap
+    );
+    let other = FourBar::new([2.0, 1.0, 2.6, 2.0]).unwrap();
+    let other = mixer(&other, Assembly::First).motion().unwrap();
+    assert_eq!(motion.joined(other).unwrap_err(), Unjoinable::OtherLinkage);
 }

@@ -1,7 +1,7 @@
 //! What the closed forms of four-bars tell of a whole motion: arcs, dead points,
 //! turns until it repeats. None of it has to be searched for.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::Mechanism;
 use super::plan::Step;
@@ -38,6 +38,15 @@ impl ClosedStep<'_> {
     pub(crate) fn turns(&self) -> usize {
         let period = self.linkage.cycle().period().unwrap_or(TAU);
         (period / TAU).round() as usize
+    }
+
+    /// The inputs within an arc at which φ₁ is a whole multiple of π: there the
+    /// diagonal is longest or shortest.
+    pub(crate) fn half_turns(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+        let first = ((from + self.lead) / PI).ceil() as i32;
+        let last = ((to + self.lead) / PI).floor() as i32;
+        let lead = self.lead;
+        (first..=last).map(move |half| f64::from(half) * PI - lead)
     }
 
     /// The inputs of its change points within an arc, its end excluded.

@@ -1,6 +1,7 @@
 //! RRR dyads as the plan has them, how well they transmit, and the four-bars that
 //! they close.
 
+use super::closed::ClosedStep;
 use super::plan::Step;
 use super::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{Arm, Rrr};
@@ -82,6 +83,21 @@ impl Mechanism {
     pub fn four_bars(&self) -> Vec<FourBarLoop> {
         let arms = self.steps.iter().filter_map(arms_of);
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()
+    }
+
+    /// The closed form of a dyad, where it has one.
+    pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<ClosedStep<'_>> {
+        let mut closed = self.closed_steps();
+        closed.find(|closed| {
+            let arms = arms_of(&self.steps[closed.step]);
+            arms.and_then(|arms| self.dyad_of(arms)).as_ref() == Some(dyad)
+        })
+    }
+
+    /// The rocker of a four-bar in closed form.
+    pub(crate) fn rocker_of(&self, closed: &ClosedStep<'_>) -> Option<usize> {
+        let [_, rocker] = arms_of(&self.steps[closed.step])?;
+        self.link_of(rocker.body)?
     }
 
     fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {

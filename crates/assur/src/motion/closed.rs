@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::knots::Knots;
 use super::trace::{DeadPoint, DeadPointKind, Motion};
-use crate::Cycle;
-use crate::mechanism::{ClosedStep, Mechanism};
+use crate::mechanism::{ClosedStep, Mechanism, Quantity};
+use crate::{Assembly, Cycle};
 
 impl Motion {
     /// The motion from an assembly, where the closed form of a four-bar is all there
@@ -34,6 +34,66 @@ impl Motion {
         let home = cycle.wrap(mechanism.home() - turned);
         let knots = Knots::alone(home, signs, stands);
         Some(Self::of(mechanism, cycle, knots, dead_points, home))
+    }
+}
+
+/// A rocker of a four-bar in closed form, or what turns in a constant ratio to it.
+struct Rocker<'a> {
+    closed: ClosedStep<'a>,
+    assembly: Assembly,
+    ratio: f64,
+}
+
+impl Motion {
+    /// The inputs at which the angle of a four-bar's rocker, and so that of a wheel it
+    /// drives, has its extrema; none where the closed form does not tell.
+    pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
+        let Rocker {
+            closed, assembly, ..
+        } = self.rocker(quantity)?;
+        let limits = closed.linkage.limits(assembly).into_iter();
+        let mut inputs: Vec<f64> = limits
+            .map(|limit| self.cycle.wrap(limit.crank - closed.lead))
+            .filter(|input| self.cycle.contains(*input))
+            .collect();
+        inputs.sort_unstable_by(f64::total_cmp);
+        Some(inputs)
+    }
+
+    /// What such an angle has gained after a full cycle.
+    pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
+        let rocker = self.rocker(quantity)?;
+        // Any angle will do that is not a deltoid's undetermined one.
+        let at = |crank: f64| {
+            let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
+            Some(pose.ok()?.rocker.value())
+        };
+        let turns = ((at(period + 1.0)? - at(1.0)?) / TAU).round();
+        Some(rocker.ratio * TAU * turns)
+    }
+
+    fn rocker(&self, quantity: Quantity) -> Option<Rocker<'_>> {
+        let mechanism = &self.mechanism;
+        let closed = mechanism.closed_steps().next()?;
+        let Quantity::Angle(link) = quantity else {
+            return None;
+        };
+        let turned = mechanism.multiple_of(link);
+        if !mechanism.whole_closed_form() || mechanism.rocker_of(&closed) != Some(turned.of) {
+            return None;
+        }
+        let mut guess = Vec::new();
+        let (signs, _) = self.knots.near(self.home, &mut guess);
+        let assembly = if signs[closed.step] > 0.0 {
+            Assembly::First
+        } else {
+            Assembly::Second
+        };
+        Some(Rocker {
+            closed,
+            assembly,
+            ratio: turned.factor,
+        })
     }
 }
 

@@ -68,22 +68,30 @@ impl<'a> Course<'a> {
             mechanism.size()
         };
         let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
-        let extrema = turning_points(motion.cycle(), &jet, unit);
+        let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
+            Some(inputs) => inputs,
+            None => turning_points(motion.cycle(), &jet, unit)
+                .iter()
+                .map(|extremum| extremum.crank)
+                .collect(),
+        };
         let mut course = Self {
             motion,
             quantity,
             stations: Vec::new(),
             once: 0,
             gain: 0.0,
-            extrema: extrema.iter().map(|e| [e.crank, e.value]).collect(),
+            extrema: Vec::new(),
             monotone: extrema.is_empty(),
         };
-        let inputs = extrema.iter().map(|extremum| extremum.crank);
+        course.extrema = course.valued(extrema.iter().copied());
+        let inputs = extrema.iter().copied();
         // Of several arcs the one of the drawn pose.
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
-            course.gain = course.gained(period);
+            let known = motion.gain_in_closed_form(quantity, period);
+            course.gain = known.unwrap_or_else(|| course.gained(period));
             let mut inputs: Vec<f64> = inputs.collect();
             if inputs.is_empty() {
                 inputs.push(0.0);
@@ -109,18 +117,25 @@ impl<'a> Course<'a> {
             .collect()
     }
 
-    /// What an angle has gained when a full cycle is over: whole turns.
+    /// What an angle has gained when a full cycle is over: whole turns, or of a wheel
+    /// its ratio times those of what drives it.
     fn gained(&self, period: f64) -> f64 {
+        let mechanism = self.motion.mechanism();
+        let Quantity::Angle(link) = self.quantity else {
+            return 0.0;
+        };
+        let turned = mechanism.multiple_of(link);
         let value = |input: f64| {
             let pose = self.motion.pose::<2>(input).ok()?;
-            Some(self.quantity.of(self.motion.mechanism(), &pose))
+            Some(mechanism.angle(&pose, turned.of))
         };
-        // The very end is the start again: from just before it by the rate.
-        let before = period * (1.0 - 1e-6);
-        match (value(before), value(0.0)) {
-            (Some(a), Some(b)) if self.quantity.is_angle() => {
-                let end = a.value() + a.derivative(1) * (period - before);
-                TAU * ((end - b.value()) / TAU).round()
+        // The very end is the start again, where a deltoid has no pose: from just
+        // before it to just after by the rate.
+        let after = period * 1e-6;
+        match (value(period - after), value(after)) {
+            (Some(a), Some(b)) => {
+                let end = a.value() + a.derivative(1) * 2.0 * after;
+                turned.factor * TAU * ((end - b.value()) / TAU).round()
             }
             _ => 0.0,
         }

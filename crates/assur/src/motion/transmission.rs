@@ -19,6 +19,24 @@ impl Motion {
     /// where there is no pose at all.
     pub fn least_transmission(&self, dyad: &RrrDyad) -> Option<LeastTransmission> {
         let mechanism = self.mechanism();
+        let lesser = |least: LeastTransmission, next: LeastTransmission| {
+            if next.angle < least.angle {
+                next
+            } else {
+                least
+            }
+        };
+        let ends = self.cycle().arcs().iter().flatten().copied();
+        if let Some(closed) = mechanism.closed_form_of(dyad) {
+            let arcs = self.cycle().arcs().iter();
+            let inputs = ends.chain(arcs.flat_map(|arc| closed.half_turns(*arc)));
+            let found = inputs.filter_map(|input| {
+                let angle = closed.linkage.transmission_angle(input + closed.lead);
+                let angle = angle.ok()?;
+                Some(LeastTransmission { angle, input })
+            });
+            return found.reduce(lesser);
+        }
         // The cosine is linear in the squared diagonal, which needs no root.
         let diagonal = |input: f64| {
             let pose = self.pose::<3>(input).ok()?;
@@ -26,7 +44,6 @@ impl Motion {
         };
         let unit = mechanism.size() * mechanism.size();
         let extrema = turning_points(self.cycle(), &diagonal, unit);
-        let ends = self.cycle().arcs().iter().flatten().copied();
         let inputs = extrema.iter().map(|extremum| extremum.crank).chain(ends);
         let inputs = inputs.chain(self.change_points().iter().copied());
         let found = inputs.chain([self.home()]).filter_map(|input| {
@@ -34,12 +51,6 @@ impl Motion {
             let angle = mechanism.transmission_angle(&pose, dyad);
             Some(LeastTransmission { angle, input })
         });
-        found.reduce(|least, next| {
-            if next.angle < least.angle {
-                next
-            } else {
-                least
-            }
-        })
+        found.reduce(lesser)
     }
 }

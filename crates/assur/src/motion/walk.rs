@@ -180,7 +180,7 @@ impl<'a> Walk<'a> {
     /// there, it may look a little beyond.
     fn look(&mut self, next: f64, beyond: bool) -> Ahead {
         if let Some(dead) = self.arc_ends(next) {
-            return Ahead::Blocked(dead);
+            return self.up_to(dead);
         }
         let solved = self.mechanism.solve(
             next,
@@ -229,6 +229,23 @@ impl<'a> Walk<'a> {
             ((next - end) * sense > 0.0).then(|| dead_point(&closed, arc, end))
         });
         ends.min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)))
+    }
+
+    /// The end of an arc of a four-bar, unless other links come to theirs before.
+    fn up_to(&mut self, dead: DeadPoint) -> Ahead {
+        let mut probe: State<1> = self.mechanism.blank_state();
+        let promise = self.promised(dead.input);
+        let solved = self
+            .mechanism
+            .solve(dead.input, &self.signs, promise.near(), &mut probe);
+        match solved {
+            Err((step, obstacle)) if step != dead.step => {
+                self.blocked(dead.input, step, obstacle, false)
+            }
+            // What happens between here and there is seen in shorter steps only.
+            _ if (dead.input - self.input).abs() > PAST * self.mechanism.span() => Ahead::Doubt,
+            _ => Ahead::Blocked(dead),
+        }
     }
 
     /// The same for an input that is no pose: within rounding of a dead point there
@@ -334,7 +351,7 @@ impl<'a> Walk<'a> {
         }
         let mut probe: State<1> = self.mechanism.blank_state();
         if let Some(dead) = self.arc_ends_at(step, bad) {
-            return Ahead::Blocked(dead);
+            return self.up_to(dead);
         }
         // Of a deltoid the pose is undetermined at one input, and goes on beyond it.
         if beyond && matches!(obstacle, Obstacle::DeadPoint | Obstacle::Undetermined) {

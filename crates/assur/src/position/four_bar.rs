@@ -45,14 +45,15 @@ impl Closed {
         let square = (d - b).norm_squared().value();
         let margins = [(l2 + l3).powi(2) - square, square - (l2 - l3).powi(2)];
         state.margins[step] = margins.map(Jet::constant);
-        let angle = pose.coupler + self.leads[0];
-        let turn = Complex::turn(angle);
-        state.turn[coupler.body] = turn;
-        state.origin[coupler.body] = b - turn.by(coupler.from);
-        state.angle[coupler.body] = Angle::Known(angle);
-        // The rocker ends where the coupler does: no second sine and cosine.
-        state.lay(rocker, d, b + turn.by(coupler.to - coupler.from) - d);
-        state.angle[rocker.body] = Angle::Known(pose.rocker + self.leads[1]);
+        // Each stands by its own angle: laid between the joints, a short link would be
+        // turned by their rounding.
+        let angles = [pose.coupler + self.leads[0], pose.rocker + self.leads[1]];
+        for ((arm, at), angle) in self.arms.iter().zip([b, d]).zip(angles) {
+            let turn = Complex::turn(angle);
+            state.turn[arm.body] = turn;
+            state.origin[arm.body] = at - turn.by(arm.from);
+            state.angle[arm.body] = Angle::Known(angle);
+        }
         Ok(())
     }
 }
