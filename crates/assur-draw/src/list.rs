@@ -25,19 +25,19 @@ pub enum Role {
     Crank,
     Coupler,
     Rocker,
-    Wheel4,
-    Wheel5,
+    Accent1,
+    Accent2,
     Idler,
     Paper,
     Velocity,
     Acceleration,
     X,
     Y,
-    Wheel6,
-    Wheel7,
-    Wheel8,
-    Wheel9,
-    Wheel10,
+    Accent3,
+    Accent4,
+    Accent5,
+    Accent6,
+    Accent7,
 }
 
 impl Role {
@@ -55,19 +55,19 @@ pub const ROLES: [&str; 19] = [
     "crank",
     "coupler",
     "rocker",
-    "wheel4",
-    "wheel5",
+    "accent1",
+    "accent2",
     "idler",
     "paper",
     "velocity",
     "acceleration",
     "x",
     "y",
-    "wheel6",
-    "wheel7",
-    "wheel8",
-    "wheel9",
-    "wheel10",
+    "accent3",
+    "accent4",
+    "accent5",
+    "accent6",
+    "accent7",
 ];
 
 /// How it is drawn.
@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn names_follow_the_numbers() {
         assert_eq!(ROLES[Role::Paper as usize], "paper");
-        assert_eq!(ROLES[Role::Wheel5 as usize], "wheel5");
+        assert_eq!(ROLES[Role::Accent2 as usize], "accent2");
         assert_eq!(ROLES[Role::Acceleration as usize], "acceleration");
         assert_eq!(ROLES[Role::Y as usize], "y");
         assert_eq!(LABELS[Label::Phi1 as usize], "phi1");
@@ -205,7 +205,7 @@ mod tests {
         assert_eq!(LABELS[Label::CAcceleration as usize], "C″");
         assert_eq!(LABELS[Label::Ten as usize], "10");
         assert_eq!(LABELS[Label::P6 as usize], "P6");
-        assert_eq!(ROLES[Role::Wheel10 as usize], "wheel10");
+        assert_eq!(ROLES[Role::Accent7 as usize], "accent7");
         assert_eq!(Look::Soft as u8, 6);
     }
 

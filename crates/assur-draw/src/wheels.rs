@@ -9,12 +9,12 @@ use crate::parts;
 
 /// Roles and names of the peripheral wheels: wheel 5, 6, …
 const PERIPHERAL: [(Role, Label); GearSet::MOST] = [
-    (Role::Wheel5, Label::Five),
-    (Role::Wheel6, Label::Six),
-    (Role::Wheel7, Label::Seven),
-    (Role::Wheel8, Label::Eight),
-    (Role::Wheel9, Label::Nine),
-    (Role::Wheel10, Label::Ten),
+    (Role::Accent2, Label::Five),
+    (Role::Accent3, Label::Six),
+    (Role::Accent4, Label::Seven),
+    (Role::Accent5, Label::Eight),
+    (Role::Accent6, Label::Nine),
+    (Role::Accent7, Label::Ten),
 ];
 
 /// What a ring has beyond its pitch circle, in modules: the gaps and a rim.
@@ -40,7 +40,7 @@ pub(crate) struct DrawnWheel {
 pub(crate) fn role(index: usize) -> Role {
     PERIPHERAL
         .get(index)
-        .map_or(Role::Wheel5, |(role, _)| *role)
+        .map_or(Role::Accent2, |(role, _)| *role)
 }
 
 /// Wheel 4, the wheels around it in their order, then the idlers.
@@ -64,7 +64,7 @@ pub(crate) fn drawn(gears: &GearSet) -> Vec<DrawnWheel> {
                 .collect(),
         };
         if driver.is_empty() {
-            driver.push(drawn(0, Role::Wheel4, Some(Label::Four), 3));
+            driver.push(drawn(0, Role::Accent1, Some(Label::Four), 3));
         } else {
             driver[0].mates.extend(train.get(1).map(mate));
         }
@@ -117,7 +117,7 @@ impl DrawnWheel {
             list.polygons(self.role, Look::Soft, &[blade]);
         }
         // Wheel 4 is on the rocker's hinge.
-        if self.role != Role::Wheel4 {
+        if self.role != Role::Accent1 {
             list.circle(Role::Ink, Look::Hollow, Point::origin(), 0.7 * unit);
         }
     }

@@ -188,7 +188,7 @@ fn parts_are_painted_in_their_order_and_colours() {
     let rigid = records(drawn.figure.rigid().numbers());
     let polygons = rigid.iter().filter(|record| record[0] == 1.0);
     let roles: Vec<u8> = polygons.map(|record| record[1] as u8).collect();
-    let (five, four) = (Role::Wheel5 as u8, Role::Wheel4 as u8);
+    let (five, four) = (Role::Accent2 as u8, Role::Accent1 as u8);
     let [rocker, coupler, crank] =
         [Role::Rocker, Role::Coupler, Role::Crank].map(|role| role as u8);
     let (support, paper) = (Role::Secondary as u8, Role::Paper as u8);
