@@ -200,6 +200,30 @@ fn parts_are_painted_in_their_order_and_colours() {
     assert_eq!(roles, expected);
 }
 
+/// The names of B and C stand beyond crank and rocker, and never on the coupler.
+#[test]
+fn names_stand_beyond_the_links() {
+    let drawn = Drawn::new(&Case::A.dimensions(), Overlays::default());
+    let mut straight = 0;
+    for step in 0..120 {
+        let crank = 0.0523 * f64::from(step);
+        let moving = drawn.moving(crank);
+        let [a, b, c, d] = drawn.joints(crank);
+        for (name, outward, coupler) in [("B", b - a, c - b), ("C", c - d, b - c)] {
+            let label = drawn.label(&moving, name);
+            let off = place(&label[5..]).coords;
+            assert!((off.norm() - 1.5).abs() < 1e-6);
+            let between = |u: Vector, v: Vector| u.perp(&v).atan2(u.dot(&v)).abs();
+            assert!(between(off, coupler) > 0.69, "{name} at {crank}");
+            if between(outward, coupler) > 0.71 {
+                assert!(between(off, outward) < 1e-6, "{name} at {crank}");
+                straight += 1;
+            }
+        }
+    }
+    assert!(straight > 150, "{straight}");
+}
+
 /// Everything over the drawing, at every angle: numbers a screen can show,
 /// one constant number of records away from dead points.
 #[test]
