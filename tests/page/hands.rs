@@ -2,6 +2,7 @@
 
 use assur::catalog::mixer::{Case, Dimensions, Mixer};
 use assur::{Assembly, FourBar, Point};
+use assur_draw::{Annotations, Figure, View};
 use assur_tests::assert_near;
 
 use crate::browser::Page;
@@ -115,7 +116,13 @@ impl View {
 }
 
 fn bounds(mixer: &Mixer) -> [f64; 4] {
-    assur_draw::Scene::new(mixer, assur_draw::Overlays::default()).bounds()
+    let view = View {
+        annotations: Annotations::from(mixer),
+        ..View::default()
+    };
+    let motion = mixer.motion().unwrap();
+    let figure = Figure::new(&mixer.draft().unwrap(), &motion, &view);
+    figure.unwrap().bounds()
 }
 
 pub(crate) fn joints(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> [Point; 4] {

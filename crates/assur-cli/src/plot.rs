@@ -29,7 +29,6 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let view = View {
         overlays: Overlays {
             traces: true,
-            centres: true,
             ..Overlays::default()
         },
         traced: document.traces.iter().filter_map(point).collect(),

@@ -41,13 +41,13 @@ const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4 and of the wheels around it: wheel 5, 6, …
 const WHEELS: [Role; 1 + GearSet::MOST] = [
-    Role::Wheel4,
-    Role::Wheel5,
-    Role::Wheel6,
-    Role::Wheel7,
-    Role::Wheel8,
-    Role::Wheel9,
-    Role::Wheel10,
+    Role::Accent1,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent4,
+    Role::Accent5,
+    Role::Accent6,
+    Role::Accent7,
 ];
 
 impl From<&Mixer> for Annotations {

@@ -29,6 +29,8 @@ use wheels::Gearing;
 
 /// Half the width of a link's bar, in units.
 const BAR: f64 = 1.15;
+/// A name beyond a link's end stands at least this angle off the other links there.
+const ASIDE: f64 = 0.7;
 
 /// What is shown of a linkage besides its links.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +53,17 @@ impl View {
         let noted = noted.find(|(points, _)| same(points));
         noted.map_or_else(|| ends.concat(), |(_, symbol)| symbol.clone())
     }
+}
+
+/// A direction turned so far that nothing is within [`ASIDE`] of it.
+fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
+    let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
+    let nearest = others
+        .filter(|other| other.norm() > 0.0)
+        .map(angle)
+        .reduce(|a, b| if b.abs() < a.abs() { b } else { a });
+    let by = nearest.map_or(0.0, |off| (ASIDE - off.abs()).max(0.0).copysign(off));
+    layout::turned(direction, by)
 }
 
 /// A linkage as a drawing: what is rigid, drawn once in the coordinates of its
@@ -217,7 +230,9 @@ impl Figure {
             } else if self.layout.is_support(point) {
                 [-1.5, -0.2]
             } else if let Some(pivot) = self.layout.end_of(point) {
-                self.beyond(point, toward(&pivot))
+                let others = self.layout.neighbours(point).iter();
+                let others = others.map(|other| place(*other) - at);
+                self.beyond(point, clear_of(others, toward(&pivot)))
             } else {
                 let near = self.layout.neighbours(point).iter().map(toward);
                 let lengths = near.filter(|off| off.norm() > 0.0);

@@ -8,17 +8,11 @@ pub mod chart;
 mod figure;
 mod gear;
 mod list;
-mod mixer;
 mod overlays;
 mod parts;
-mod plots;
 pub mod svg;
-mod tracers;
-mod wheels;
 
 pub use annotations::{Annotations, Tag};
 pub use figure::{Figure, View};
-pub use list::{LABELS, List, ROLES, Role};
-pub use mixer::Scene;
+pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
-pub use plots::chart as plot;

@@ -6,6 +6,10 @@ use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
 use assur_draw::{Figure, Overlays, Role, View};
 
+use records::records;
+
+mod records;
+
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.
 fn draft() -> Draft {
@@ -36,7 +40,8 @@ fn figure(motion: &Motion, overlays: Overlays) -> Figure {
         traced: vec![5],
         ..View::default()
     };
-    Figure::new(&draft(), motion, &view).unwrap()
+    let figure = Figure::new(&draft(), motion, &view);
+    figure.unwrap_or_else(|unsolved| panic!("{unsolved}"))
 }
 
 const TRACES: Overlays = Overlays {
@@ -47,30 +52,6 @@ const TRACES: Overlays = Overlays {
     transmission: false,
     groups: false,
 };
-
-/// Every record of the list, cut apart by its own counts.
-fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
-    let mut found = Vec::new();
-    while let Some(kind) = numbers.first() {
-        let length = match *kind as u8 {
-            0 => 2,
-            1 => {
-                let mut length = 4;
-                for _ in 0..numbers[3] as usize {
-                    length += 1 + 2 * numbers[length] as usize;
-                }
-                length
-            }
-            2 => 4 + 2 * numbers[3] as usize,
-            3 => 6,
-            4 => 7,
-            other => panic!("record {other}"),
-        };
-        found.push(numbers[..length].to_vec());
-        numbers = &numbers[length..];
-    }
-    found
-}
 
 #[test]
 fn lists_are_whole_and_bodies_stand_where_they_are() {

@@ -11,10 +11,10 @@ use crate::list::Role;
 const ROLES: [Role; 6] = [
     Role::Coupler,
     Role::Rocker,
-    Role::Wheel5,
-    Role::Wheel6,
-    Role::Wheel8,
-    Role::Wheel9,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent5,
+    Role::Accent6,
 ];
 
 /// The colour that is noted for a link; else the driven link is a crank by its
