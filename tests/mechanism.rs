@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{Defect, Draft, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
 use assur::{Assembly, FourBar, Vector};
 
@@ -175,4 +175,30 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
     }
     let there = motion.pose::<1>(2.3).unwrap();
     assert!((mechanism.place(&there, 2).place() - to).norm() < 1e-12);
+}
+
+/// Cranks of a five-bar drawn at 90° and 45°: as many drivers as freedoms, but the
+/// motion has one input, and the second crank must not be locked to it.
+#[test]
+fn a_second_driver_is_refused_by_name() {
+    let five_bar = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 2.0, 2.0)
+        .point("D", 3.0 + 0.5_f64.sqrt(), 0.5_f64.sqrt())
+        .point("E", 3.0, 0.0)
+        .fixed(&["A", "E"])
+        .bar("AB", &["A", "B"])
+        .bar("BC", &["B", "C"])
+        .bar("CD", &["C", "D"])
+        .bar("ED", &["E", "D"])
+        .crank("AB");
+    let underdriven = Mechanism::new(&five_bar).unwrap_err();
+    assert!(
+        matches!(&underdriven[..], [Defect::Underdriven { mobility: 2, .. }]),
+        "{underdriven:?}"
+    );
+    let defects = Mechanism::new(&five_bar.crank("ED")).unwrap_err();
+    let links = vec!["ED".to_owned()];
+    assert_eq!(defects, [Defect::FurtherDrivers { links }]);
 }

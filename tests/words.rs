@@ -436,6 +436,7 @@ fn every_problem_has_words() {
         "loose",
         "underdriven",
         "locked",
+        "further_drivers",
         "parallel_guides",
         "unsupported",
         "open",

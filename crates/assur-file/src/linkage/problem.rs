@@ -67,6 +67,8 @@ pub enum LinkageProblem {
     Underdriven { mobility: isize, links: Vec<String> },
     /// Too many pairs or drivers.
     Locked { mobility: isize, links: Vec<String> },
+    /// More than one driver.
+    FurtherDrivers { links: Vec<String> },
     /// Guides that are parallel where they must cross.
     ParallelGuides { links: Vec<String> },
     /// A group that cannot be solved yet.
@@ -169,6 +171,7 @@ impl From<Defect> for LinkageProblem {
             Defect::Loose(links) => Self::Loose { links },
             Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
             Defect::Locked { mobility, links } => Self::Locked { mobility, links },
+            Defect::FurtherDrivers { links } => Self::FurtherDrivers { links },
             Defect::ParallelGuides { links } => Self::ParallelGuides { links },
             Defect::Unsupported { links } => Self::Unsupported { links },
             Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },

@@ -21,7 +21,7 @@ pub struct Draft {
     pub slides: Vec<DraftSlide>,
     /// Gear couplings.
     pub gears: Vec<DraftGear>,
-    /// What is driven. The input is the first one's coordinate.
+    /// What is driven. The input is the driver's coordinate; a mechanism has one.
     pub drivers: Vec<DraftDriver>,
 }
 
@@ -169,6 +169,12 @@ pub enum Defect {
         /// The mobility W by the count.
         mobility: isize,
         /// What is locked.
+        links: Vec<String>,
+    },
+    /// More than one driver, as many as there are freedoms: the motion has one
+    /// input, and none of these further links may silently be locked to it.
+    FurtherDrivers {
+        /// What the second and every further driver turns or moves.
         links: Vec<String>,
     },
     /// Guides that are parallel where they must cross.

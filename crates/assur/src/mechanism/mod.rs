@@ -22,7 +22,7 @@ pub use crate::position::Obstacle;
 use crate::position::{Anchor, Followed, Near, Stand, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
 use crate::{Jet, JetPoint, Vector};
-use body::{Bodies, Seat};
+use body::{Bodies, Seat, driven};
 use plan::Step;
 pub use quantity::Quantity;
 
@@ -107,6 +107,13 @@ impl Mechanism {
         let (bodies, seats) = Bodies::new(draft);
         let body_names = names_of_bodies(draft, &seats, bodies.count());
         let structure = structured(draft, &bodies, &seats, &body_names)?;
+        if let [_, further @ ..] = &draft.drivers[..]
+            && !further.is_empty()
+        {
+            let links = further.iter().filter_map(|driver| driven(draft, driver));
+            let links = links.map(str::to_owned).collect();
+            return Err(vec![Defect::FurtherDrivers { links }]);
+        }
         let plan = plan::plan(draft, &bodies, &seats, &structure);
         let plan = plan.map_err(|group| {
             let links = group.iter().map(|body| body_names[*body].clone()).collect();
