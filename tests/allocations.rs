@@ -11,7 +11,8 @@ use assur_file::from_catalogue;
 /// every place and angle, in a pose that was made before.
 fn allocated(name: &str) -> u64 {
     let mechanism = from_catalogue(name).unwrap().unwrap().mechanism().unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let [from, to] = motion.cycle().axis();
     let mut pose = mechanism.blank::<3>();
     let mut sample = |input: f64| {

@@ -308,7 +308,7 @@ fn class4() -> Motion {
         .bar("CD", &["D", "C"])
         .crank("AB");
     let mechanism = Mechanism::new(&draft).unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The expansions, corrected, give the same x′, y′, x″, y″ of G as the Jacobian.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::mechanism::{Defect, Draft, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
-use assur::{Assembly, FourBar, Vector};
+use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
     let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
@@ -28,7 +28,8 @@ fn four_bar_is_the_closed_form() {
         let lengths = [0.37, 0.85, 0.55, 0.85];
         let mechanism = Mechanism::new(&four_bar(lengths, 1.0, assembly)).unwrap();
         assert_eq!(mechanism.assemblies(), 2);
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
         assert!(motion.cycle().is_full());
         let linkage = FourBar::new(lengths).unwrap();
         for k in 0..=360 {
@@ -64,7 +65,8 @@ fn slider_crank() {
         .slide("slider", "C", "frame", ["A", "G"])
         .crank("crank");
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full());
     for k in 0..=360 {
         let phi = TAU * f64::from(k) / 360.0;
@@ -84,7 +86,7 @@ fn swings_between_dead_points() {
     let linkage = FourBar::new(lengths).unwrap();
     let home = linkage.cycle().home();
     let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
-    let motion = Motion::new(&mechanism, 0);
+    let motion = Motion::new(mechanism.assembly(0).unwrap());
     assert!(!motion.cycle().is_full());
     let [from, to] = linkage.cycle().arcs()[0];
     let ends: Vec<f64> = motion.dead_points().iter().map(|end| end.input).collect();
@@ -133,7 +135,8 @@ fn the_search_for_assemblies_is_bounded() {
     }
     let mechanism = Mechanism::new(&draft).unwrap();
     assert!((1..=256).contains(&mechanism.assemblies()));
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(motion.home()).unwrap();
     for (point, drawn) in draft.points.iter().enumerate() {
         let at = mechanism.place(&pose, point).place();
@@ -148,13 +151,15 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
     let lengths = [0.37, 0.85, 0.55, 0.85];
     let draft = four_bar(lengths, 1.0, Assembly::Second);
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(2.3).unwrap();
     let [b, c, d] = [1, 2, 3].map(|point| mechanism.place(&pose, point).place());
     let to = c + Vector::new(0.05, -0.08);
-    let redrawn = draft.redrawn(&mechanism, &pose, 2, to);
+    let redrawn = mechanism.redrawn(&pose, 2, to);
     let mechanism = Mechanism::new(&redrawn).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let expected = FourBar::new([lengths[0], (to - b).norm(), (to - d).norm(), lengths[3]]);
     for input in [2.3, 2.6] {
         let pose = motion.pose::<3>(input).unwrap();
@@ -201,4 +206,38 @@ fn a_second_driver_is_refused_by_name() {
     let defects = Mechanism::new(&five_bar.crank("ED")).unwrap_err();
     let links = vec!["ED".to_owned()];
     assert_eq!(defects, [Defect::FurtherDrivers { links }]);
+}
+
+/// A four-bar with lengths of its own, drawn in each of its assemblies; also where
+/// both meet in the drawn pose.
+#[test]
+fn each_assembly_is_a_drawing() {
+    for (lengths, at) in [
+        ([0.37, 0.85, 0.55, 0.85], 1.0),
+        // The pose at 0 is a change point: all links lie in line.
+        ([0.3, 0.5, 0.3, 0.5], 0.0),
+    ] {
+        let linkage = FourBar::new(lengths).unwrap();
+        let mut draft = four_bar(lengths, at, Assembly::First);
+        for (link, length) in draft.links.iter_mut().zip(lengths) {
+            link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+        }
+        let drawn = Mechanism::new(&draft).unwrap();
+        assert_eq!(drawn.assemblies(), 2);
+        assert!(drawn.assembly(2).is_none());
+        let mut found = Vec::new();
+        for number in [0, 1] {
+            let other = drawn.assembly(number).unwrap();
+            assert_eq!([other.assemblies(), other.drawn_assembly()], [2, number]);
+            let motion = Motion::new(other);
+            let pose = motion.pose::<1>(2.0).unwrap();
+            let c = motion.mechanism().place(&pose, 2).place();
+            let fits = |assembly: &Assembly| {
+                let exact = linkage.pose::<1>(*assembly, 2.0).unwrap();
+                (linkage.joints(&exact)[2].place() - c).norm() < 1e-9
+            };
+            found.push(Assembly::ALL.iter().position(fits).unwrap());
+        }
+        assert_ne!(found[0], found[1]);
+    }
 }

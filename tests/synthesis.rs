@@ -46,10 +46,11 @@ fn run(search: &mut Search, most: usize) -> Vec<f64> {
 /// What the draft of a search does, found without it: arc, stroke; it turns fully.
 fn checked(draft: &Draft) -> [f64; 2] {
     let mechanism = Mechanism::new(draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full() && motion.dead_points().is_empty());
     assert!(motion.conditioning().abs() >= 1e-3);
-    let course = Course::new(&motion, Quantity::named(&mechanism, OUTPUT).unwrap());
+    let course = Course::new(&motion, Quantity::named(mechanism, OUTPUT).unwrap());
     let values = (0..3600).map(|k| {
         let pose = motion
             .pose::<1>(f64::from(k) * 0.1_f64.to_radians())

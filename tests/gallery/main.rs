@@ -99,7 +99,7 @@ fn moved(name: &str) -> Motion {
     let mechanism = document
         .mechanism()
         .unwrap_or_else(|e| panic!("{name}: {e:?}"));
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 fn quantity(motion: &Motion, name: &str) -> Quantity {

@@ -194,7 +194,7 @@ fn peaucellier() {
     // As drawn it is straight to its very ends, where B and D fall into one.
     let draft = from_catalogue("peaucellier").unwrap().unwrap().draft();
     let e = draft.points.iter().position(|point| point.name == "E");
-    let figure = Figure::new(&draft, &motion, &[e.unwrap()]).unwrap();
+    let figure = Figure::new(&motion, &[e.unwrap()]).unwrap();
     let [kind, _, _, count, path @ ..] = figure.rigid().numbers() else {
         panic!("an empty drawing");
     };

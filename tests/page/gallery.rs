@@ -280,7 +280,7 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
 /// Where the fitted drawing has a place of a linkage.
 async fn on_screen(page: &Page, document: &LinkageDocument, places: &[Point]) -> Vec<(f64, f64)> {
     let area = page.element("mechanism").await.rect().await.unwrap();
-    let figure = Figure::new(&document.draft(), &document.motion().unwrap(), &[]).unwrap();
+    let figure = Figure::new(&document.motion().unwrap(), &[]).unwrap();
     let [left, bottom, right, top] = figure.bounds();
     let scale = ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
     let at = |p: &Point| {

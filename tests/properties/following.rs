@@ -159,7 +159,8 @@ pub(crate) fn leads_to_itself(seed: u64, draft: &Draft, motion: &Motion, inputs:
         place.at = mechanism.place(&there, point).place();
     }
     let other = Mechanism::new(&redrawn).unwrap_or_else(|e| panic!("{seed}: {e:?}"));
-    let again = Motion::new(&other, other.drawn_assembly());
+    let again = Motion::new(other);
+    let other = again.mechanism();
     for input in &inputs[1..] {
         let Ok(pose) = motion.pose::<4>(*input) else {
             continue;

@@ -115,7 +115,7 @@ fn drawn(kind: Kind, seed: u64) -> Draft {
 fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
     let draft = drawn(kind, seed);
     let mechanism = Mechanism::new(&draft).unwrap_or_else(|e| panic!("{kind:?} {seed}: {e:?}"));
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
     (draft, motion)
 }
 

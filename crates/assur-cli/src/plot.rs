@@ -27,7 +27,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     };
     let point = |name: &String| mechanism.points().position(|point| point == name);
     let traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
-    let figure = Figure::new(&document.draft(), motion, &traces).map_err(unsolved)?;
+    let figure = Figure::new(motion, &traces).map_err(unsolved)?;
     let frame = figure.frame(motion.home()).map_err(unsolved)?;
 
     let mut sheet = Svg::new(WIDTH);

@@ -7,7 +7,7 @@ mod wheels;
 
 use std::f64::consts::PI;
 
-use assur::mechanism::{Draft, Mechanism, Pose, Unsolved};
+use assur::mechanism::{Mechanism, Pose, Unsolved};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
@@ -46,30 +46,25 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The drawing of the mechanism of a draft in one of its motions, with the
-    /// paths of these points.
+    /// The drawing of a mechanism in its motion, with the paths of these points.
     ///
     /// # Errors
     /// Why there is no pose to draw it in.
-    pub fn new(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
-        Self::drawn(draft, motion, traces, false)
+    pub fn new(motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+        Self::drawn(motion, traces, false)
     }
 
     /// The same drawing with each link in the colour of its Assur group.
     ///
     /// # Errors
     /// As of [`Self::new`].
-    pub fn in_groups(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
-        Self::drawn(draft, motion, traces, true)
+    pub fn in_groups(motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+        Self::drawn(motion, traces, true)
     }
 
-    fn drawn(
-        draft: &Draft,
-        motion: &Motion,
-        traces: &[usize],
-        in_groups: bool,
-    ) -> Result<Self, Unsolved> {
+    fn drawn(motion: &Motion, traces: &[usize], in_groups: bool) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
+        let draft = mechanism.draft();
         let home = motion.pose::<1>(motion.home())?;
         let layout = Layout::new(draft, mechanism, &home, in_groups);
         let gearing = Gearing::new(draft, &layout, mechanism, &home);

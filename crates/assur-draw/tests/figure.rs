@@ -57,8 +57,9 @@ fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
 fn lists_are_whole_and_bodies_stand_where_they_are() {
     let draft = draft();
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[5]).unwrap();
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
+    let figure = Figure::new(&motion, &[5]).unwrap();
     let rigid = records(figure.rigid().numbers());
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
     let bodies = 1 + draft.links.len();
@@ -115,9 +116,9 @@ fn beyond_dead_points_nothing_is_drawn() {
         .bar("rocker", &["D", "C"])
         .crank("crank");
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
     assert!(!motion.cycle().is_full());
-    let figure = Figure::new(&draft, &motion, &[2]).unwrap();
+    let figure = Figure::new(&motion, &[2]).unwrap();
     assert!(figure.frame(motion.home()).is_ok());
     assert!(figure.frame(3.0).is_err());
 }
@@ -127,8 +128,9 @@ fn beyond_dead_points_nothing_is_drawn() {
 fn vectors_are_derivatives_to_scale() {
     let draft = draft();
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[]).unwrap().with_vectors();
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
+    let figure = Figure::new(&motion, &[]).unwrap().with_vectors();
     let mut scales = [Vec::new(), Vec::new()];
     for k in 0..24 {
         let input = 0.26 * f64::from(k);
@@ -170,7 +172,8 @@ fn vectors_are_derivatives_to_scale() {
 fn groups_have_their_colours() {
     let draft = draft();
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let formula = mechanism
         .structure()
         .formula(|body| mechanism.body_name(body).to_owned());
@@ -179,7 +182,7 @@ fn groups_have_their_colours() {
         "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
     );
     let [plain, grouped] = [Figure::new, Figure::in_groups].map(|draw| {
-        let figure = draw(&draft, &motion, &[5]);
+        let figure = draw(&motion, &[5]);
         figure.unwrap()
     });
     let roles: Vec<Role> = grouped.step_roles().collect();

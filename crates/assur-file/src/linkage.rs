@@ -51,7 +51,8 @@ pub struct LinkageDocument {
     /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<f64>,
-    /// Which of its assemblies moves, from 1; without it the drawn one.
+    /// Which of its assemblies moves, from 1; without it the drawn one. Only links
+    /// and files of before name one: an assembly is saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,
 }
@@ -274,44 +275,46 @@ impl LinkageDocument {
         }
     }
 
-    /// The mechanism that is described.
+    /// The mechanism that is described, drawn in the assembly that moves.
     ///
     /// # Errors
     /// Every problem at once, each naming the field, or the links and points, at
-    /// fault. What is wrong with single fields comes first and alone.
+    /// fault. What is wrong with single fields comes first and alone. An assembly
+    /// that there is not.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         let problems = check::problems(self);
         if !problems.is_empty() {
             return Err(problems.into_iter().map(Problem::from).collect());
         }
-        let defects = Mechanism::new(&self.draft());
-        defects.map_err(|defects| {
+        let drawn = Mechanism::new(&self.draft()).map_err(|defects| {
             let problems = defects.into_iter().map(LinkageProblem::from);
-            problems.map(Problem::from).collect()
+            problems.map(Problem::from).collect::<Vec<_>>()
+        })?;
+        let Some(number) = self.assembly else {
+            return Ok(drawn);
+        };
+        if number == drawn.drawn_assembly() + 1 {
+            return Ok(drawn);
+        }
+        let other = number.checked_sub(1).and_then(|k| drawn.assembly(k));
+        other.ok_or_else(|| {
+            vec![Problem::OutOfRange {
+                field: "assembly".into(),
+                value: number as f64,
+                min: 1.0,
+                max: drawn.assemblies() as f64,
+            }]
         })
     }
 }
 
 impl LinkageDocument {
-    /// The motion of the mechanism from the assembly that is chosen.
+    /// The motion of the mechanism.
     ///
     /// # Errors
-    /// As of [`Self::mechanism`]; an assembly that there is not.
+    /// As of [`Self::mechanism`].
     pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
-        let mechanism = self.mechanism()?;
-        let count = mechanism.assemblies();
-        match self.assembly {
-            None => Ok(Motion::new(&mechanism, mechanism.drawn_assembly())),
-            Some(number) if (1..=count).contains(&number) => {
-                Ok(Motion::new(&mechanism, number - 1))
-            }
-            Some(number) => Err(vec![Problem::OutOfRange {
-                field: "assembly".into(),
-                value: number as f64,
-                min: 1.0,
-                max: count as f64,
-            }]),
-        }
+        self.mechanism().map(Motion::new)
     }
 
     /// The quantities, of one kind, that a choice of the page names: `angles` those

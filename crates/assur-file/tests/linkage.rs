@@ -282,7 +282,7 @@ fn the_examples_of_the_document_move() {
         let mechanism = document
             .mechanism()
             .unwrap_or_else(|problems| panic!("{problems:?}\n{example}"));
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
         let [from, to] = motion.cycle().arcs()[0];
         for k in 0..=12 {
             let input = from + (to - from) * (0.01 + 0.98 * f64::from(k) / 12.0);
@@ -300,7 +300,7 @@ fn the_catalogue_moves() {
         let mechanism = document
             .mechanism()
             .unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
         assert!(motion.pose::<3>(motion.home()).is_ok(), "{name}");
         assert!(!names.contains(&name), "{name}");
         names.push(name);

@@ -116,14 +116,11 @@ impl Design {
         let plotted = document.plotted(mechanism, &state.view.plot);
         let output: Option<Quantity> = plotted.and_then(|all| all.first().copied());
         let output = output.ok_or_else(|| refused(Refused::Output, &[]))?;
-        // The search goes by the drawing: it is to show the assembly that moves.
-        let pose = motion.pose::<1>(motion.home());
-        let pose = pose.map_err(|_| refused(Refused::Blocked, &[]))?;
-        let draft = document.draft();
+        let draft = mechanism.draft();
         let lengths = wishes.movable.iter().map(|Movement { link, by }| {
             let link = link.clone();
             let dimension = Movable::Length { link };
-            let length = dimension.of(&draft).unwrap_or_default();
+            let length = dimension.of(draft).unwrap_or_default();
             Freedom {
                 dimension,
                 range: [length * (1.0 - by), length * (1.0 + by)],
@@ -135,11 +132,7 @@ impl Design {
             arc: wishes.arc,
             stroke: wishes.stroke,
         };
-        let draft = match document.assembly {
-            None => draft,
-            Some(_) => draft.drawn_in(mechanism, &pose),
-        };
-        let search = Search::new(&draft, &output.name(mechanism, 0), wish, &freedoms);
+        let search = Search::new(draft, &output.name(mechanism, 0), wish, &freedoms);
         let search = search.map_err(|error| refused(error, &freedoms))?;
         Ok(Self {
             document: document.clone(),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Draft, Mechanism, Pose, Quantity, Unsolved};
+use assur::mechanism::{Mechanism, Pose, Quantity, Unsolved};
 use assur::motion::{Column, Motion};
 use assur::structure::{Step, roman};
 use assur::{Cycle, Jet, Point};
@@ -25,7 +25,6 @@ pub(crate) struct Linkage {
     motion: Motion,
     quantities: Vec<Quantity>,
     plotted: Vec<Quantity>,
-    draft: Draft,
     crank: Option<Handle>,
     /// The points that can be dragged.
     handles: Vec<usize>,
@@ -117,11 +116,10 @@ impl Linkage {
         let mut traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
         traces.extend(of_plot);
         traces.retain(|_| state.view.traces);
-        let draft = document.draft();
         let figure = if state.view.groups {
-            Figure::in_groups(&draft, &motion, &traces)
+            Figure::in_groups(&motion, &traces)
         } else {
-            Figure::new(&draft, &motion, &traces)
+            Figure::new(&motion, &traces)
         };
         let mut figure = figure.map_err(|unsolved| vec![problem(&unsolved, mechanism)])?;
         if state.view.vectors {
@@ -132,7 +130,6 @@ impl Linkage {
             quantities: Quantity::all(mechanism),
             crank: Handle::of(document, mechanism),
             handles: points.filter(|point| figure.is_drawn(*point)).collect(),
-            draft,
             assembly: document.assembly.unwrap_or(mechanism.drawn_assembly() + 1),
             chart: figure.chart(&plotted, settings(&state.view)),
             band: document.band,
@@ -231,7 +228,7 @@ impl Shown for Linkage {
             counts: Counts {
                 links,
                 // By Chebyshev's formula, which a mechanism fulfils.
-                pairs: (3 * links - mobility - self.draft.gears.len()) / 2,
+                pairs: (3 * links - mobility - mechanism.draft().gears.len()) / 2,
             },
             mobility,
             class: roman(structure.class()),
@@ -295,7 +292,7 @@ impl Shown for Linkage {
         let point = point.ok_or_else(|| unknown(joint))?;
         let pose = self.pose(phi)?;
         let Some(crank) = self.crank.as_ref().filter(|crank| crank.end == point) else {
-            let draft = self.draft.redrawn(mechanism, &pose, point, to);
+            let draft = mechanism.redrawn(&pose, point, to);
             return Ok(Change::Redrawn(Redrawn::new(&draft)));
         };
         let pivot = self.place(&pose, crank.pivot);

@@ -112,7 +112,7 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
 fn motion(name: &str) -> Motion {
     let document = assur_file::from_catalogue(name).unwrap().unwrap();
     let mechanism = document.mechanism().unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The columns of a linkage, with both derivatives of each: the angles of its links

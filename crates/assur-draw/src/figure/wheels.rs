@@ -273,10 +273,11 @@ mod tests {
     fn teeth_meet_gaps_all_along_a_train() {
         let draft = draft();
         let mechanism = Mechanism::new(&draft).unwrap();
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.home()).unwrap();
-        let layout = Layout::new(&draft, &mechanism, &home, false);
-        let gearing = Gearing::new(&draft, &layout, &mechanism, &home);
+        let layout = Layout::new(&draft, mechanism, &home, false);
+        let gearing = Gearing::new(&draft, &layout, mechanism, &home);
         // The ring has an outer rim of teeth as well, for the train.
         assert_eq!(gearing.wheels.len(), 6);
         for input in [0.0, 0.3, 1.7, 4.0] {

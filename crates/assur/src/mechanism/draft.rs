@@ -1,7 +1,6 @@
 //! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::{Mechanism, Pose};
 use crate::gears::Mesh;
 use crate::{Point, Vector};
 
@@ -252,33 +251,6 @@ impl Draft {
         let (link, base) = (link.to_owned(), FRAME.to_owned());
         self.drivers.push(DraftDriver::Crank { link, base });
         self
-    }
-
-    /// The same linkage drawn in a pose of its mechanism.
-    #[must_use]
-    pub fn drawn_in(&self, mechanism: &Mechanism, pose: &Pose<1>) -> Self {
-        let mut draft = self.clone();
-        for (index, drawn) in draft.points.iter_mut().enumerate() {
-            drawn.at = mechanism.place(pose, index).place();
-        }
-        draft
-    }
-
-    /// The same linkage drawn in a pose of its mechanism, with one point, by its
-    /// number, drawn elsewhere: the links that list it are then as drawn, the
-    /// others keep their dimensions.
-    #[must_use]
-    pub fn redrawn(&self, mechanism: &Mechanism, pose: &Pose<1>, point: usize, to: Point) -> Self {
-        let mut draft = self.drawn_in(mechanism, pose);
-        if let Some(moved) = draft.points.get_mut(point) {
-            moved.at = to;
-            for link in &mut draft.links {
-                if link.points.contains(&moved.name) {
-                    link.shape = None;
-                }
-            }
-        }
-        draft
     }
 
     /// Where a point is drawn.

@@ -21,7 +21,7 @@ pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, Dr
 pub use crate::position::Obstacle;
 use crate::position::{Anchor, Followed, Near, Stand, State};
 use crate::structure::{self, Driver, Fault, Structure, decompose};
-use crate::{Jet, JetPoint, Vector};
+use crate::{Jet, JetPoint, Point, Vector};
 use body::{Bodies, Seat, driven};
 use plan::Step;
 pub use quantity::Quantity;
@@ -29,6 +29,7 @@ pub use quantity::Quantity;
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
+    draft: Draft,
     points: Vec<(String, Anchor)>,
     links: Vec<Part>,
     steps: Vec<Step>,
@@ -55,8 +56,6 @@ struct Part {
     body: usize,
     lead: f64,
     points: Vec<usize>,
-    centre_of_mass: Option<usize>,
-    mass: Option<f64>,
 }
 
 /// Why a mechanism has no pose at an input.
@@ -139,10 +138,9 @@ impl Mechanism {
             body: seat.body,
             lead: seat.lead,
             points: link.points.iter().filter_map(index).collect(),
-            centre_of_mass: link.centre_of_mass.as_ref().and_then(index),
-            mass: link.mass,
         });
         let mut mechanism = Self {
+            draft: draft.clone(),
             points,
             links: links.collect(),
             signs: vec![1.0; plan.steps.len()],
@@ -165,7 +163,7 @@ impl Mechanism {
                 .collect(),
             constraints: Vec::new(),
         };
-        mechanism.settle(draft)?;
+        mechanism.settle()?;
         mechanism.constraints = constraint::all(draft, &bodies, &seats, &mechanism.stands);
         Ok(mechanism)
     }
@@ -179,7 +177,7 @@ impl Mechanism {
     }
 
     /// Finds the assembly that is drawn, and all others at the drawn input.
-    fn settle(&mut self, draft: &Draft) -> Result<(), Vec<Defect>> {
+    fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         let input = Jet::constant(self.home);
         for step in 0..self.steps.len() {
@@ -188,7 +186,7 @@ impl Mechanism {
             for sign in [1.0, -1.0] {
                 match self.steps[step].solve(&mut state, input, sign, self.drawn(), step) {
                     Ok(()) => {
-                        let off = self.misdrawn(draft, &state, step).map_or(0.0, |(_, by)| by);
+                        let off = self.misdrawn(&state, step).map_or(0.0, |(_, by)| by);
                         if best.is_none_or(|(least, _)| off < least) {
                             best = Some((off, sign));
                         }
@@ -209,7 +207,7 @@ impl Mechanism {
                 group.plan_as(&state);
             }
             if off > MISDRAWN * self.size
-                && let Some((point, by)) = self.misdrawn(draft, &state, step)
+                && let Some((point, by)) = self.misdrawn(&state, step)
             {
                 return Err(vec![Defect::Misdrawn { point, by }]);
             }
@@ -239,13 +237,13 @@ impl Mechanism {
     }
 
     /// The point of a step's links that is farthest from where it is drawn.
-    fn misdrawn(&self, draft: &Draft, state: &State<1>, step: usize) -> Option<(String, f64)> {
+    fn misdrawn(&self, state: &State<1>, step: usize) -> Option<(String, f64)> {
         let mut farthest: Option<(String, f64)> = None;
         for body in self.steps[step].bodies() {
             for (point, local) in &self.bodies[body] {
                 let local = *local;
                 let at = state.place(Anchor { body, local }).value();
-                let by = (at - draft.points[*point].at.coords).norm();
+                let by = (at - self.draft.points[*point].at.coords).norm();
                 if farthest.as_ref().is_none_or(|(_, most)| by > *most) {
                     farthest = Some((self.points[*point].0.clone(), by));
                 }
@@ -293,6 +291,52 @@ impl Mechanism {
         }
     }
 
+    /// The linkage as it is drawn.
+    pub fn draft(&self) -> &Draft {
+        &self.draft
+    }
+
+    /// The same linkage drawn in this pose.
+    pub fn drawn_in(&self, pose: &Pose<1>) -> Draft {
+        self.drawn_by(&pose.state)
+    }
+
+    /// The same linkage drawn in this pose, with one point drawn elsewhere: the
+    /// links that list it are then as drawn, the others keep their dimensions.
+    pub fn redrawn(&self, pose: &Pose<1>, point: usize, to: Point) -> Draft {
+        let mut draft = self.drawn_in(pose);
+        if let Some(moved) = draft.points.get_mut(point) {
+            moved.at = to;
+            for link in &mut draft.links {
+                if link.points.contains(&moved.name) {
+                    link.shape = None;
+                }
+            }
+        }
+        draft
+    }
+
+    /// The same linkage drawn in one of its assemblies (0 … count − 1) at the drawn
+    /// input, or just next to it where assemblies meet in one pose. None where there
+    /// is no such assembly, or no drawing tells it from the others.
+    pub fn assembly(&self, number: usize) -> Option<Self> {
+        let signs = self.assemblies.get(number)?;
+        let mut state: Followed = self.blank_state();
+        self.entries().into_iter().find_map(|input| {
+            let solved = self.solve(input, signs, self.drawn(), &mut state);
+            let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
+            other.ok().filter(|other| other.signs == *signs)
+        })
+    }
+
+    fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
+        let mut draft = self.draft.clone();
+        for (drawn, (_, anchor)) in draft.points.iter_mut().zip(&self.points) {
+            drawn.at = Point::from(state.place(*anchor).value());
+        }
+        draft
+    }
+
     /// The moving links in the order of the draft, by name.
     pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
         self.links.iter().map(|link| link.name.as_str())
@@ -306,11 +350,6 @@ impl Mechanism {
     /// The points of a link, by index.
     pub fn points_of(&self, link: usize) -> &[usize] {
         &self.links[link].points
-    }
-
-    /// The centre of mass of a link, by index of its point, and the mass.
-    pub fn mass_of(&self, link: usize) -> (Option<usize>, Option<f64>) {
-        (self.links[link].centre_of_mass, self.links[link].mass)
     }
 
     /// Driver and Assur groups; its links are bodies, which
@@ -426,20 +465,23 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Input, signs and pose from which an assembly is followed: the drawn one, or
-    /// just beside it where that is singular.
-    pub(crate) fn start(&self, assembly: usize) -> (f64, &[f64], Followed) {
-        let signs = self.assemblies.get(assembly).unwrap_or(&self.signs);
+    /// Input, signs and pose from which the motion is followed: the drawn ones, or
+    /// those just next to them where the drawn pose is singular.
+    pub(crate) fn start(&self) -> (f64, &[f64], Followed) {
         let mut state = self.blank_state();
-        let input = self.entry(signs, &mut state).unwrap_or(self.home);
-        (input, signs, state)
+        let input = self.entry(&self.signs, &mut state).unwrap_or(self.home);
+        (input, &self.signs, state)
     }
 
     /// The input at, or beside, the drawn one where the pose has derivatives.
     fn entry(&self, signs: &[f64], state: &mut Followed) -> Option<f64> {
-        let aside = [0.0, ASIDE, -ASIDE].map(|aside| aside * self.span() / TAU);
-        let mut inputs = aside.into_iter().map(|aside| self.home + aside);
+        let mut inputs = self.entries().into_iter();
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
+    }
+
+    /// The drawn input and those next to it.
+    fn entries(&self) -> [f64; 3] {
+        [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
     }
 
     /// One turn, or the range of the driven slide.

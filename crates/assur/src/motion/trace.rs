@@ -67,10 +67,10 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The motion of a mechanism from its assembly of this number (0 … count − 1;
-    /// others: the drawn one).
-    pub fn new(mechanism: &Mechanism, assembly: usize) -> Self {
-        let mut walk = Walk::new(mechanism, assembly);
+    /// The motion of a mechanism from its drawn pose; from another assembly, that of
+    /// the mechanism drawn in it, [`Mechanism::assembly`].
+    pub fn new(mechanism: Mechanism) -> Self {
+        let mut walk = Walk::new(&mechanism);
         let mut knots = Knots::default();
         let mut turned = 0.0;
         let (cycle, dead_points) = match walk.go(1.0, &mut knots) {
@@ -79,7 +79,7 @@ impl Motion {
                 (Cycle::turning(turns), Vec::new())
             }
             End::Dead(last) => {
-                let mut back = Walk::new(mechanism, assembly);
+                let mut back = Walk::new(&mechanism);
                 let mut before = Knots::default();
                 let first = match back.go(-1.0, &mut before) {
                     End::Dead(first) => first,
@@ -104,13 +104,14 @@ impl Motion {
                 (Cycle::swinging(arc, period), ends.to_vec())
             }
         };
+        let change_points = walk.change_points;
         let mut motion = Self {
-            mechanism: mechanism.clone(),
             home: cycle.wrap(mechanism.home() - turned),
+            mechanism,
             cycle,
             knots,
             dead_points,
-            change_points: walk.change_points,
+            change_points,
         };
         if motion.pose::<1>(motion.home).is_err() {
             motion.home = motion.cycle.home();

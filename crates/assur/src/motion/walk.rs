@@ -77,8 +77,8 @@ enum Ahead {
 }
 
 impl<'a> Walk<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, assembly: usize) -> Self {
-        let (input, signs, here) = mechanism.start(assembly);
+    pub(super) fn new(mechanism: &'a Mechanism) -> Self {
+        let (input, signs, here) = mechanism.start();
         Self {
             mechanism,
             signs: signs.to_vec(),

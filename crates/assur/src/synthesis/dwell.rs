@@ -351,7 +351,7 @@ fn moved(before: &Draft, after: &Draft) -> f64 {
 fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
     let mechanism = Mechanism::new(draft).ok()?;
     let quantity = Quantity::named(&mechanism, output)?;
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
     let conditioning = motion.conditioning();
     if !motion.cycle().is_full() || conditioning.abs() < CONDITIONING {
         return None;
@@ -368,6 +368,6 @@ fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
         conditioning,
     };
     let pose = motion.pose::<1>(motion.home()).ok()?;
-    let drawn = draft.drawn_in(&mechanism, &pose);
+    let drawn = motion.mechanism().drawn_in(&pose);
     reached.residual.is_finite().then_some((drawn, reached))
 }
