@@ -17,10 +17,10 @@ fn allocated(name: &str) -> u64 {
     let mut pose = mechanism.blank::<3>();
     let mut sample = |input: f64| {
         motion.place(input, &mut pose).unwrap();
-        for point in 0..mechanism.points().len() {
+        for point in mechanism.point_ids() {
             black_box(mechanism.place(&pose, point));
         }
-        for link in 0..mechanism.links().len() {
+        for link in mechanism.link_ids() {
             black_box(mechanism.angle(&pose, link));
         }
     };

@@ -36,12 +36,13 @@ fn four_bar_is_the_closed_form() {
             let phi = TAU * f64::from(k) / 360.0;
             let pose = motion.pose::<4>(phi).unwrap();
             let exact = linkage.pose::<4>(assembly, phi).unwrap();
-            for (link, angle) in [(0, exact.crank), (1, exact.coupler), (2, exact.rocker)] {
+            let angles = [exact.crank, exact.coupler, exact.rocker];
+            for (link, angle) in mechanism.link_ids().zip(angles) {
                 for order in 0..4 {
                     let found = mechanism.angle(&pose, link).derivative(order);
                     assert!(
                         (found - angle.derivative(order)).abs() < 1e-10,
-                        "{k} {link} {order}"
+                        "{k} {link:?} {order}"
                     );
                 }
             }
@@ -71,7 +72,7 @@ fn slider_crank() {
     for k in 0..=360 {
         let phi = TAU * f64::from(k) / 360.0;
         let pose = motion.pose::<3>(phi).unwrap();
-        let c = mechanism.place(&pose, 3);
+        let c = mechanism.place(&pose, mechanism.point("C").unwrap());
         let root = (l * l - (r * phi.sin()).powi(2)).sqrt();
         assert!((c.x.value() - (r * phi.cos() + root)).abs() < 1e-14);
         assert!((c.x.derivative(1) + r * phi.sin() * (1.0 + r * phi.cos() / root)).abs() < 1e-13);
@@ -138,7 +139,7 @@ fn the_search_for_assemblies_is_bounded() {
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(motion.home()).unwrap();
-    for (point, drawn) in draft.points.iter().enumerate() {
+    for (point, drawn) in mechanism.point_ids().zip(&draft.points) {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
     }
@@ -154,9 +155,11 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(2.3).unwrap();
-    let [b, c, d] = [1, 2, 3].map(|point| mechanism.place(&pose, point).place());
+    let joints = ["B", "C", "D"].map(|name| mechanism.point(name).unwrap());
+    let moved = joints[1];
+    let [b, c, d] = joints.map(|point| mechanism.place(&pose, point).place());
     let to = c + Vector::new(0.05, -0.08);
-    let redrawn = mechanism.redrawn(&pose, 2, to);
+    let redrawn = mechanism.redrawn(&pose, moved, to);
     let mechanism = Mechanism::new(&redrawn).unwrap();
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
@@ -168,18 +171,19 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
             .unwrap()
             .pose::<3>(Assembly::Second, input);
         let exact = exact.unwrap();
-        for (link, angle) in [(1, exact.coupler), (2, exact.rocker)] {
+        let angles = [exact.coupler, exact.rocker];
+        for (link, angle) in mechanism.link_ids().skip(1).zip(angles) {
             for order in 0..3 {
                 let found = mechanism.angle(&pose, link).derivative(order);
                 assert!(
                     (found - angle.derivative(order)).abs() < 1e-10,
-                    "{link} {order}"
+                    "{link:?} {order}"
                 );
             }
         }
     }
     let there = motion.pose::<1>(2.3).unwrap();
-    assert!((mechanism.place(&there, 2).place() - to).norm() < 1e-12);
+    assert!((mechanism.place(&there, moved).place() - to).norm() < 1e-12);
 }
 
 /// Cranks of a five-bar drawn at 90° and 45°: as many drivers as freedoms, but the
@@ -231,7 +235,8 @@ fn each_assembly_is_a_drawing() {
             assert_eq!([other.assemblies(), other.drawn_assembly()], [2, number]);
             let motion = Motion::new(other);
             let pose = motion.pose::<1>(2.0).unwrap();
-            let c = motion.mechanism().place(&pose, 2).place();
+            let c = motion.mechanism().point("C").unwrap();
+            let c = motion.mechanism().place(&pose, c).place();
             let fits = |assembly: &Assembly| {
                 let exact = linkage.pose::<1>(*assembly, 2.0).unwrap();
                 (linkage.joints(&exact)[2].place() - c).norm() < 1e-9

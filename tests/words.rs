@@ -34,11 +34,11 @@ const BUILT: [(&str, &[&str]); 25] = [
         ],
     ),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
-    ("dead.", &["crates/assur/src/motion/trace.rs"]),
+    ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (
         "dwell.",
         &[
-            "crates/assur-web/src/course.rs",
+            "crates/assur-web/src/profile.rs",
             "www/kinds/linkage/course.js",
         ],
     ),

@@ -103,9 +103,7 @@ async fn mechanisms_of_the_gallery_open() {
         let document = document(name);
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
-        let said = mechanism
-            .structure()
-            .formula(|link| mechanism.body_name(link).to_owned());
+        let said = mechanism.formula();
         assert_eq!(page.text("out-formula").await, said);
         if let Some((_, formula)) = FORMULAS.iter().find(|(one, _)| *one == name) {
             assert_eq!(said, *formula);
@@ -302,7 +300,7 @@ async fn points_of_a_linkage_are_dragged_and_undone() {
     let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(60f64.to_radians()).unwrap();
     let place = |name: &str| {
-        let point = mechanism.points().position(|point| point == name);
+        let point = mechanism.point(name);
         mechanism.place(&pose, point.unwrap()).place()
     };
     page.choose("plot", "G").await;

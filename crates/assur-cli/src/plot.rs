@@ -1,6 +1,6 @@
 //! A mechanism and its plots as SVG.
 
-use assur::mechanism::Quantity;
+use assur::mechanism::{PointId, Quantity};
 use assur::motion::Input;
 use assur_draw::Figure;
 use assur_draw::chart::Settings;
@@ -25,8 +25,8 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let unsolved = |reason: assur::mechanism::Unsolved| {
         refused(name, &[LinkageProblem::unsolved(&reason, mechanism).into()])
     };
-    let point = |name: &String| mechanism.points().position(|point| point == name);
-    let traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
+    let point = |name: &String| mechanism.point(name);
+    let traces: Vec<PointId> = document.traces.iter().filter_map(point).collect();
     let figure = Figure::new(motion, &traces).map_err(unsolved)?;
     let frame = figure.frame(motion.home()).map_err(unsolved)?;
 
@@ -43,7 +43,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
         .filter_map(|name| Quantity::named(mechanism, name))
         .collect();
     if plotted.is_empty() {
-        plotted.extend(mechanism.links().len().checked_sub(1).map(Quantity::Angle));
+        plotted.extend(mechanism.link_ids().next_back().map(Quantity::Angle));
     }
     let (angles, lengths) = plotted
         .into_iter()

@@ -7,7 +7,7 @@ mod wheels;
 
 use std::f64::consts::PI;
 
-use assur::mechanism::{Mechanism, Pose, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Unsolved};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
@@ -50,7 +50,7 @@ impl Figure {
     ///
     /// # Errors
     /// Why there is no pose to draw it in.
-    pub fn new(motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+    pub fn new(motion: &Motion, traces: &[PointId]) -> Result<Self, Unsolved> {
         Self::drawn(motion, traces, false)
     }
 
@@ -58,11 +58,11 @@ impl Figure {
     ///
     /// # Errors
     /// As of [`Self::new`].
-    pub fn in_groups(motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
+    pub fn in_groups(motion: &Motion, traces: &[PointId]) -> Result<Self, Unsolved> {
         Self::drawn(motion, traces, true)
     }
 
-    fn drawn(motion: &Motion, traces: &[usize], in_groups: bool) -> Result<Self, Unsolved> {
+    fn drawn(motion: &Motion, traces: &[PointId], in_groups: bool) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let draft = mechanism.draft();
         let home = motion.pose::<1>(motion.home())?;
@@ -70,7 +70,9 @@ impl Figure {
         let gearing = Gearing::new(draft, &layout, mechanism, &home);
         let samples = sampled(motion);
         let guides = slides::guides(draft, &layout, mechanism, &home, &samples);
-        let drawn = (0..mechanism.points().len()).filter(|point| layout.is_drawn(*point));
+        let drawn = mechanism
+            .point_ids()
+            .filter(|point| layout.is_drawn(*point));
         let places = drawn.flat_map(|point| {
             let paths = samples.iter().flatten();
             paths.map(move |pose| mechanism.place(pose, point).place())
@@ -116,13 +118,13 @@ impl Figure {
     }
 
     /// Whether a point is drawn by itself: a joint, a traced point, a centre of mass.
-    pub fn is_drawn(&self, point: usize) -> bool {
+    pub fn is_drawn(&self, point: PointId) -> bool {
         self.layout.is_drawn(point)
     }
 
     /// The points that are drawn and move, in a pose.
     fn moving(&self, pose: &Pose<3>) -> Vec<JetPoint<3>> {
-        let points = 0..self.names.len();
+        let points = self.motion.mechanism().point_ids();
         let moving =
             points.filter(|point| self.layout.is_drawn(*point) && self.layout.moves(*point));
         moving
@@ -148,12 +150,12 @@ impl Figure {
 
     /// The role of a link: whose colour it has in plots, and in a drawing that is
     /// not [in groups](Self::in_groups).
-    pub fn role(&self, link: usize) -> Role {
+    pub fn role(&self, link: LinkId) -> Role {
         self.layout.role(link)
     }
 
     /// The role of a link in the drawing.
-    pub fn drawn_role(&self, link: usize) -> Role {
+    pub fn drawn_role(&self, link: LinkId) -> Role {
         self.layout.drawn_role(link)
     }
 
@@ -171,7 +173,7 @@ impl Figure {
         let pose = self.motion.pose::<1>(input)?;
         let mechanism = self.motion.mechanism();
         let mut poses = vec![(Point::origin(), 0.0)];
-        for link in 0..mechanism.links().len() {
+        for link in mechanism.link_ids() {
             poses.push(layout::body(mechanism, &pose, Some(link)));
         }
         poses.extend(self.gearing.idlers(mechanism, &pose));
@@ -191,8 +193,8 @@ impl Figure {
 
     /// The names of the points, away from the links that meet there.
     fn label(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<1>) {
-        let place = |point: usize| mechanism.place(pose, point).place();
-        for point in 0..self.names.len() {
+        let place = |point: PointId| mechanism.place(pose, point).place();
+        for point in mechanism.point_ids() {
             if !self.layout.is_drawn(point) {
                 continue;
             }
@@ -216,19 +218,19 @@ impl Figure {
             } else {
                 [-1.0, 1.1]
             };
-            list.name(Role::Ink, point, at, off);
+            list.name(Role::Ink, point.index(), at, off);
         }
     }
 
     /// The paths of points, an unbroken run for each stretch of the motion.
-    fn paths(&self, samples: &[Vec<Pose<1>>], traces: &[usize]) -> Vec<(Role, Vec<Point>)> {
+    fn paths(&self, samples: &[Vec<Pose<1>>], traces: &[PointId]) -> Vec<(Role, Vec<Point>)> {
         let mechanism = self.motion.mechanism();
-        let path = |point: usize, run: &Vec<Pose<1>>| -> Vec<Point> {
+        let path = |point: PointId, run: &Vec<Pose<1>>| -> Vec<Point> {
             run.iter()
                 .map(|pose| mechanism.place(pose, point).place())
                 .collect()
         };
-        let role = |point: usize| {
+        let role = |point: PointId| {
             let link = self.layout.link_of(point);
             link.map_or(Role::Secondary, |link| self.layout.drawn_role(link))
         };
@@ -248,7 +250,7 @@ impl Figure {
             guide.draw_line(&mut list, u);
         }
         list.body(0);
-        let points = 0..self.names.len();
+        let points = mechanism.point_ids();
         for point in points
             .clone()
             .filter(|point| self.layout.is_support(*point))
@@ -257,8 +259,8 @@ impl Figure {
         }
         self.gearing.draw(&mut list, u);
         // The first link, the crank as a rule, on top.
-        for link in (0..mechanism.links().len()).rev() {
-            list.body(link + 1);
+        for link in mechanism.link_ids().rev() {
+            list.body(link.index() + 1);
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
             match outline[..] {
                 [] | [_] => {}
@@ -276,7 +278,7 @@ impl Figure {
             let Some(link) = self.layout.link_of(point) else {
                 continue;
             };
-            list.body(link + 1);
+            list.body(link.index() + 1);
             let at = layout::local(mechanism, home, Some(link), point);
             if self.layout.is_joint(point) {
                 parts::hinge(&mut list, at, 1.1 * u);

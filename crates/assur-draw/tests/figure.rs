@@ -59,7 +59,7 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
-    let figure = Figure::new(&motion, &[5]).unwrap();
+    let figure = Figure::new(&motion, &[mechanism.point("M").unwrap()]).unwrap();
     let rigid = records(figure.rigid().numbers());
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
     let bodies = 1 + draft.links.len();
@@ -80,14 +80,15 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
         let frame = figure.frame(input).unwrap();
         assert_eq!(frame[0] as usize, bodies);
         let pose = motion.pose::<1>(input).unwrap();
-        for link in 0..draft.links.len() {
-            let first = mechanism.points_of(link)[0];
+        for (link, id) in mechanism.link_ids().enumerate() {
+            let first = mechanism.points_of(id)[0];
             let at = mechanism.place(&pose, first).place();
             let [x, y, angle] = [1, 2, 3].map(|i| f64::from(frame[3 + 3 * link + i]));
             assert!((x - at.x).abs() < 1e-6 && (y - at.y).abs() < 1e-6);
-            assert!((angle - mechanism.angle(&pose, link).value()).abs() < 1e-6);
+            assert!((angle - mechanism.angle(&pose, id).value()).abs() < 1e-6);
         }
-        for point in [0, 1, 2, 5, 6, 7] {
+        let drawn = ["A", "B", "C", "M", "D", "E"];
+        for point in drawn.map(|name| mechanism.point(name).unwrap()) {
             let at = mechanism.place(&pose, point).place();
             assert!((left..=right).contains(&at.x) && (bottom..=top).contains(&at.y));
         }
@@ -118,7 +119,7 @@ fn beyond_dead_points_nothing_is_drawn() {
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(mechanism);
     assert!(!motion.cycle().is_full());
-    let figure = Figure::new(&motion, &[2]).unwrap();
+    let figure = Figure::new(&motion, &[motion.mechanism().point("C").unwrap()]).unwrap();
     assert!(figure.frame(motion.home()).is_ok());
     assert!(figure.frame(3.0).is_err());
 }
@@ -146,7 +147,9 @@ fn vectors_are_derivatives_to_scale() {
             for (shaft, head) in of(2.0).zip(of(1.0)) {
                 let [x, y] = [shaft[4], shaft[5]].map(f64::from);
                 let tip = [head[5], head[6]].map(f64::from);
-                let ends = (0..8).map(|point| mechanism.place(&pose, point));
+                let ends = mechanism
+                    .point_ids()
+                    .map(|point| mechanism.place(&pose, point));
                 let mut from = ends.filter(|end| (end.place() - Point::new(x, y)).norm() < 1e-5);
                 let vector = from.next().unwrap().derivative(order);
                 let drawn = Point::new(tip[0], tip[1]) - Point::new(x, y);
@@ -174,15 +177,13 @@ fn groups_have_their_colours() {
     let mechanism = Mechanism::new(&draft).unwrap();
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
-    let formula = mechanism
-        .structure()
-        .formula(|body| mechanism.body_name(body).to_owned());
+    let formula = mechanism.formula();
     assert_eq!(
         formula,
         "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
     );
     let [plain, grouped] = [Figure::new, Figure::in_groups].map(|draw| {
-        let figure = draw(&motion, &[5]);
+        let figure = draw(&motion, &[mechanism.point("M").unwrap()]);
         figure.unwrap()
     });
     let roles: Vec<Role> = grouped.step_roles().collect();
@@ -210,7 +211,7 @@ fn groups_have_their_colours() {
     // Slider and lever had other colours before; crank and rod have kept theirs.
     assert_eq!((painted[1], painted[2]), (0, 0));
     assert!(painted[3] > 0 && painted[5] > 0, "{painted:?}");
-    for (link, role) in of_links.into_iter().enumerate() {
+    for (link, role) in mechanism.link_ids().zip(of_links) {
         assert_eq!(grouped.drawn_role(link), role);
         assert_eq!(grouped.role(link), plain.drawn_role(link));
     }

@@ -328,11 +328,11 @@ impl LinkageDocument {
                 .collect();
             match asked.first().map(|one| one.is_angle()) {
                 Some(kind) => asked.retain(|one| one.is_angle() == kind),
-                None => asked = (0..mechanism.links().len()).map(Quantity::Angle).collect(),
+                None => asked = mechanism.link_ids().map(Quantity::Angle).collect(),
             }
             return Some(asked);
         }
-        if let Some(point) = mechanism.points().position(|name| name == choice) {
+        if let Some(point) = mechanism.point(choice) {
             return Some(vec![Quantity::X(point), Quantity::Y(point)]);
         }
         Quantity::named(mechanism, choice).map(|one| vec![one])

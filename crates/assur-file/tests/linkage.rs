@@ -413,7 +413,8 @@ fn an_assembly_is_chosen() {
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
         let pose = motion.pose::<1>(motion.home()).unwrap();
-        mechanism.place(&pose, mechanism.points().len() - 1).place()
+        let last = mechanism.point_ids().next_back().unwrap();
+        mechanism.place(&pose, last).place()
     };
     let usual = place(&document);
     document.assembly = Some(drawn.mechanism().drawn_assembly() + 1);

@@ -4,14 +4,14 @@
 mod canvas;
 mod convert;
 #[cfg(feature = "linkages")]
-mod course;
-#[cfg(feature = "linkages")]
 mod design;
 #[cfg(feature = "linkages")]
 mod equations;
 #[cfg(feature = "linkages")]
 mod linkage;
 mod mixer;
+#[cfg(feature = "linkages")]
+mod profile;
 mod shown;
 mod simulator;
 mod summary;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Mechanism, Pose, Quantity, Unsolved};
+use assur::mechanism::{Mechanism, PointId, Pose, Quantity, Unsolved};
 use assur::motion::{Column, Motion};
 use assur::structure::{Step, roman};
 use assur::{Cycle, Jet, Point};
@@ -14,8 +14,8 @@ use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::convert::{Change, Redrawn, to_js};
-use crate::course::CourseSummary;
 use crate::equations::{EquationSummary, sides};
+use crate::profile::ProfileSummary;
 use crate::shown::{Shown, rates, settings, strokes, unknown};
 use crate::summary::CycleSummary;
 use crate::table::{SweepRow, SweepTable};
@@ -27,7 +27,7 @@ pub(crate) struct Linkage {
     plotted: Vec<Quantity>,
     crank: Option<Handle>,
     /// The points that can be dragged.
-    handles: Vec<usize>,
+    handles: Vec<PointId>,
     assembly: usize,
     /// The width of the band of a dwell, degrees or in the unit of the lengths.
     band: Option<f64>,
@@ -37,8 +37,8 @@ pub(crate) struct Linkage {
 
 /// The end of the crank, by which it is driven.
 struct Handle {
-    pivot: usize,
-    end: usize,
+    pivot: PointId,
+    end: PointId,
 }
 
 #[derive(Serialize)]
@@ -61,7 +61,7 @@ struct LinkageSummary<'a> {
     points: Vec<&'a str>,
     plotted: Vec<String>,
     handles: Vec<HandleSummary<'a>>,
-    course: Option<CourseSummary>,
+    course: Option<ProfileSummary>,
 }
 
 /// Moving links; hinges and slides, a hinge of k links counting k − 1 times.
@@ -107,13 +107,13 @@ impl Linkage {
                 field: "plot".into(),
             }]);
         };
-        let point = |name: &String| mechanism.points().position(|point| point == name);
+        let point = |name: &String| mechanism.point(name);
         // The path of a point that is plotted is one of those to be seen.
         let of_plot = plotted.iter().filter_map(|one| match one {
             Quantity::X(point) => Some(*point),
             _ => None,
         });
-        let mut traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
+        let mut traces: Vec<PointId> = document.traces.iter().filter_map(point).collect();
         traces.extend(of_plot);
         traces.retain(|_| state.view.traces);
         let figure = if state.view.groups {
@@ -125,7 +125,7 @@ impl Linkage {
         if state.view.vectors {
             figure = figure.with_vectors();
         }
-        let points = 0..mechanism.points().len();
+        let points = mechanism.point_ids();
         Ok(Self {
             quantities: Quantity::all(mechanism),
             crank: Handle::of(document, mechanism),
@@ -157,13 +157,13 @@ impl Linkage {
     }
 
     /// The role that a link with the point is drawn in; of the frame's points none is.
-    fn role(&self, point: usize) -> &'static str {
-        let mut links = 0..self.mechanism().links().len();
+    fn role(&self, point: PointId) -> &'static str {
+        let mut links = self.mechanism().link_ids();
         let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
         link.map_or("ink", |link| self.figure.drawn_role(link).name())
     }
 
-    fn place(&self, pose: &Pose<1>, point: usize) -> Point {
+    fn place(&self, pose: &Pose<1>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }
 }
@@ -174,10 +174,10 @@ impl Handle {
             return None;
         };
         let name = driver.crank.as_ref().filter(|_| driver.base.is_none())?;
-        let link = mechanism.links().position(|link| link == name)?;
+        let link = mechanism.link(name)?;
         let is_fixed = |point: &str| document.frame.iter().any(|name| name == point);
-        let named = |point: usize| mechanism.points().nth(point).is_some_and(is_fixed);
-        let (fixed, moving): (Vec<usize>, Vec<usize>) = mechanism
+        let named = |point: PointId| is_fixed(mechanism.point_name(point));
+        let (fixed, moving): (Vec<PointId>, Vec<PointId>) = mechanism
             .points_of(link)
             .iter()
             .partition(|point| named(**point));
@@ -194,16 +194,15 @@ impl Shown for Linkage {
         let structure = mechanism.structure();
         let highest = structure.groups().max_by_key(|group| group.class);
         let drivers = structure.steps.iter();
-        let named = |link: usize| mechanism.body_name(link).to_owned();
         let ends = motion.dead_points().iter().map(|end| DeadPointSummary {
             phi: end.input,
             kind: end.kind.code(),
             links: motion.links_at(end).collect(),
         });
         let plotted = self.plotted.iter().map(|one| one.name(mechanism, 0));
-        let roles = mechanism.links().enumerate();
-        let roles = roles.map(|(link, name)| (name, self.figure.role(link).name()));
-        let terms = structure.terms(named).into_iter();
+        let roles = mechanism.link_ids();
+        let roles = roles.map(|link| (mechanism.link_name(link), self.figure.role(link).name()));
+        let terms = mechanism.terms().into_iter();
         let groups = terms.zip(self.figure.step_roles());
         let groups = groups.map(|(term, role)| GroupSummary {
             term,
@@ -212,7 +211,7 @@ impl Shown for Linkage {
         let equations = mechanism.constraints().iter();
         let equations = equations.map(|one| EquationSummary::new(mechanism, one));
         let handles = self.handles.iter().map(|point| HandleSummary {
-            name: mechanism.points().nth(*point).unwrap_or_default(),
+            name: mechanism.point_name(*point),
             role: self.role(*point),
         });
         let cycle = motion.cycle();
@@ -233,7 +232,7 @@ impl Shown for Linkage {
             mobility,
             class: roman(structure.class()),
             order: highest.map_or(1, |group| group.order()),
-            formula: structure.formula(named),
+            formula: mechanism.formula(),
             groups: groups.collect(),
             equations: equations.collect(),
             assembly: self.assembly,
@@ -247,7 +246,7 @@ impl Shown for Linkage {
             course: self
                 .plotted
                 .first()
-                .map(|output| CourseSummary::new(motion, *output, self.band)),
+                .map(|output| ProfileSummary::new(motion, *output, self.band)),
         })
     }
 
@@ -287,7 +286,7 @@ impl Shown for Linkage {
 
     fn drag(&self, joint: &str, phi: f64, to: Point) -> Result<Change, Problem> {
         let mechanism = self.mechanism();
-        let point = mechanism.points().position(|name| name == joint);
+        let point = mechanism.point(joint);
         let point = point.filter(|_| to.coords.iter().all(|x| x.is_finite()));
         let point = point.ok_or_else(|| unknown(joint))?;
         let pose = self.pose(phi)?;

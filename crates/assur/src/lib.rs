@@ -24,6 +24,7 @@ pub mod catalog;
 mod four_bar;
 pub mod gears;
 mod geometry;
+mod index;
 mod invalid;
 mod jet;
 pub mod mechanism;

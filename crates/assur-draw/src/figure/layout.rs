@@ -1,6 +1,6 @@
 //! Which points are joints, which links are drawn how.
 
-use assur::mechanism::{Draft, FRAME, Mechanism, Pose};
+use assur::mechanism::{Draft, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::structure::{Step, Structure};
 use assur::{Point, Vector};
 
@@ -16,9 +16,6 @@ const ROLES: [Role; 6] = [
     Role::Wheel8,
     Role::Wheel9,
 ];
-
-/// A link, or the frame: none.
-pub(super) type LinkOrFrame = Option<usize>;
 
 /// What is known of a draft before it is drawn. Bodies are links that are fixed to
 /// no other, or the frame.
@@ -40,7 +37,7 @@ struct Pinned {
     link: LinkOrFrame,
     centre: bool,
     block: bool,
-    neighbours: Vec<usize>,
+    neighbours: Vec<PointId>,
 }
 
 impl Layout {
@@ -50,11 +47,13 @@ impl Layout {
         home: &Pose<1>,
         in_groups: bool,
     ) -> Self {
-        let points = (0..draft.points.len()).map(|point| pinned(draft, mechanism, point));
-        let roles = roles(draft);
+        let points = mechanism
+            .point_ids()
+            .map(|point| pinned(draft, mechanism, point));
+        let roles = roles(mechanism);
         let mut layout = Self {
             drawn_roles: if in_groups {
-                group_roles(draft, mechanism)
+                group_roles(mechanism)
             } else {
                 roles.clone()
             },
@@ -63,7 +62,7 @@ impl Layout {
             bars: Vec::new(),
             points: points.collect(),
         };
-        for link in 0..draft.links.len() {
+        for link in mechanism.link_ids() {
             let joints = mechanism.points_of(link).iter();
             let joints = joints.filter(|point| layout.is_joint(**point)).count();
             layout.bars.push(joints > 1);
@@ -81,15 +80,15 @@ impl Layout {
         draft: &Draft,
         mechanism: &Mechanism,
         home: &Pose<1>,
-        link: usize,
+        link: LinkId,
     ) -> Vec<Point> {
         let own = mechanism.points_of(link).iter();
-        let own: Vec<usize> = own
+        let own: Vec<PointId> = own
             .copied()
             .filter(|point| self.is_joint(*point) || !self.is_centre(*point))
             .collect();
-        let fixed = draft.links[link].fixed_to.is_some();
-        let listed = |point: &usize| self.link_of(*point) != Some(link);
+        let fixed = draft.links[link.index()].fixed_to.is_some();
+        let listed = |point: &PointId| self.link_of(*point) != Some(link);
         if fixed && own.iter().all(listed) {
             return Vec::new();
         }
@@ -100,83 +99,92 @@ impl Layout {
     }
 
     /// The colour of a link's own, by which plots tell links apart.
-    pub(super) fn role(&self, link: usize) -> Role {
-        self.roles.get(link).copied().unwrap_or(Role::Coupler)
+    pub(super) fn role(&self, link: LinkId) -> Role {
+        self.roles
+            .get(link.index())
+            .copied()
+            .unwrap_or(Role::Coupler)
     }
 
     /// The colour it is drawn in: its own, or that of its Assur group.
-    pub(super) fn drawn_role(&self, link: usize) -> Role {
-        let drawn = self.drawn_roles.get(link).copied();
+    pub(super) fn drawn_role(&self, link: LinkId) -> Role {
+        let drawn = self.drawn_roles.get(link.index()).copied();
         drawn.unwrap_or(Role::Coupler)
     }
 
-    pub(super) fn outline(&self, link: usize) -> &[Point] {
-        &self.outlines[link]
+    pub(super) fn outline(&self, link: LinkId) -> &[Point] {
+        &self.outlines[link.index()]
     }
 
     /// Whether a link joins two hinges or more.
-    pub(super) fn is_bar(&self, link: usize) -> bool {
-        self.bars[link]
+    pub(super) fn is_bar(&self, link: LinkId) -> bool {
+        self.bars[link.index()]
     }
 
     /// The first link that lists a point.
-    pub(super) fn link_of(&self, point: usize) -> LinkOrFrame {
-        self.points[point].link
+    pub(super) fn link_of(&self, point: PointId) -> LinkOrFrame {
+        self.points[point.index()].link
     }
 
-    pub(super) fn neighbours(&self, point: usize) -> &[usize] {
-        &self.points[point].neighbours
+    pub(super) fn neighbours(&self, point: PointId) -> &[PointId] {
+        &self.points[point.index()].neighbours
     }
 
     /// Whether bodies are hinged there.
-    pub(super) fn is_joint(&self, point: usize) -> bool {
-        self.points[point].bodies.len() > 1
+    pub(super) fn is_joint(&self, point: PointId) -> bool {
+        self.points[point.index()].bodies.len() > 1
     }
 
     /// Whether something is hinged on the frame there.
-    pub(super) fn is_support(&self, point: usize) -> bool {
+    pub(super) fn is_support(&self, point: PointId) -> bool {
         self.is_joint(point) && !self.moves(point)
     }
 
     /// Whether it is not a point of the frame.
-    pub(super) fn moves(&self, point: usize) -> bool {
-        !self.points[point].bodies.contains(&None)
+    pub(super) fn moves(&self, point: PointId) -> bool {
+        !self.points[point.index()].bodies.contains(&None)
     }
 
-    pub(super) fn is_centre(&self, point: usize) -> bool {
-        self.points[point].centre
+    pub(super) fn is_centre(&self, point: PointId) -> bool {
+        self.points[point.index()].centre
     }
 
     /// Whether a block is drawn around it.
-    pub(super) fn is_on_block(&self, point: usize) -> bool {
-        self.points[point].block
+    pub(super) fn is_on_block(&self, point: PointId) -> bool {
+        self.points[point.index()].block
     }
 
     /// Whether anything is seen there: points that only give a line of the frame
     /// are not.
-    pub(super) fn is_drawn(&self, point: usize) -> bool {
+    pub(super) fn is_drawn(&self, point: PointId) -> bool {
         self.link_of(point).is_some()
     }
 
     /// A point at which two bodies are hinged.
-    pub(super) fn hinge(&self, a: LinkOrFrame, b: LinkOrFrame) -> Option<usize> {
+    pub(super) fn hinge(
+        &self,
+        mechanism: &Mechanism,
+        a: LinkOrFrame,
+        b: LinkOrFrame,
+    ) -> Option<PointId> {
         let both = |pinned: &Pinned| pinned.bodies.contains(&a) && pinned.bodies.contains(&b);
-        self.points.iter().position(both)
+        let mut points = mechanism.point_ids().zip(&self.points);
+        points.find_map(|(point, pinned)| both(pinned).then_some(point))
     }
 }
 
-fn pinned(draft: &Draft, mechanism: &Mechanism, point: usize) -> Pinned {
-    let name = &draft.points[point].name;
+fn pinned(draft: &Draft, mechanism: &Mechanism, point: PointId) -> Pinned {
+    let name = &draft.points[point.index()].name;
     let mut bodies: Vec<LinkOrFrame> = Vec::new();
     if draft.frame.contains(name) {
         bodies.push(None);
     }
     let mut neighbours = Vec::new();
     let mut first = None;
-    for link in 0..draft.links.len() {
+    for link in mechanism.link_ids() {
         let points = mechanism.points_of(link);
         if points.contains(&point) {
-            let body = body_of(draft, Some(link));
+            let body = body_of(mechanism, Some(link));
             if !bodies.contains(&body) {
                 bodies.push(body);
             }
@@ -195,36 +203,25 @@ fn pinned(draft: &Draft, mechanism: &Mechanism, point: usize) -> Pinned {
 }
 
 /// The link that a link is fixed to in the end.
-pub(super) fn body_of(draft: &Draft, link: LinkOrFrame) -> LinkOrFrame {
+pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
+    let links = &mechanism.draft().links;
     let mut body = link;
-    for _ in 0..draft.links.len() {
-        match body.and_then(|link| draft.links[link].fixed_to.as_ref()) {
-            Some(base) => body = index_of(draft, base),
+    for _ in links {
+        match body.and_then(|link| links[link.index()].fixed_to.as_ref()) {
+            Some(base) => body = mechanism.link(base),
             None => break,
         }
     }
     body
 }
 
-/// The index of a link; none for the frame.
-pub(super) fn index_of(draft: &Draft, name: &str) -> LinkOrFrame {
-    if name == FRAME {
-        return None;
-    }
-    draft.links.iter().position(|link| link.name == name)
-}
-
 /// The driven link is a crank by its colour, the others take theirs in turn; what
 /// is fixed to a link has its.
-fn roles(draft: &Draft) -> Vec<Role> {
+fn roles(mechanism: &Mechanism) -> Vec<Role> {
+    let draft = mechanism.draft();
     let driven = |name: &String| {
-        draft.drivers.iter().any(|driver| match driver {
-            assur::mechanism::DraftDriver::Crank { link, .. } => link == name,
-            assur::mechanism::DraftDriver::Slide { slide, .. } => {
-                let slide = draft.slides.get(*slide);
-                slide.is_some_and(|slide| slide.link == *name)
-            }
-        })
+        let mut drivers = draft.drivers.iter();
+        drivers.any(|driver| draft.driven(driver) == Some(name))
     };
     let mut turn = ROLES.into_iter().cycle();
     let mut own = |link: &assur::mechanism::DraftLink| {
@@ -237,8 +234,9 @@ fn roles(draft: &Draft) -> Vec<Role> {
         }
     };
     let roles: Vec<Role> = draft.links.iter().map(&mut own).collect();
-    (0..roles.len())
-        .map(|link| body_of(draft, Some(link)).map_or(Role::Secondary, |body| roles[body]))
+    let role = |body: LinkId| roles[body.index()];
+    (mechanism.link_ids())
+        .map(|link| body_of(mechanism, Some(link)).map_or(Role::Secondary, role))
         .collect()
 }
 
@@ -253,19 +251,19 @@ pub(super) fn step_roles(structure: &Structure) -> impl Iterator<Item = Role> {
 
 /// Of each link the colour of the step that places it; what is fixed to the frame
 /// has none.
-fn group_roles(draft: &Draft, mechanism: &Mechanism) -> Vec<Role> {
+fn group_roles(mechanism: &Mechanism) -> Vec<Role> {
     let structure = mechanism.structure();
     let roles: Vec<Role> = step_roles(structure).collect();
     let of_body = |name: &str| {
-        let mut bodies = 1..structure.step_of.len();
+        let mut bodies = mechanism.bodies();
         let body = bodies.find(|body| mechanism.body_name(*body) == name)?;
-        roles.get(structure.step_of[body]?).copied()
+        roles.get(structure.step_of[body.index()]?).copied()
     };
-    let role = |link: usize| {
-        let body = body_of(draft, Some(link))?;
-        of_body(&draft.links[body].name)
+    let role = |link: LinkId| {
+        let body = body_of(mechanism, Some(link))?;
+        of_body(mechanism.link_name(body))
     };
-    let links = 0..draft.links.len();
+    let links = mechanism.link_ids();
     links
         .map(|link| role(link).unwrap_or(Role::Secondary))
         .collect()
@@ -285,7 +283,7 @@ pub(super) fn local(
     mechanism: &Mechanism,
     pose: &Pose<1>,
     link: LinkOrFrame,
-    point: usize,
+    point: PointId,
 ) -> Point {
     let (origin, angle) = body(mechanism, pose, link);
     Point::origin() + turned(mechanism.place(pose, point).place() - origin, -angle)

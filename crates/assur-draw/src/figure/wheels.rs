@@ -2,10 +2,10 @@
 //! mesh. A wheel is drawn on its link; an idler is a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
-use assur::mechanism::{Draft, DraftGear, Mechanism, Pose};
+use assur::mechanism::{Draft, DraftGear, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
-use super::layout::{self, Layout, LinkOrFrame};
+use super::layout::{self, Layout};
 use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
@@ -26,11 +26,11 @@ pub(super) struct Gearing {
 /// A wheel on its link.
 #[derive(Clone, Debug)]
 struct Drawn {
-    link: usize,
+    link: LinkId,
     role: Role,
     /// Its centre on the link, the point it turns about, and where a tooth is.
     centre: Point,
-    hinge: usize,
+    hinge: PointId,
     lead: f64,
     teeth: u32,
     ring: bool,
@@ -46,7 +46,7 @@ struct Idler {
     centre: Point,
     wheel: Wheel,
     /// The driving wheel's link and where its tooth is.
-    driver: usize,
+    driver: LinkId,
     lead: f64,
     module: f64,
     mates: Vec<(u32, bool)>,
@@ -55,7 +55,7 @@ struct Idler {
 impl Drawn {
     /// Whether it is this wheel of this link, of this module. (A link may hold
     /// several.)
-    fn is(&self, link: usize, wheel: &Wheel, module: f64) -> bool {
+    fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
     }
@@ -73,7 +73,7 @@ impl Gearing {
             ..Self::default()
         };
         for gear in &draft.gears {
-            gearing.add(draft, layout, mechanism, home, gear);
+            gearing.add(layout, mechanism, home, gear);
         }
         gearing
     }
@@ -81,18 +81,17 @@ impl Gearing {
     /// Adds what is not there yet of a coupling; none where it cannot be drawn.
     fn add(
         &mut self,
-        draft: &Draft,
         layout: &Layout,
         mechanism: &Mechanism,
         home: &Pose<1>,
         gear: &DraftGear,
     ) -> Option<()> {
-        let link = |name: &String| layout::index_of(draft, name);
+        let link = |name: &String| mechanism.link(name);
         let [first, second] = [link(&gear.links[0])?, link(&gear.links[1])?];
         let carrier = link(&gear.carrier);
-        let hinge = |wheel: usize| {
-            let body = layout::body_of(draft, Some(wheel));
-            layout.hinge(body, layout::body_of(draft, carrier))
+        let hinge = |wheel: LinkId| {
+            let [body, other] = [Some(wheel), carrier].map(|link| layout::body_of(mechanism, link));
+            layout.hinge(mechanism, body, other)
         };
         let hinges = [hinge(first)?, hinge(second)?];
         let [from, to] = hinges.map(|point| layout::local(mechanism, home, carrier, point));
@@ -107,8 +106,8 @@ impl Gearing {
 
         // Angles seen from the carrier.
         let (_, turn) = layout::body(mechanism, home, carrier);
-        let seen = |link: usize| mechanism.angle(home, link).value() - turn;
-        let lead = |link: usize, wheel: &Wheel| {
+        let seen = |link: LinkId| mechanism.angle(home, link).value() - turn;
+        let lead = |link: LinkId, wheel: &Wheel| {
             let same = |drawn: &&Drawn| drawn.is(link, wheel, module);
             self.wheels.iter().find(same).map(|drawn| drawn.lead)
         };
@@ -161,7 +160,7 @@ impl Gearing {
         Some(())
     }
 
-    pub(super) fn is_wheel(&self, link: usize) -> bool {
+    pub(super) fn is_wheel(&self, link: LinkId) -> bool {
         self.wheels.iter().any(|drawn| drawn.link == link)
     }
 
@@ -197,7 +196,7 @@ impl Gearing {
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);
         for drawn in rings.chain(self.wheels.iter().filter(|drawn| !drawn.ring)) {
-            list.body(drawn.link + 1);
+            list.body(drawn.link.index() + 1);
             let teeth = Teeth::new(drawn.teeth, drawn.ring, &drawn.mates);
             let place = |p: Point| drawn.centre + layout::turned(p.coords, drawn.lead);
             let outline = teeth.outline(drawn.module).into_iter().map(place);
@@ -285,7 +284,7 @@ mod tests {
             for gear in &draft.gears {
                 let internal = gear.mesh == Mesh::Internal;
                 let drawn = [0, 1].map(|k| {
-                    let link = layout::index_of(&draft, &gear.links[k]).unwrap();
+                    let link = mechanism.link(&gear.links[k]).unwrap();
                     let ring = internal && gear.teeth[k] > gear.teeth[1 - k];
                     let mut wheels = gearing.wheels.iter();
                     wheels

@@ -1,8 +1,8 @@
 //! Everything that can be wrong with a linkage, as a code with parameters: paths of
 //! fields, names of links and points. The words are in `lang/`.
 
-use assur::mechanism::{Defect, Mechanism, Obstacle, Unsolved};
-use assur::synthesis::dwell::{Freedom, Movable, Refused};
+use assur::mechanism::{Cause, Defect, Mechanism, Unsolved};
+use assur::synthesis::dwell::{DesignVariable, Dimension, SearchError};
 use serde::Serialize;
 
 use crate::Field;
@@ -115,39 +115,39 @@ impl LinkageProblem {
             .links_of(unsolved.step)
             .map(str::to_owned)
             .collect();
-        match unsolved.obstacle {
-            Obstacle::Input => Self::BeyondRange,
-            Obstacle::Unreached => Self::Unreached,
-            Obstacle::Apart { by } => Self::LinksApart { links, by },
-            Obstacle::OutOfReach { by } => Self::OutOfReach { links, by },
-            Obstacle::Parallel => Self::GuidesParallel { links },
-            Obstacle::Undetermined => Self::LinksUndetermined { links },
-            Obstacle::DeadPoint => Self::LinksDeadPoint { links },
+        match unsolved.cause {
+            Cause::Input => Self::BeyondRange,
+            Cause::Unreached => Self::Unreached,
+            Cause::Apart { by } => Self::LinksApart { links, by },
+            Cause::OutOfReach { by } => Self::OutOfReach { links, by },
+            Cause::Parallel => Self::GuidesParallel { links },
+            Cause::Undetermined => Self::LinksUndetermined { links },
+            Cause::DeadPoint => Self::LinksDeadPoint { links },
         }
     }
 }
 
 impl LinkageProblem {
     /// Why there is no search for a dwell in which these dimensions may change.
-    pub fn refused(refused: Refused, freedoms: &[Freedom]) -> Vec<Self> {
+    pub fn refused(refused: SearchError, freedoms: &[DesignVariable]) -> Vec<Self> {
         let name = |index: usize| match freedoms.get(index).map(|one| &one.dimension) {
-            Some(Movable::Length { link: name })
-            | Some(Movable::X { point: name } | Movable::Y { point: name }) => name.clone(),
+            Some(Dimension::Length { link: name })
+            | Some(Dimension::X { point: name } | Dimension::Y { point: name }) => name.clone(),
             None => String::new(),
         };
         let wish = |field: &'static str| Self::BadWish {
             field: field.into(),
         };
         vec![match refused {
-            Refused::Tolerance => wish("band"),
-            Refused::Arc => wish("design.arc"),
-            Refused::Stroke => wish("design.stroke"),
-            Refused::Output => Self::NoOutput,
-            Refused::Rigid => Self::NothingMoves,
-            Refused::Dimension(index) => Self::NoDimension { name: name(index) },
-            Refused::Range(index) => Self::BadRange { name: name(index) },
-            Refused::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
-            Refused::Blocked => Self::Blocked,
+            SearchError::Tolerance => wish("band"),
+            SearchError::Arc => wish("design.arc"),
+            SearchError::Stroke => wish("design.stroke"),
+            SearchError::Output => Self::NoOutput,
+            SearchError::Rigid => Self::NothingMoves,
+            SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
+            SearchError::Range(index) => Self::BadRange { name: name(index) },
+            SearchError::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
+            SearchError::Blocked => Self::Blocked,
         }]
     }
 }

@@ -253,6 +253,18 @@ impl Draft {
         self
     }
 
+    /// The link that a driver turns or moves; none where the driven slide does not
+    /// exist.
+    pub fn driven<'a>(&'a self, driver: &'a DraftDriver) -> Option<&'a str> {
+        match driver {
+            DraftDriver::Crank { link, .. } => Some(link),
+            DraftDriver::Slide { slide, .. } => {
+                let slide = self.slides.get(*slide);
+                slide.map(|slide| slide.link.as_str())
+            }
+        }
+    }
+
     /// Where a point is drawn.
     pub(super) fn place(&self, name: &str) -> Option<Point> {
         let point = self.points.iter().find(|point| point.name == name);

@@ -1,7 +1,7 @@
 //! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
 
 use assur::mechanism::{Mechanism, Quantity};
-use assur::motion::{Course, Motion, PhaseKind};
+use assur::motion::{Motion, OutputProfile, PhaseKind};
 use serde::Serialize;
 
 /// The width of a band where none is given: degrees, or parts of the size.
@@ -9,7 +9,7 @@ const BAND: f64 = 0.1;
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
-pub(crate) struct CourseSummary {
+pub(crate) struct ProfileSummary {
     /// Degrees, or in the unit of the lengths.
     width: f64,
     /// From the least value to the greatest; none of what turns on and on.
@@ -44,17 +44,17 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
     }
 }
 
-impl CourseSummary {
+impl ProfileSummary {
     /// Of a quantity, with dwells within a band of a width in degrees, or in the
     /// unit of the lengths.
     pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
         let (width, band) = band(motion.mechanism(), quantity, width);
-        let course = Course::new(motion, quantity);
-        let phases = course.cyclogram(band).into_iter();
+        let profile = OutputProfile::new(motion, quantity);
+        let phases = profile.cyclogram(band).into_iter();
         Self {
             width,
-            stroke: course.stroke(),
-            dwell: course.dwell(band).map(|dwell| DwellSummary {
+            stroke: profile.stroke(),
+            dwell: profile.dwell(band).map(|dwell| DwellSummary {
                 arc: dwell.arc,
                 band: dwell.band,
             }),

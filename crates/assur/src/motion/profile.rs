@@ -36,7 +36,7 @@ impl Dwell {
 
 /// A quantity over a motion as a chain of monotone pieces.
 #[derive(Clone, Debug)]
-pub struct Course<'a> {
+pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
     quantity: Quantity,
     /// Inputs and values at which pieces meet: extrema, and the ends of the range
@@ -55,8 +55,8 @@ const LEVELS: usize = 64;
 /// Values that differ by less beside the band are one.
 const TOUCHING: f64 = 1e-9;
 
-impl<'a> Course<'a> {
-    /// The course of a quantity.
+impl<'a> OutputProfile<'a> {
+    /// The profile of a quantity.
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
         let mechanism = motion.mechanism();
         let unit = if quantity.is_angle() {
@@ -66,7 +66,7 @@ impl<'a> Course<'a> {
         };
         let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
         let extrema = turning_points(motion.cycle(), &jet, unit);
-        let mut course = Self {
+        let mut profile = Self {
             motion,
             quantity,
             stations: Vec::new(),
@@ -77,24 +77,24 @@ impl<'a> Course<'a> {
         let inputs = extrema.iter().map(|extremum| extremum.crank);
         let arcs = motion.cycle().arcs();
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
-            course.gain = course.gained(period);
+            profile.gain = profile.gained(period);
             let mut inputs: Vec<f64> = inputs.collect();
             if inputs.is_empty() {
                 inputs.push(0.0);
             }
-            course.once = inputs.len();
+            profile.once = inputs.len();
             let turns = [0.0, 1.0, 2.0].map(|turn| turn * period);
             let all = turns
                 .iter()
                 .flat_map(|turn| inputs.iter().map(move |input| input + turn));
-            course.stations = course.valued(all.take(2 * inputs.len() + 1));
+            profile.stations = profile.valued(all.take(2 * inputs.len() + 1));
         } else {
             let ends = arcs.first().zip(arcs.last());
             let [from, to] = ends.map_or([0.0, 0.0], |(first, last)| [first[0], last[1]]);
-            course.stations = course.valued([from].into_iter().chain(inputs).chain([to]));
-            course.once = course.stations.len();
+            profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
+            profile.once = profile.stations.len();
         }
-        course
+        profile
     }
 
     fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
@@ -216,7 +216,7 @@ impl<'a> Course<'a> {
             return None;
         }
         let flank = Flank {
-            course: self,
+            profile: self,
             pieces: [first, last],
             way,
             tolerance,
@@ -317,7 +317,7 @@ impl<'a> Course<'a> {
 /// A band that a quantity comes into on one piece and leaves, the same way up or
 /// down, on another or the same.
 struct Flank<'a> {
-    course: &'a Course<'a>,
+    profile: &'a OutputProfile<'a>,
     pieces: [usize; 2],
     /// 1 upwards, −1 downwards.
     way: f64,
@@ -336,12 +336,12 @@ struct Pass {
 impl Flank<'_> {
     /// With the band's lower edge, counted along the way, at a level.
     fn pass(&self, level: f64) -> Option<Pass> {
-        let Self { course, way, .. } = self;
-        let from = course.reaches(self.pieces[0], way * level)?;
-        let to = course.reaches(self.pieces[1], way * (level + self.tolerance))?;
+        let Self { profile, way, .. } = self;
+        let from = profile.reaches(self.pieces[0], way * level)?;
+        let to = profile.reaches(self.pieces[1], way * (level + self.tolerance))?;
         let slope = |input: f64| -> Option<f64> {
-            let pose = course.motion.pose::<2>(input).ok()?;
-            let jet = course.quantity.of(course.motion.mechanism(), &pose);
+            let pose = profile.motion.pose::<2>(input).ok()?;
+            let jet = profile.quantity.of(profile.motion.mechanism(), &pose);
             Some(way * jet.derivative(1))
         };
         Some(Pass {
