@@ -260,14 +260,15 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
+        let mut given = Given {
+            step: StepId::FIRST,
+            input: Jet::linear(input, 1.0),
+            sign: Sign::Plus,
+            near,
+        };
         state.first_correction = 0.0;
         for (step, placing) in self.steps.enumerate() {
-            let given = Given {
-                step,
-                input: Jet::linear(input, 1.0),
-                sign: signs[step],
-                near,
-            };
+            (given.step, given.sign) = (step, signs[step]);
             let put = placing.put(state, &given);
             put.map_err(|cause| (step, cause))?;
         }

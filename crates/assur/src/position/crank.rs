@@ -16,7 +16,6 @@ pub(crate) struct Crank {
 }
 
 impl Solvable for Crank {
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

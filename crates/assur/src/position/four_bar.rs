@@ -50,7 +50,6 @@ impl Closed {
 }
 
 impl Solvable for Closed {
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

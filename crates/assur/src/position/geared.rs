@@ -19,7 +19,6 @@ pub(crate) struct Geared {
 }
 
 impl Solvable for Geared {
-    #[inline(always)]
     fn solve<const N: usize>(&self, state: &mut State<N>, _: &Given<'_, N>) -> Result<(), Cause> {
         let carrier = state.angle(self.at.body);
         let turned = state.angle(self.mate) - carrier;

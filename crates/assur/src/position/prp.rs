@@ -13,7 +13,6 @@ pub(crate) struct Prp {
 
 impl Solvable for Prp {
     /// C is where the parallels to both lines, at constant distances, cross.
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

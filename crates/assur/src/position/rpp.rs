@@ -21,7 +21,6 @@ pub(crate) struct Rpp {
 impl Solvable for Rpp {
     /// Both angles follow from the solved line's; the point of j on its track is
     /// where that track crosses the line of the inner sliding, drawn through it.
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -29,7 +29,6 @@ impl Solvable for Rpr {
     /// With u the direction of sliding, d = D − B and h the constant distance of
     /// the two parallels through B and D: d = u (w + ih), so w = σ √(d² − h²) and
     /// u = d (w − ih) / d².
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -17,7 +17,6 @@ pub(crate) struct Rrp {
 impl Solvable for Rrp {
     /// In the line's own coordinates, B at (x, y) and C at (s, h), h constant:
     /// s = x + σ √(l² − (h − y)²).
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -15,7 +15,6 @@ impl Solvable for Rrr {
     /// With d = D − B and r = |d|: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2
     /// and 16 S² = P Q, P = (l₂ + l₃)² − r², Q = r² − (l₂ − l₃)², S the area of BCD.
     /// The sign σ is that of S: C to the left of BD or to its right.
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -13,7 +13,6 @@ pub(crate) struct Slider {
 }
 
 impl Solvable for Slider {
-    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -139,6 +139,7 @@ impl<const N: usize> State<N> {
     }
 
     /// Puts a body that turns by a known angle with a hinge of it to a place.
+    #[inline(always)]
     pub(crate) fn pin(&mut self, body: BodyId, angle: Jet<N>, at: Anchor, hinge: Vector) {
         let turn = Complex::turn(angle);
         self.angle[body] = Angle::Known(angle);

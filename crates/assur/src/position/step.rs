@@ -141,6 +141,7 @@ macro_rules! ask {
 
 impl Step {
     /// Places its bodies.
+    #[inline(always)]
     pub(crate) fn put<const N: usize>(
         &self,
         state: &mut State<N>,
