@@ -29,7 +29,7 @@ pub(crate) fn sentence(problem: &Problem) -> String {
     sentence + rest + &detail
 }
 
-/// What the page says, and what it says of linkages besides. Tests of the workspace
+/// What the page says, of linkages too. Tests of the workspace
 /// check both.
 fn table() -> BTreeMap<String, String> {
     let texts = [

@@ -24,10 +24,10 @@ const SAMPLES: usize = 360;
 const VECTORS: u32 = 180;
 /// Half the width of a link's bar, in units.
 const BAR: f64 = 1.15;
-/// By so much of an arc what is drawn keeps off its ends: where points fall into one
-/// there, rounding alone decides how links turn about it.
+/// Samples keep off the ends of an arc by this part of it: where points coincide
+/// there, rounding alone decides how links turn about them.
 const OFF: f64 = 1e-9;
-/// Room around the drawing, beside its size.
+/// Room around the drawing, relative to its size.
 const ROOM: f64 = 0.07;
 
 /// A linkage as a drawing: what is rigid, drawn once in the coordinates of its

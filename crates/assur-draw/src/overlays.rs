@@ -32,10 +32,10 @@ pub(crate) struct Scales([f64; 2]);
 impl Scales {
     /// Crank angles that are looked at.
     const SAMPLES: u32 = 180;
-    /// The longest usual vector beside the drawing's size.
+    /// The longest usual vector relative to the drawing's size.
     const LONGEST: f64 = 0.3;
 
-    /// Of the longest, what is made room for beside the drawing's size.
+    /// The room that is made for the longest, relative to the drawing's size.
     const ROOM: f64 = 0.5;
 
     /// The scales for a drawing of this size: constant over the cycle. Next to

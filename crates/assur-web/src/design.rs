@@ -35,7 +35,7 @@ struct Movement {
 pub struct Design {
     search: Search,
     document: LinkageDocument,
-    freedoms: Vec<DesignVariable>,
+    variables: Vec<DesignVariable>,
     /// The residual at the start.
     before: f64,
 }
@@ -106,8 +106,8 @@ impl Design {
 impl Design {
     fn of(state: &State, wishes: &Wishes) -> Result<Self, Vec<Problem>> {
         state.check()?;
-        let refused = |refused: SearchError, freedoms: &[DesignVariable]| {
-            let problems = LinkageProblem::refused(refused, freedoms);
+        let refused = |refused: SearchError, variables: &[DesignVariable]| {
+            let problems = LinkageProblem::refused(refused, variables);
             problems.into_iter().map(Problem::from).collect::<Vec<_>>()
         };
         let Document::Linkage(document) = &state.document else {
@@ -120,27 +120,28 @@ impl Design {
         let output = output.ok_or_else(|| refused(SearchError::Output, &[]))?;
         let draft = mechanism.draft();
         let lengths = wishes.movable.iter().map(|Movement { link, by }| {
-            let link = link.clone();
-            let dimension = Dimension::Length { link };
-            let length = dimension.of(draft).unwrap_or_default();
-            DesignVariable {
+            let name = link.clone();
+            let dimension = Dimension::Length { link: link.clone() };
+            let length = dimension.of(draft);
+            let length = length.ok_or_else(|| vec![LinkageProblem::NoDimension { name }.into()])?;
+            Ok(DesignVariable {
                 dimension,
                 range: [length * (1.0 - by), length * (1.0 + by)],
-            }
+            })
         });
-        let freedoms: Vec<DesignVariable> = lengths.collect();
-        let wish = Target {
+        let variables: Vec<DesignVariable> = lengths.collect::<Result<_, Vec<Problem>>>()?;
+        let target = Target {
             tolerance: band(mechanism, output, document.band).1,
             arc: wishes.arc,
             stroke: wishes.stroke,
         };
-        let search = Search::new(draft, &output.name(mechanism, 0), wish, &freedoms);
-        let search = search.map_err(|error| refused(error, &freedoms))?;
+        let search = Search::new(draft, &output.name(mechanism, 0), target, &variables);
+        let search = search.map_err(|error| refused(error, &variables))?;
         Ok(Self {
             document: document.clone(),
             before: search.progress().evaluation.residual,
             search,
-            freedoms,
+            variables,
         })
     }
 
@@ -151,8 +152,8 @@ impl Design {
         for (point, drawn) in document.points.iter_mut().zip(drawn) {
             point.at = [drawn.at.x, drawn.at.y];
         }
-        for (freedom, value) in self.freedoms.iter().zip(self.search.values()) {
-            let Dimension::Length { link } = &freedom.dimension else {
+        for (variable, value) in self.variables.iter().zip(self.search.values()) {
+            let Dimension::Length { link } = &variable.dimension else {
                 continue;
             };
             for link in document.links.iter_mut().filter(|one| one.name == *link) {

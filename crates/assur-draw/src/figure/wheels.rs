@@ -12,7 +12,7 @@ use crate::parts;
 
 /// What a ring has beyond its pitch circle, in modules.
 const RING: f64 = 2.75;
-/// Modules that differ by less than this beside their size are one.
+/// Modules that differ by less than this relative to their size are one.
 const SAME: f64 = 1e-3;
 
 /// The wheels of a draft.
@@ -124,7 +124,7 @@ impl Gearing {
             }
         };
         let mate = |wheel: &Wheel| (wheel.teeth, wheel.ring);
-        let beside = [train.get(1).map(mate), train.iter().rev().nth(1).map(mate)];
+        let meshing = [train.get(1).map(mate), train.iter().rev().nth(1).map(mate)];
         for (k, (link, wheel)) in [(first, driver), (second, driven)].into_iter().enumerate() {
             let known = self
                 .wheels
@@ -144,7 +144,7 @@ impl Gearing {
                 });
                 self.wheels.len() - 1
             });
-            self.wheels[drawn].mates.extend(beside[k]);
+            self.wheels[drawn].mates.extend(meshing[k]);
         }
         if let (Mesh::AsPrinted, Some(idler)) = (gear.mesh, pair.idler()) {
             self.idlers.push(Idler {
@@ -224,7 +224,7 @@ mod tests {
 
     use super::*;
 
-    /// An arm with a sun on the frame and a planet, in a ring, and a train beside it.
+    /// An arm with a sun on the frame and a planet, in a ring, and a train driven by that.
     fn draft() -> Draft {
         // Where the second wheel's module is the same in both of its meshes.
         let module = 2.0 * 10.0_f64.sqrt() / 94.0;

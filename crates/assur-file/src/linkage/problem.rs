@@ -21,7 +21,7 @@ pub enum LinkageProblem {
     BadName { path: String, max: usize },
     /// A title or source that is too long or holds control characters.
     BadText { path: String, max: usize },
-    /// A length beside a shape, or of a link that has not two points.
+    /// A length together with a shape, or of a link that has not two points.
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
@@ -63,7 +63,7 @@ pub enum LinkageProblem {
     NoDriver,
     /// Nothing joins these links to the frame.
     Loose { links: Vec<String> },
-    /// Fewer drivers than freedoms.
+    /// Fewer drivers than variables.
     Underdriven { mobility: isize, links: Vec<String> },
     /// Too many pairs or drivers.
     Locked { mobility: isize, links: Vec<String> },
@@ -129,8 +129,8 @@ impl LinkageProblem {
 
 impl LinkageProblem {
     /// Why there is no search for a dwell in which these dimensions may change.
-    pub fn refused(refused: SearchError, freedoms: &[DesignVariable]) -> Vec<Self> {
-        let name = |index: usize| match freedoms.get(index).map(|one| &one.dimension) {
+    pub fn refused(refused: SearchError, variables: &[DesignVariable]) -> Vec<Self> {
+        let name = |index: usize| match variables.get(index).map(|one| &one.dimension) {
             Some(Dimension::Length { link: name })
             | Some(Dimension::X { point: name } | Dimension::Y { point: name }) => name.clone(),
             None => String::new(),

@@ -65,11 +65,12 @@ impl Mechanism {
         self.natural = places.flat_map(|place| [place.x, place.y]).collect();
         self.assemblies = self.all_assemblies(&mut state);
         let mut state = self.blank_state();
-        let drawn = self.entry(&self.signs, &mut state);
-        drawn.map(|_| ()).ok_or_else(|| {
+        let Some(input) = self.entry(&self.signs, &mut state) else {
             let last = self.steps.ids().next_back();
-            last.map(|last| self.open(last, None)).into_iter().collect()
-        })
+            return Err(last.map(|last| self.open(last, None)).into_iter().collect());
+        };
+        self.start = (input, state);
+        Ok(())
     }
 
     /// The way to join a step's links that puts its points closest to where they are
@@ -196,12 +197,10 @@ impl Mechanism {
         draft
     }
 
-    /// Input, signs and pose from which the motion is followed: the drawn ones, or
-    /// those just next to them where the drawn pose is singular.
-    pub(crate) fn start(&self) -> (f64, &Signs, Predictor) {
-        let mut state = self.blank_state();
-        let input = self.entry(&self.signs, &mut state).unwrap_or(self.home);
-        (input, &self.signs, state)
+    /// Input, signs and pose from which the motion is followed.
+    pub(crate) fn start(&self) -> (f64, &Signs, &Predictor) {
+        let (input, state) = &self.start;
+        (*input, &self.signs, state)
     }
 
     /// The input at, or next to, the drawn one where the pose has derivatives.

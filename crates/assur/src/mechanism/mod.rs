@@ -56,6 +56,9 @@ pub struct Mechanism {
     signs: Signs,
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
+    /// The input and pose from which the motion is followed: the drawn ones, or
+    /// those just next to them where the drawn pose is singular.
+    start: (f64, Predictor),
     assemblies: Vec<Signs>,
 }
 
@@ -107,6 +110,8 @@ impl Mechanism {
                 placed_by[body] = Some(step);
             }
         }
+        let unknowns = plan.natural.len() / 2;
+        let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, draft.size());
         let mut mechanism = Self {
             draft: draft.clone(),
             points: points.collect(),
@@ -121,6 +126,7 @@ impl Mechanism {
             size: draft.size(),
             range: plan.range,
             home: plan.home,
+            start: (plan.home, blank),
             orientations: bodies.orientations(),
             natural: plan.natural,
             assemblies: Vec::new(),

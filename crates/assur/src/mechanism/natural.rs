@@ -108,7 +108,7 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
-        // The frame stands still.
+        // The frame does not move.
         let (Input::Place(anchor) | Input::Direction(anchor)) = input;
         if anchor.body == BodyId::FRAME {
             return Form {

@@ -96,7 +96,7 @@ impl<'a> Continuation<'a> {
             signs: signs.clone(),
             input,
             there: here.clone(),
-            here,
+            here: here.clone(),
             winding: mechanism.bodies().filter(winds).collect(),
             change_points: Vec::new(),
             doubtful: StepId::FIRST,

@@ -52,7 +52,7 @@ pub struct OutputProfile<'a> {
 
 /// On a flank, the band is tried at as many levels for a longest arc between them.
 const LEVELS: usize = 64;
-/// Values that differ by less beside the band are one.
+/// Values that differ by less relative to the band are one.
 const TOUCHING: f64 = 1e-9;
 
 impl<'a> OutputProfile<'a> {
@@ -124,8 +124,13 @@ impl<'a> OutputProfile<'a> {
     pub(super) fn value(&self, input: f64) -> Option<f64> {
         let cycle = self.motion.cycle();
         let period = cycle.period().filter(|_| cycle.is_full());
-        let cycles = period.map_or(0.0, |period| (input / period).floor());
-        let within = input - cycles * period.unwrap_or_default();
+        let (cycles, within) = match period {
+            Some(period) => {
+                let cycles = (input / period).floor();
+                (cycles, input - cycles * period)
+            }
+            None => (0.0, input),
+        };
         let pose = self.motion.pose::<1>(within).ok()?;
         let jet = self.quantity.of(self.motion.mechanism(), &pose);
         Some(jet.value() + cycles * self.gain)

@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::complex::product;
 use super::elimination::Elimination;
 use super::step::finite;
-use super::work::Work;
+use super::work::{Work, largest};
 use super::{Anchor, Cause, Equation, Form, Given, Nearby, Solvable, State};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -72,7 +72,7 @@ struct Entry {
     by: Vector,
 }
 
-/// Newton's method goes on until a step is this small beside the unknowns.
+/// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
 /// No more steps are taken, from a guess that is near or from a drawing.
 const MOST_STEPS: usize = 30;
@@ -145,6 +145,37 @@ impl Group {
             doubled,
             elimination: Elimination::default(),
         })
+    }
+
+    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
+    /// determinant, and `state.first_correction`.
+    #[inline(never)]
+    fn solve_near<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        near: Nearby<'_>,
+        step: StepId,
+    ) -> Result<(), Cause> {
+        state.work.fit(self);
+        for (k, input) in self.inputs.iter().enumerate() {
+            state.work.inputs[k] = state.taken(*input);
+        }
+        let work = &mut state.work;
+        self.guess(work, near);
+        for (value, constant) in work.values.iter_mut().zip(&self.constants) {
+            value.set_constant(*constant);
+        }
+        for term in &self.taken {
+            work.values[term.form] = work.values[term.form] + work.inputs[term.of].by(term.by);
+        }
+        for (known, value) in work.known.iter_mut().zip(&work.values) {
+            *known = value.value();
+        }
+        self.newton(state, near, step)?;
+        for order in 1..N {
+            self.differentiate(&mut state.work, order);
+        }
+        self.settle(state, near)
     }
 
     /// Takes over the order of elimination that the Jacobian needed in the pose that
@@ -342,35 +373,13 @@ impl Group {
 }
 
 impl Solvable for Group {
-    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
-    /// determinant, and `state.first_correction`.
-    #[inline(never)]
+    #[inline(always)]
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        let near = given.near;
-        state.work.fit(self);
-        for (k, input) in self.inputs.iter().enumerate() {
-            state.work.inputs[k] = state.taken(*input);
-        }
-        let work = &mut state.work;
-        self.guess(work, near);
-        for (value, constant) in work.values.iter_mut().zip(&self.constants) {
-            value.set_constant(*constant);
-        }
-        for term in &self.taken {
-            work.values[term.form] = work.values[term.form] + work.inputs[term.of].by(term.by);
-        }
-        for (known, value) in work.known.iter_mut().zip(&work.values) {
-            *known = value.value();
-        }
-        self.newton(state, near, given.step)?;
-        for order in 1..N {
-            self.differentiate(&mut state.work, order);
-        }
-        self.settle(state, near)
+        self.solve_near(state, given.near, given.step)
     }
 
     /// The angles are told, and what is not finite found, with the unknowns.
@@ -388,12 +397,4 @@ impl Solvable for Group {
             Input::Place(anchor) | Input::Direction(anchor) => anchor.body == body,
         })
     }
-}
-
-/// The largest of the corrections; rates stand beside them.
-fn largest(values: &[[f64; 2]]) -> f64 {
-    values.iter().fold(0.0, |most, [value, _]| {
-        let value = value.abs();
-        if value > most { value } else { most }
-    })
 }

@@ -18,8 +18,8 @@ pub(crate) struct Work<const N: usize> {
     pub(super) values: Vec<Complex<N>>,
     /// The derivatives of the equations by their forms, two for each equation.
     pub(super) slopes: Vec<Vector>,
-    /// What is left of the equations, and the step that this asks for; beside it
-    /// the same for the first derivative.
+    /// What is left of the equations, and the step that this asks for; then the same
+    /// for the first derivative.
     pub(super) left: Vec<[f64; 2]>,
     pub(super) step: Vec<[f64; 2]>,
     /// The same for a further derivative.
@@ -57,4 +57,12 @@ impl<const N: usize> Work<N> {
         self.jacobian.resize(size * size, 0.0);
         self.spare.fit(size);
     }
+}
+
+/// The largest of the corrections; each has a rate with it.
+pub(super) fn largest(values: &[[f64; 2]]) -> f64 {
+    values.iter().fold(0.0, |most, [value, _]| {
+        let value = value.abs();
+        if value > most { value } else { most }
+    })
 }

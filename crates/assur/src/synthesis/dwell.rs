@@ -90,7 +90,7 @@ pub struct Evaluation {
     pub singularity_margin: f64,
 }
 
-/// How the search stands after a step.
+/// The search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Candidates judged so far.
@@ -200,7 +200,7 @@ impl Search {
         &self.draft
     }
 
-    /// How the search stands.
+    /// What the search has come to.
     pub fn progress(&self) -> Progress {
         self.progress
     }
