@@ -265,3 +265,22 @@ fn all_fulfil_their_equations() {
     }
     assert!(kinds.iter().all(|count| *count > 0), "{kinds:?}");
 }
+
+/// Every assembly that is counted is drawn as such: what an old link numbers opens.
+#[test]
+fn every_assembly_of_the_gallery_is_a_drawing() {
+    let mut drawn = 0;
+    for (name, ..) in GALLERY {
+        let motion = moved(name);
+        let mechanism = motion.mechanism();
+        for number in 0..mechanism.assemblies() {
+            let other = mechanism.assembly(number);
+            let other = other.unwrap_or_else(|| panic!("{name} {number}"));
+            let counted = [other.assemblies(), other.drawn_assembly()];
+            assert_eq!(counted, [mechanism.assemblies(), number], "{name}");
+            assert_eq!(other.turns(), mechanism.turns());
+            drawn += 1;
+        }
+    }
+    assert!(drawn > GALLERY.len(), "{drawn}");
+}
