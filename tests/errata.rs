@@ -173,7 +173,7 @@ impl Class4 {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(crank).unwrap();
         let joints = ["B", "E", "G", "F", "K", "L", "C", "H", "D"].map(|name| {
-            let index = mechanism.points().position(|point| point == name).unwrap();
+            let index = mechanism.point(name).unwrap();
             let place = mechanism.place(&pose, index);
             [0, 1, 2].map(|k| Vector::new(place.x.derivative(k), place.y.derivative(k)))
         });
@@ -308,7 +308,7 @@ fn class4() -> Motion {
         .bar("CD", &["D", "C"])
         .crank("AB");
     let mechanism = Mechanism::new(&draft).unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The expansions, corrected, give the same x′, y′, x″, y″ of G as the Jacobian.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, Mechanism, Quantity};
-use assur::motion::{Course, DeadPointKind, Motion};
+use assur::motion::{DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
@@ -29,19 +29,21 @@ fn four_bar_is_the_closed_form() {
         let lengths = [0.37, 0.85, 0.55, 0.85];
         let mechanism = Mechanism::new(&four_bar(lengths, 1.0, assembly)).unwrap();
         assert_eq!(mechanism.assemblies(), 2);
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
         assert!(motion.cycle().is_full());
         let linkage = FourBar::new(lengths).unwrap();
         for k in 0..=360 {
             let phi = TAU * f64::from(k) / 360.0;
             let pose = motion.pose::<4>(phi).unwrap();
             let exact = linkage.pose::<4>(assembly, phi).unwrap();
-            for (link, angle) in [(0, exact.crank), (1, exact.coupler), (2, exact.rocker)] {
+            let angles = [exact.crank, exact.coupler, exact.rocker];
+            for (link, angle) in mechanism.link_ids().zip(angles) {
                 for order in 0..4 {
                     let found = mechanism.angle(&pose, link).derivative(order);
                     assert!(
                         (found - angle.derivative(order)).abs() < 1e-10,
-                        "{k} {link} {order}"
+                        "{k} {link:?} {order}"
                     );
                 }
             }
@@ -65,12 +67,13 @@ fn slider_crank() {
         .slide("slider", "C", "frame", ["A", "G"])
         .crank("crank");
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full());
     for k in 0..=360 {
         let phi = TAU * f64::from(k) / 360.0;
         let pose = motion.pose::<3>(phi).unwrap();
-        let c = mechanism.place(&pose, 3);
+        let c = mechanism.place(&pose, mechanism.point("C").unwrap());
         let root = (l * l - (r * phi.sin()).powi(2)).sqrt();
         assert!((c.x.value() - (r * phi.cos() + root)).abs() < 1e-14);
         assert!((c.x.derivative(1) + r * phi.sin() * (1.0 + r * phi.cos() / root)).abs() < 1e-13);
@@ -85,7 +88,7 @@ fn swings_between_dead_points() {
     let linkage = FourBar::new(lengths).unwrap();
     let home = linkage.cycle().home();
     let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
-    let motion = Motion::new(&mechanism, 0);
+    let motion = Motion::new(mechanism.assembly(0).unwrap());
     assert!(!motion.cycle().is_full());
     let [from, to] = linkage.cycle().arcs()[0];
     let ends: Vec<f64> = motion.dead_points().iter().map(|end| end.input).collect();
@@ -134,9 +137,10 @@ fn the_search_for_assemblies_is_bounded() {
     }
     let mechanism = Mechanism::new(&draft).unwrap();
     assert!((1..=256).contains(&mechanism.assemblies()));
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(motion.home()).unwrap();
-    for (point, drawn) in draft.points.iter().enumerate() {
+    for (point, drawn) in mechanism.point_ids().zip(&draft.points) {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
     }
@@ -149,13 +153,17 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
     let lengths = [0.37, 0.85, 0.55, 0.85];
     let draft = four_bar(lengths, 1.0, Assembly::Second);
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(2.3).unwrap();
-    let [b, c, d] = [1, 2, 3].map(|point| mechanism.place(&pose, point).place());
+    let joints = ["B", "C", "D"].map(|name| mechanism.point(name).unwrap());
+    let moved = joints[1];
+    let [b, c, d] = joints.map(|point| mechanism.place(&pose, point).place());
     let to = c + Vector::new(0.05, -0.08);
-    let redrawn = draft.redrawn(&mechanism, &pose, 2, to);
+    let redrawn = mechanism.redrawn(&pose, moved, to);
     let mechanism = Mechanism::new(&redrawn).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let expected = FourBar::new([lengths[0], (to - b).norm(), (to - d).norm(), lengths[3]]);
     for input in [2.3, 2.6] {
         let pose = motion.pose::<3>(input).unwrap();
@@ -164,18 +172,80 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
             .unwrap()
             .pose::<3>(Assembly::Second, input);
         let exact = exact.unwrap();
-        for (link, angle) in [(1, exact.coupler), (2, exact.rocker)] {
+        let angles = [exact.coupler, exact.rocker];
+        for (link, angle) in mechanism.link_ids().skip(1).zip(angles) {
             for order in 0..3 {
                 let found = mechanism.angle(&pose, link).derivative(order);
                 assert!(
                     (found - angle.derivative(order)).abs() < 1e-10,
-                    "{link} {order}"
+                    "{link:?} {order}"
                 );
             }
         }
     }
     let there = motion.pose::<1>(2.3).unwrap();
-    assert!((mechanism.place(&there, 2).place() - to).norm() < 1e-12);
+    assert!((mechanism.place(&there, moved).place() - to).norm() < 1e-12);
+}
+
+/// Cranks of a five-bar drawn at 90° and 45°: as many drivers as freedoms, but the
+/// motion has one input, and the second crank must not be locked to it.
+#[test]
+fn a_second_driver_is_refused_by_name() {
+    let five_bar = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 2.0, 2.0)
+        .point("D", 3.0 + 0.5_f64.sqrt(), 0.5_f64.sqrt())
+        .point("E", 3.0, 0.0)
+        .fixed(&["A", "E"])
+        .bar("AB", &["A", "B"])
+        .bar("BC", &["B", "C"])
+        .bar("CD", &["C", "D"])
+        .bar("ED", &["E", "D"])
+        .crank("AB");
+    let underdriven = Mechanism::new(&five_bar).unwrap_err();
+    assert!(
+        matches!(&underdriven[..], [Defect::Underdriven { mobility: 2, .. }]),
+        "{underdriven:?}"
+    );
+    let defects = Mechanism::new(&five_bar.crank("ED")).unwrap_err();
+    let links = vec!["ED".to_owned()];
+    assert_eq!(defects, [Defect::FurtherDrivers { links }]);
+}
+
+/// A four-bar with lengths of its own, drawn in each of its assemblies; also where
+/// both meet in the drawn pose.
+#[test]
+fn each_assembly_is_a_drawing() {
+    for (lengths, at) in [
+        ([0.37, 0.85, 0.55, 0.85], 1.0),
+        // The pose at 0 is a change point: all links lie in line.
+        ([0.3, 0.5, 0.3, 0.5], 0.0),
+    ] {
+        let linkage = FourBar::new(lengths).unwrap();
+        let mut draft = four_bar(lengths, at, Assembly::First);
+        for (link, length) in draft.links.iter_mut().zip(lengths) {
+            link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+        }
+        let drawn = Mechanism::new(&draft).unwrap();
+        assert_eq!(drawn.assemblies(), 2);
+        assert!(drawn.assembly(2).is_none());
+        let mut found = Vec::new();
+        for number in [0, 1] {
+            let other = drawn.assembly(number).unwrap();
+            assert_eq!([other.assemblies(), other.drawn_assembly()], [2, number]);
+            let motion = Motion::new(other);
+            let pose = motion.pose::<1>(2.0).unwrap();
+            let c = motion.mechanism().point("C").unwrap();
+            let c = motion.mechanism().place(&pose, c).place();
+            let fits = |assembly: &Assembly| {
+                let exact = linkage.pose::<1>(*assembly, 2.0).unwrap();
+                (linkage.joints(&exact)[2].place() - c).norm() < 1e-9
+            };
+            found.push(Assembly::ALL.iter().position(fits).unwrap());
+        }
+        assert_ne!(found[0], found[1]);
+    }
 }
 
 /// A tracer is a point like any other, and changes nothing else: it follows its link through the

@@ -34,11 +34,11 @@ const BUILT: [(&str, &[&str]); 25] = [
         ],
     ),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
-    ("dead.", &["crates/assur/src/motion/trace.rs"]),
+    ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (
         "dwell.",
         &[
-            "crates/assur-web/src/course.rs",
+            "crates/assur-web/src/profile.rs",
             "www/kinds/linkage/course.js",
         ],
     ),
@@ -436,6 +436,7 @@ fn every_problem_has_words() {
         "loose",
         "underdriven",
         "locked",
+        "further_drivers",
         "parallel_guides",
         "unsupported",
         "open",

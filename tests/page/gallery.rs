@@ -103,9 +103,7 @@ async fn mechanisms_of_the_gallery_open() {
         let document = document(name);
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
-        let said = mechanism
-            .structure()
-            .formula(|link| mechanism.body_name(link).to_owned());
+        let said = mechanism.formula();
         assert_eq!(page.text("out-formula").await, said);
         if let Some((_, formula)) = FORMULAS.iter().find(|(one, _)| *one == name) {
             assert_eq!(said, *formula);
@@ -281,7 +279,7 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
 async fn on_screen(page: &Page, document: &LinkageDocument, places: &[Point]) -> Vec<(f64, f64)> {
     let area = page.element("mechanism").await.rect().await.unwrap();
     let motion = document.motion().unwrap();
-    let figure = Figure::new(&document.draft(), &motion, &View::default()).unwrap();
+    let figure = Figure::new(&motion, &View::default()).unwrap();
     let [left, bottom, right, top] = figure.bounds();
     let scale = ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
     let at = |p: &Point| {
@@ -303,7 +301,7 @@ async fn points_of_a_linkage_are_dragged_and_undone() {
     let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(60f64.to_radians()).unwrap();
     let place = |name: &str| {
-        let point = mechanism.points().position(|point| point == name);
+        let point = mechanism.point(name);
         mechanism.place(&pose, point.unwrap()).place()
     };
     page.choose("plot", "G").await;

@@ -25,7 +25,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let unsolved = |reason: assur::mechanism::Unsolved| {
         refused(name, &[LinkageProblem::unsolved(&reason, mechanism).into()])
     };
-    let point = |name: &String| mechanism.points().position(|point| point == name);
+    let point = |name: &String| mechanism.point(name);
     let view = View {
         overlays: Overlays {
             traces: true,
@@ -34,7 +34,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
         traced: document.traces.iter().filter_map(point).collect(),
         ..View::default()
     };
-    let figure = Figure::new(&document.draft(), motion, &view).map_err(unsolved)?;
+    let figure = Figure::new(motion, &view).map_err(unsolved)?;
     let home = motion.pose::<1>(motion.home()).map_err(unsolved)?;
 
     let mut sheet = Svg::new(WIDTH);
@@ -53,7 +53,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
         .filter_map(|name| Quantity::named(mechanism, name))
         .collect();
     if plotted.is_empty() {
-        plotted.extend(mechanism.links().len().checked_sub(1).map(Quantity::Angle));
+        plotted.extend(mechanism.link_ids().next_back().map(Quantity::Angle));
     }
     let (angles, lengths) = plotted
         .into_iter()

@@ -12,11 +12,11 @@ mod roles;
 mod slides;
 mod wheels;
 
-use assur::mechanism::{Draft, Mechanism, Pose, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Unsolved};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
-use crate::annotations::Annotations;
+use crate::annotations::{Annotations, Tag};
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Overlays};
 use crate::parts;
@@ -39,7 +39,7 @@ pub struct View {
     pub overlays: Overlays,
     /// The points asked for, besides tracers: their paths are drawn with
     /// [`Overlays::traces`], their derivatives with [`Overlays::vectors`].
-    pub traced: Vec<usize>,
+    pub traced: Vec<PointId>,
     /// What the document notes.
     pub annotations: Annotations,
 }
@@ -66,6 +66,9 @@ fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     layout::turned(direction, by)
 }
 
+/// A point and its path.
+type Ways = (PointId, Vec<Path>);
+
 /// A linkage as a drawing: what is rigid, drawn once in the coordinates of its
 /// bodies, and the bodies' poses in any pose. Body 0 is the frame, then come the
 /// links, each with its first point as origin and its angle, then idlers.
@@ -77,7 +80,7 @@ pub struct Figure {
     names: Names,
     overlaid: Overlaid,
     /// Numbers of wheels: each where it stands in a pose, and its name.
-    tags: Vec<(usize, crate::annotations::Tag, usize)>,
+    tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
     /// The unit of symbols, a hundredth of the drawing's size.
     unit: f64,
@@ -85,40 +88,43 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The drawing of the mechanism of a draft in one of its motions.
+    /// The drawing of a mechanism in its motion.
     ///
     /// # Errors
     /// Why there is no pose to draw it in.
-    pub fn new(draft: &Draft, motion: &Motion, view: &View) -> Result<Self, Unsolved> {
+    pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.home())?;
-        let layout = Layout::new(draft, mechanism, &home, view);
-        let gearing = Gearing::new(draft, &layout, mechanism, &home, view);
+        let layout = Layout::new(mechanism, &home, view);
+        let gearing = Gearing::new(&layout, mechanism, &home, view);
         let mut names = Names::new(mechanism);
         let tags = view.annotations.tags.iter().filter_map(|tag| {
-            let link = layout::index_of(draft, &tag.link)?;
+            let link = mechanism.link(&tag.link)?;
             Some((link, tag.clone(), names.add(tag.text.clone())))
         });
         let tags = tags.collect();
-        let mut overlaid = Overlaid::new(draft, mechanism, &layout, &home, view, &mut names);
+        let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
 
         let runs = paths::sampled(motion);
-        let guides = slides::guides(draft, &layout, mechanism, &home, &runs);
-        let path = |point: usize| paths::path(motion, &layout, &runs, point);
-        let drawn = (0..draft.points.len()).filter(|point| layout.is_drawn(*point));
-        let moving = drawn.filter(|point| layout.moves(*point));
-        let ways: Vec<(usize, Vec<Path>)> = moving.map(|point| (point, path(point))).collect();
-        let tracers = draft.points.len()..mechanism.points().len();
-        let tracers = tracers.filter(|point| layout.moves(*point));
-        let traced: Vec<(usize, Vec<Path>)> = tracers.map(|point| (point, path(point))).collect();
+        let guides = slides::guides(&layout, mechanism, &home, &runs);
+        let path = |point: PointId| (point, paths::path(motion, &layout, &runs, point));
+        let points = mechanism.point_ids();
+        let (tracers, listed): (Vec<PointId>, Vec<PointId>) =
+            points.partition(|point| layout.is_tracer(*point));
+        let (moving, fixed): (Vec<PointId>, Vec<PointId>) =
+            listed.iter().partition(|point| layout.moves(**point));
+        let drawn = moving.iter().filter(|point| layout.is_drawn(**point));
+        let ways: Vec<Ways> = drawn.copied().map(path).collect();
+        let tracers = tracers.into_iter().filter(|point| layout.moves(*point));
+        let traced: Vec<Ways> = tracers.map(path).collect();
 
         let joints = ways
             .iter()
             .flat_map(|(_, paths)| paths)
             .flat_map(Path::reach);
-        let fixed = (0..draft.points.len()).filter(|point| !layout.moves(*point));
-        let fixed: Vec<usize> = fixed.filter(|point| layout.is_drawn(*point)).collect();
-        let place = |point: &usize| mechanism.place(&home, *point).place();
+        let fixed = fixed.into_iter();
+        let fixed: Vec<PointId> = fixed.filter(|point| layout.is_drawn(*point)).collect();
+        let place = |point: &PointId| mechanism.place(&home, *point).place();
         let poses = runs.iter().flatten();
         let wheels = poses.flat_map(|(_, pose)| gearing.reach(mechanism, pose));
         let rails = guides.iter().flat_map(Guide::on_frame);
@@ -149,9 +155,9 @@ impl Figure {
             tags,
             rigid: List::default(),
         };
-        let asked = |point: &usize| view.overlays.traces && view.traced.contains(point);
-        let seen: Vec<(usize, Vec<Path>)> = (0..draft.points.len())
-            .filter(|point| asked(point) && figure.layout.moves(*point))
+        let asked = |point: &PointId| view.overlays.traces && view.traced.contains(point);
+        let asked = moving.into_iter().filter(asked);
+        let seen: Vec<Ways> = asked
             .map(|point| (point, paths::path(motion, &figure.layout, &runs, point)))
             .chain(traced)
             .collect();
@@ -161,7 +167,7 @@ impl Figure {
 
     /// Whether a point is drawn by itself: a joint, a tracer, a centre of mass that
     /// is shown.
-    pub fn is_drawn(&self, point: usize) -> bool {
+    pub fn is_drawn(&self, point: PointId) -> bool {
         self.layout.is_drawn(point)
     }
 
@@ -185,12 +191,12 @@ impl Figure {
 
     /// The role of a link: whose colour it has in plots, and in a drawing that does
     /// not show [`Overlays::groups`].
-    pub fn role(&self, link: usize) -> Role {
+    pub fn role(&self, link: LinkId) -> Role {
         self.layout.role(link)
     }
 
     /// The role of a link in the drawing.
-    pub fn drawn_role(&self, link: usize) -> Role {
+    pub fn drawn_role(&self, link: LinkId) -> Role {
         self.layout.drawn_role(link)
     }
 
@@ -205,7 +211,7 @@ impl Figure {
     pub fn frame<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         let mechanism = self.motion.mechanism();
         let mut poses = vec![(Point::origin(), 0.0)];
-        for link in 0..mechanism.links().len() {
+        for link in mechanism.link_ids() {
             poses.push(layout::body(mechanism, pose, Some(link)));
         }
         poses.extend(self.gearing.idlers(mechanism, pose));
@@ -220,11 +226,11 @@ impl Figure {
 
     /// The names of the points, away from the links that meet there, and of wheels.
     fn label<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
-        let place = |point: usize| mechanism.place(pose, point).place();
-        let points = 0..mechanism.points().len();
+        let place = |point: PointId| mechanism.place(pose, point).place();
+        let points = mechanism.point_ids();
         for point in points.filter(|point| self.layout.is_drawn(*point)) {
             let at = place(point);
-            let toward = |other: &usize| at - place(*other);
+            let toward = |other: &PointId| at - place(*other);
             let off = if self.layout.is_tracer(point) {
                 [1.2, 0.9]
             } else if self.layout.is_support(point) {
@@ -243,7 +249,7 @@ impl Figure {
                     [-1.0, 1.1]
                 }
             };
-            list.name(Role::Ink, point, at, off);
+            list.name(Role::Ink, point.index(), at, off);
         }
         for (link, tag, name) in &self.tags {
             if let Some(at) = self.gearing.tagged(mechanism, pose, *link, tag) {
@@ -253,13 +259,13 @@ impl Figure {
     }
 
     /// How far a point's name stands off in a direction.
-    fn beyond(&self, point: usize, direction: Vector) -> [f64; 2] {
+    fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
         let on_block = self.layout.is_on_block(point);
         let off = direction.normalize() * if on_block { 2.3 } else { 1.5 };
         [off.x, off.y]
     }
 
-    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], seen: &[(usize, Vec<Path>)], view: &View) {
+    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], seen: &[Ways], view: &View) {
         let (u, mechanism) = (self.unit, self.motion.mechanism());
         let mut list = List::default();
         for (point, paths) in seen {
@@ -273,17 +279,15 @@ impl Figure {
             guide.draw_line(&mut list, u);
         }
         list.body(0);
-        let points = 0..mechanism.points().len();
-        for point in points
-            .clone()
-            .filter(|point| self.layout.is_support(*point))
-        {
+        let points = mechanism.point_ids();
+        let supports = points.clone();
+        for point in supports.filter(|point| self.layout.is_support(*point)) {
             parts::support(&mut list, mechanism.place(home, point).place(), 1.5 * u);
         }
         self.gearing.draw(&mut list, u);
         // The first link, the crank as a rule, on top.
-        for link in (0..mechanism.links().len()).rev() {
-            list.body(link + 1);
+        for link in mechanism.link_ids().rev() {
+            list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
             match outline[..] {
                 [] | [_] => {}
@@ -299,7 +303,7 @@ impl Figure {
         }
         for point in points.filter(|point| self.layout.is_drawn(*point)) {
             let link = self.layout.link_of(point);
-            list.body(link.map_or(0, |link| link + 1));
+            list.body(layout::number(link));
             let at = layout::local(mechanism, home, link, point);
             let role = link.map_or(Role::Secondary, |link| self.layout.drawn_role(link));
             if self.layout.is_joint(point) {
@@ -313,8 +317,8 @@ impl Figure {
             }
         }
         if view.overlays.centres {
-            for (link, at) in self.layout.middles() {
-                list.body(link + 1);
+            for (link, at) in self.layout.middles(mechanism) {
+                list.body(layout::number(Some(link)));
                 overlays::mass(&mut list, at, u);
             }
         }

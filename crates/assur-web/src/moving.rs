@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Mechanism, Pose, Quantity, RrrDyad, Unsolved};
+use assur::mechanism::{Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
 use assur::motion::{Column, Motion};
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::{Chart, Settings};
@@ -24,7 +24,7 @@ pub(crate) struct Moving {
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
     /// The points that can be dragged.
-    handles: Vec<usize>,
+    handles: Vec<PointId>,
     figure: Figure,
     chart: Chart,
     explain: Explain,
@@ -59,9 +59,9 @@ impl Here {
 #[derive(Clone, Copy)]
 enum Driven {
     /// The end of a crank, about its pivot.
-    Crank { pivot: usize, end: usize },
+    Crank { pivot: PointId, end: PointId },
     /// A point that slides from the first point of a line towards the second.
-    Slide { line: [usize; 2], end: usize },
+    Slide { line: [PointId; 2], end: PointId },
 }
 
 impl Moving {
@@ -82,7 +82,7 @@ impl Moving {
             plotted,
         } = moved;
         let mechanism = motion.mechanism();
-        let point = |name: &String| mechanism.points().position(|point| point == name);
+        let point = |name: &String| mechanism.point(name);
         // The path of a point that is plotted is one of those to be seen.
         let of_plot = plotted.iter().filter_map(|one| match one {
             Quantity::X(point) => Some(*point),
@@ -98,9 +98,9 @@ impl Moving {
                 .collect(),
             annotations,
         };
-        let figure = Figure::new(&document.draft(), &motion, &drawing);
+        let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
-        let points = 0..mechanism.points().len();
+        let points = mechanism.point_ids();
         Ok(Self {
             dyads: mechanism.rrr_dyads(),
             quantities: told(&document, mechanism),
@@ -153,7 +153,7 @@ impl Moving {
         &self.dyads
     }
 
-    pub(crate) fn handles(&self) -> &[usize] {
+    pub(crate) fn handles(&self) -> &[PointId] {
         &self.handles
     }
 
@@ -162,7 +162,7 @@ impl Moving {
     pub(crate) fn readout_names(&self) -> Vec<String> {
         let mechanism = self.mechanism();
         let angles = self.dyads.iter().map(|dyad| {
-            let joint = mechanism.points().nth(dyad.inner).unwrap_or_default();
+            let joint = mechanism.point_name(dyad.inner);
             format!("{joint}.transmission")
         });
         let quantities = self.quantities.iter().flat_map(|one| {
@@ -246,14 +246,14 @@ impl Moving {
     }
 
     /// The role that a link with the point is drawn in; of the frame's points none is.
-    pub(crate) fn role(&self, point: usize) -> &'static str {
-        let mut links = 0..self.mechanism().links().len();
+    pub(crate) fn role(&self, point: PointId) -> &'static str {
+        let mut links = self.mechanism().link_ids();
         let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
         link.map_or("ink", |link| self.figure.drawn_role(link).name())
     }
 
     /// Where a point is.
-    fn place<const N: usize>(&self, pose: &Pose<N>, point: usize) -> Point {
+    fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }
 
@@ -266,13 +266,13 @@ impl Moving {
     /// not the driven one.
     pub(crate) fn driven_to(
         &self,
-        point: usize,
+        point: PointId,
         input: f64,
         to: Point,
     ) -> Option<Result<f64, Problem>> {
         let driven = self.driven.filter(|driven| driven.end() == point)?;
         Some(self.pose(input).map(|pose| {
-            let at = |point: usize| self.place(&pose, point);
+            let at = |point: PointId| self.place(&pose, point);
             match driven {
                 Driven::Crank { pivot, end } => {
                     let angle = |place: Point| {
@@ -351,7 +351,7 @@ impl Moving {
 }
 
 impl Driven {
-    fn end(self) -> usize {
+    fn end(self) -> PointId {
         match self {
             Self::Crank { end, .. } | Self::Slide { end, .. } => end,
         }
@@ -362,7 +362,7 @@ impl Driven {
         let [driver] = &document.drivers[..] else {
             return None;
         };
-        let point = |name: &String| mechanism.points().position(|point| point == name);
+        let point = |name: &String| mechanism.point(name);
         if let Some(slide) = driver.slide {
             let slide = document.slides.get(slide)?;
             let [from, towards] = &slide.line;

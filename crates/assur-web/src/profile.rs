@@ -1,7 +1,7 @@
 //! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
 
 use assur::mechanism::{Mechanism, Quantity};
-use assur::motion::{Course, Motion, PhaseKind};
+use assur::motion::{Motion, OutputProfile, PhaseKind};
 use serde::Serialize;
 
 /// The width of a band where none is given: degrees, or parts of the size.
@@ -49,12 +49,12 @@ impl ProfileSummary {
     /// unit of the lengths.
     pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
         let (width, band) = band(motion.mechanism(), quantity, width);
-        let course = Course::new(motion, quantity);
-        let phases = course.cyclogram(band).into_iter();
+        let profile = OutputProfile::new(motion, quantity);
+        let phases = profile.cyclogram(band).into_iter();
         Self {
             width,
-            stroke: course.stroke(),
-            dwell: course.dwell(band).map(|dwell| DwellSummary {
+            stroke: profile.stroke(),
+            dwell: profile.dwell(band).map(|dwell| DwellSummary {
                 arc: dwell.arc,
                 band: dwell.band,
             }),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use assur::mechanism::{FRAME, LinkOrFrame, Quantity};
-use assur::motion::{Course, Motion};
+use assur::motion::{Motion, OutputProfile};
 use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
 use serde::Serialize;
@@ -125,18 +125,13 @@ impl<'a> MotionSummary<'a> {
         let (motion, mechanism, figure) = (moving.motion(), moving.mechanism(), moving.figure());
         let structure = mechanism.structure();
         let highest = structure.groups().max_by_key(|group| group.class);
-        let named = |link: usize| mechanism.body_name(link).to_owned();
-        let groups = structure.terms(named).into_iter().zip(figure.step_roles());
+        let groups = mechanism.terms().into_iter().zip(figure.step_roles());
         let dead_points = motion.dead_points().iter().map(|end| DeadPointSummary {
             input: end.input,
             kind: end.kind.code(),
             links: motion.links_at(end).collect(),
         });
-        let point = |point: usize| mechanism.points().nth(point).unwrap_or_default();
-        let link = |link: LinkOrFrame| {
-            let name = link.and_then(|link| mechanism.links().nth(link));
-            name.unwrap_or(FRAME)
-        };
+        let link = |link: LinkOrFrame| link.map_or(FRAME, |link| mechanism.link_name(link));
         let four_bars = mechanism.four_bars().into_iter();
         let four_bars = four_bars.map(|one| FourBarSummary {
             links: [
@@ -151,14 +146,14 @@ impl<'a> MotionSummary<'a> {
         let transmissions = moving.dyads().iter().filter_map(|dyad| {
             let least = motion.least_transmission(dyad)?;
             Some(TransmissionSummary {
-                joint: point(dyad.inner),
+                joint: mechanism.point_name(dyad.inner),
                 links: dyad.links.map(|one| link(Some(one))),
                 min: least.angle,
                 input: least.input,
             })
         });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
-            name: point(*handle),
+            name: mechanism.point_name(*handle),
             role: moving.role(*handle),
         });
         let counts = mechanism.counts();
@@ -176,7 +171,7 @@ impl<'a> MotionSummary<'a> {
             },
             class: roman(structure.class()),
             order: highest.map_or(1, |group| group.order()),
-            formula: structure.formula(named),
+            formula: mechanism.formula(),
             groups: groups
                 .map(|(term, role)| GroupSummary {
                     term,
@@ -196,8 +191,8 @@ impl<'a> MotionSummary<'a> {
                 .clone()
                 .map(|one| OutputSummary::new(motion, *one))
                 .collect(),
-            roles: (mechanism.links().enumerate())
-                .map(|(link, name)| (name, figure.role(link).name()))
+            roles: (mechanism.link_ids())
+                .map(|link| (mechanism.link_name(link), figure.role(link).name()))
                 .collect(),
             points: mechanism.points().collect(),
             plotted: plotted.clone().map(|one| one.name(mechanism, 0)).collect(),
@@ -212,7 +207,7 @@ impl<'a> MotionSummary<'a> {
 
 impl OutputSummary {
     fn new(motion: &Motion, output: Quantity) -> Self {
-        let profile = Course::new(motion, output);
+        let profile = OutputProfile::new(motion, output);
         let limits = profile.limits().into_iter();
         Self {
             name: output.name(motion.mechanism(), 0),

@@ -6,7 +6,7 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use assur::mechanism;
+use assur::mechanism::{self, LinkId, PointId};
 use assur::motion::{Motion, extrema};
 use assur::{Assembly, FourBar, Pose};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -112,7 +112,7 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
 fn motion(name: &str) -> Motion {
     let document = assur_file::from_catalogue(name).unwrap().unwrap();
     let mechanism = document.mechanism().unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The columns of a linkage, with both derivatives of each: the angles of its links
@@ -120,8 +120,8 @@ fn motion(name: &str) -> Motion {
 /// the moving points and the angle of the output.
 struct Full {
     pose: mechanism::Pose<3>,
-    points: Vec<usize>,
-    links: Vec<usize>,
+    points: Vec<PointId>,
+    links: Vec<LinkId>,
     columns: Vec<[f64; 3]>,
 }
 
@@ -129,12 +129,12 @@ impl Full {
     fn new(motion: &Motion, places: bool) -> Self {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(motion.cycle().home()).unwrap();
-        let moves = |point: &usize| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
-        let points = (0..mechanism.points().len()).filter(|point| places && moves(point));
-        let points: Vec<usize> = points.collect();
-        let links = mechanism.links().len();
-        let links: Vec<usize> = (0..links)
-            .filter(|link| !places || link + 1 == links)
+        let moves = |point: &PointId| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
+        let points = mechanism.point_ids().filter(|point| places && moves(point));
+        let points: Vec<PointId> = points.collect();
+        let last = mechanism.links().len() - 1;
+        let links: Vec<LinkId> = (mechanism.link_ids())
+            .filter(|link| !places || link.index() == last)
             .collect();
         Self {
             columns: vec![[0.0; 3]; (2 * points.len() + links.len()) * DEGREES],

@@ -15,7 +15,7 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{
  *   judged: number, accepted: boolean, before: number,
- *   reached: { arc: number, stroke: number, residual: number, conditioning: number },
+ *   reached: { arc: number, stroke: number, residual: number, singularity_margin: number },
  *   end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null,
  * }>} Progress as Design.step of the engine has it
  */
@@ -252,7 +252,7 @@ export class DesignView {
     const { angle } = this.#now();
     const said = this.#problems.map((problem) => sentence(problem, words));
     if (this.#progress) {
-      const { judged, before, reached: { arc, stroke, residual, conditioning } } = this.#progress;
+      const { judged, before, reached: { arc, stroke, residual, singularity_margin } } = this.#progress;
       said.push(words.text("design.progress", {
         judged: numbers.exact(judged),
         arc: `${numbers.upTo(degrees(arc), 2)}°`,
@@ -262,7 +262,7 @@ export class DesignView {
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
       // 1 where no group is solved by iteration.
-      const tight = Math.abs(conditioning);
+      const tight = Math.abs(singularity_margin);
       if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
       this.#told.dataset.value = String(residual);
     } else if (this.#worker) said.push(words.text("design.coming"));

@@ -10,7 +10,7 @@ use super::{Series, Settings};
 
 /// Samples of an arc of the crank.
 const SAMPLES: usize = 720;
-/// Every so many samples a difference is shown beside the exact derivative.
+/// Every so many samples a difference is shown next to the exact derivative.
 const DIFFERENCED: usize = 10;
 
 /// Values that differ by less than this share of what a plot shows look the same:

@@ -1,6 +1,6 @@
 //! What the labels' numbers stand for.
 
-use assur::mechanism::Mechanism;
+use assur::mechanism::{Mechanism, PointId};
 
 /// The points' names, then symbols. A symbol that is written with a value has the
 /// form `μ=C.transmission`.
@@ -13,8 +13,8 @@ impl Names {
     }
 
     /// The name of a point.
-    pub(super) fn of(&self, point: usize) -> &str {
-        &self.0[point]
+    pub(super) fn of(&self, point: PointId) -> &str {
+        &self.0[point.index()]
     }
 
     /// The number of a symbol, which is known from now on.

@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Draft, DraftDriver, Mechanism, Pose, RrrDyad};
+use assur::mechanism::{DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, RrrDyad};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
 use super::View;
-use super::layout::{self, Layout, LinkOrFrame};
+use super::layout::{self, Layout};
 use super::names::Names;
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
@@ -22,20 +22,20 @@ const MOST_NAMED: usize = 3;
 pub(super) struct Overlaid {
     input: Option<InputArc>,
     /// Two points and a name.
-    loop_vectors: Vec<([usize; 2], usize)>,
+    loop_vectors: Vec<([PointId; 2], usize)>,
     /// An outer hinge, the inner and the other outer one, and a name.
-    transmission: Vec<([usize; 3], usize)>,
+    transmission: Vec<([PointId; 3], usize)>,
     /// Points with the names of the tips.
-    vectors: Vec<(usize, Option<[usize; 2]>)>,
+    vectors: Vec<(PointId, Option<[usize; 2]>)>,
     scales: Option<Scales>,
 }
 
 /// The arc of the input angle.
 #[derive(Clone, Debug)]
 struct InputArc {
-    link: usize,
+    link: LinkId,
     base: LinkOrFrame,
-    pivot: usize,
+    pivot: PointId,
     radius: f64,
     role: Role,
     name: usize,
@@ -43,7 +43,6 @@ struct InputArc {
 
 impl Overlaid {
     pub(super) fn new(
-        draft: &Draft,
         mechanism: &Mechanism,
         layout: &Layout,
         home: &Pose<1>,
@@ -53,19 +52,19 @@ impl Overlaid {
         let shown = view.overlays;
         let dyads = mechanism.rrr_dyads();
         let mut overlaid = Self {
-            input: InputArc::new(draft, mechanism, layout, home, view, names),
+            input: InputArc::new(mechanism, layout, home, view, names),
             loop_vectors: Vec::new(),
             transmission: Vec::new(),
             vectors: Vec::new(),
             scales: None,
         };
         if shown.loop_vectors {
-            let named = |[from, to]: [usize; 2]| {
+            let named = |[from, to]: [PointId; 2]| {
                 let symbol = view.symbol(&[from, to].map(|point| names.of(point).to_owned()));
                 let name = names.add(symbol);
                 ([from, to], name)
             };
-            let vectors = loop_vectors(draft, mechanism, layout, &dyads);
+            let vectors = loop_vectors(mechanism, layout, &dyads);
             overlaid.loop_vectors = vectors.into_iter().map(named).collect();
         }
         if shown.transmission {
@@ -77,15 +76,14 @@ impl Overlaid {
             overlaid.transmission = dyads.iter().map(named).collect();
         }
         if shown.vectors {
-            let points = 0..mechanism.points().len();
-            let moving = points.filter(|point| {
+            let moving = mechanism.point_ids().filter(|point| {
                 let joins = layout.is_joint(*point) || !layout.is_centre(*point);
                 let asked = joins || view.traced.contains(point);
                 asked && layout.is_drawn(*point) && layout.moves(*point)
             });
-            let moving: Vec<usize> = moving.collect();
+            let moving: Vec<PointId> = moving.collect();
             let legible = moving.len() <= MOST_NAMED;
-            let tips = |point: usize| {
+            let tips = |point: PointId| {
                 let name = names.of(point).to_owned();
                 let tips = ["′", "″"].map(|strokes| names.add(format!("{name}{strokes}")));
                 (point, legible.then_some(tips))
@@ -107,7 +105,7 @@ impl Overlaid {
         });
         let poses = inputs.filter_map(|input| motion.pose::<3>(input).ok());
         let poses: Vec<Pose<3>> = poses.collect();
-        let path = |(point, _): &(usize, _)| -> Vec<JetPoint<3>> {
+        let path = |(point, _): &(PointId, _)| -> Vec<JetPoint<3>> {
             let places = poses.iter();
             places
                 .map(|pose| motion.mechanism().place(pose, *point))
@@ -131,7 +129,7 @@ impl Overlaid {
         if let Some(arc) = &self.input {
             arc.draw(list, mechanism, pose);
         }
-        let place = |point: usize| mechanism.place(pose, point).place();
+        let place = |point: PointId| mechanism.place(pose, point).place();
         for (ends, name) in &self.loop_vectors {
             overlays::loop_vector(list, ends.map(place), *name, unit);
         }
@@ -149,7 +147,6 @@ impl Overlaid {
 
 impl InputArc {
     fn new(
-        draft: &Draft,
         mechanism: &Mechanism,
         layout: &Layout,
         home: &Pose<1>,
@@ -157,16 +154,13 @@ impl InputArc {
         names: &mut Names,
     ) -> Option<Self> {
         let symbol = view.annotations.input.as_ref()?;
-        let Some(DraftDriver::Crank { link, base }) = draft.drivers.first() else {
+        let Some(DraftDriver::Crank { link, base }) = mechanism.draft().drivers.first() else {
             return None;
         };
-        let (link, base) = (
-            layout::index_of(draft, link)?,
-            layout::index_of(draft, base),
-        );
-        let [body, on] = [Some(link), base].map(|link| layout::body_of(draft, link));
-        let pivot = layout.hinge(body, on)?;
-        let place = |point: usize| mechanism.place(home, point).place();
+        let (link, base) = (mechanism.link(link)?, mechanism.link(base));
+        let [body, on] = [Some(link), base].map(|link| layout::body_of(mechanism, link));
+        let pivot = layout.hinge(mechanism, body, on)?;
+        let place = |point: PointId| mechanism.place(home, point).place();
         let arms = mechanism.points_of(link).iter();
         let mut arms = arms.map(|point| (place(*point) - place(pivot)).norm());
         Some(Self {
@@ -181,7 +175,7 @@ impl InputArc {
 
     /// From the base's direction to the link's, with the name at its middle.
     fn draw<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
-        let angle = |link: usize| mechanism.angle(pose, link).value();
+        let angle = |link: LinkId| mechanism.angle(pose, link).value();
         let from = self.base.map_or(0.0, angle);
         let turn = (angle(self.link) - from).rem_euclid(TAU);
         let centre = mechanism.place(pose, self.pivot).place();
@@ -197,25 +191,21 @@ impl InputArc {
 
 /// Along every link from joint to joint, along the frame from support to support,
 /// and across each dyad between its outer hinges; between two points once.
-fn loop_vectors(
-    draft: &Draft,
-    mechanism: &Mechanism,
-    layout: &Layout,
-    dyads: &[RrrDyad],
-) -> Vec<[usize; 2]> {
-    let joints = |link: usize| -> Vec<usize> {
+fn loop_vectors(mechanism: &Mechanism, layout: &Layout, dyads: &[RrrDyad]) -> Vec<[PointId; 2]> {
+    let joints = |link: LinkId| -> Vec<PointId> {
         let points = mechanism.points_of(link).iter().copied();
         points.filter(|point| layout.is_joint(*point)).collect()
     };
-    let supports = (0..draft.points.len()).filter(|point| layout.is_support(*point));
-    let mut chains: Vec<Vec<usize>> = (0..draft.links.len()).map(joints).collect();
+    let points = mechanism.point_ids();
+    let supports = points.filter(|point| layout.is_support(*point));
+    let mut chains: Vec<Vec<PointId>> = mechanism.link_ids().map(joints).collect();
     chains.push(supports.collect());
     chains.extend(
         dyads
             .iter()
             .map(|dyad| dyad.outer.map(|outer| outer.point).to_vec()),
     );
-    let mut found: Vec<[usize; 2]> = Vec::new();
+    let mut found: Vec<[PointId; 2]> = Vec::new();
     for ends in chains.iter().flat_map(|chain| chain.windows(2)) {
         let [from, to] = [ends[0], ends[1]];
         if from != to && !found.contains(&[from, to]) && !found.contains(&[to, from]) {

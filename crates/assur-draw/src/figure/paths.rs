@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::Pose;
+use assur::mechanism::{LinkId, PointId, Pose};
 use assur::motion::Motion;
 use assur::{Cycle, Point, Vector};
 
@@ -88,7 +88,7 @@ fn placed(cycle: &Cycle, share: f64) -> f64 {
 
 /// The path of a point: of one that turns about a fixed point a circle, or as much
 /// of it as its link turns through in each run.
-pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: usize) -> Vec<Path> {
+pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointId) -> Vec<Path> {
     let mechanism = motion.mechanism();
     let Some((link, pivot)) = layout.pivot(point) else {
         let places = |run: &Run| {
@@ -123,7 +123,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: usize)
 }
 
 /// Between which angles a link turns in a run.
-fn turned(motion: &Motion, run: &Run, link: usize) -> [f64; 2] {
+fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
     let mechanism = motion.mechanism();
     let angle = |pose: &Pose<1>| mechanism.angle(pose, link).value();
     let angles: Vec<f64> = run.iter().map(|(_, pose)| angle(pose)).collect();
@@ -145,7 +145,7 @@ fn turned(motion: &Motion, run: &Run, link: usize) -> [f64; 2] {
 }
 
 /// The angle at which a link turns back near an input, by Newton's method.
-fn turning(motion: &Motion, link: usize, near: f64, (from, to): (f64, f64)) -> Option<f64> {
+fn turning(motion: &Motion, link: LinkId, near: f64, (from, to): (f64, f64)) -> Option<f64> {
     let mut input = near;
     for _ in 0..STEPS {
         let pose = motion.pose::<3>(input).ok()?;

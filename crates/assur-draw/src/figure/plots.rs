@@ -109,10 +109,9 @@ impl Figure {
         let clear = |end: &DeadPoint| {
             let [from, to] = self.arc(end.input);
             let links: Vec<&str> = motion.links_at(end).collect();
-            let named = |link: usize| mechanism.links().nth(link);
             let in_line = |dyad: &&RrrDyad| {
-                let mut own = dyad.links.iter().filter_map(|link| named(*link));
-                own.all(|link| links.contains(&link))
+                let mut own = dyad.links.iter();
+                own.all(|link| links.contains(&mechanism.link_name(*link)))
             };
             let way = Clear::Way {
                 input: end.input,

@@ -1,9 +1,8 @@
 //! Which colour each link has.
 
-use assur::mechanism::{Draft, DraftDriver, DraftLink, Mechanism};
+use assur::mechanism::{DraftLink, LinkId, Mechanism};
 use assur::structure::{Step, Structure};
 
-use super::layout;
 use crate::annotations::Annotations;
 use crate::list::Role;
 
@@ -19,15 +18,11 @@ const ROLES: [Role; 6] = [
 
 /// The colour that is noted for a link; else the driven link is a crank by its
 /// colour, the others take theirs in turn, and what is fixed to a link has its.
-pub(super) fn own(draft: &Draft, annotations: &Annotations) -> Vec<Role> {
+pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
+    let draft = mechanism.draft();
     let driven = |name: &String| {
-        draft.drivers.iter().any(|driver| match driver {
-            DraftDriver::Crank { link, .. } => link == name,
-            DraftDriver::Slide { slide, .. } => {
-                let slide = draft.slides.get(*slide);
-                slide.is_some_and(|slide| slide.link == *name)
-            }
-        })
+        let mut drivers = draft.drivers.iter();
+        drivers.any(|driver| draft.driven(driver) == Some(name))
     };
     let noted = |name: &String| {
         let mut roles = annotations.roles.iter();
@@ -46,10 +41,10 @@ pub(super) fn own(draft: &Draft, annotations: &Annotations) -> Vec<Role> {
         })
     };
     let roles: Vec<Role> = draft.links.iter().map(&mut first).collect();
-    let links = draft.links.iter().enumerate();
-    let role = |(link, of): (usize, &DraftLink)| {
-        let body = layout::body_of(draft, Some(link));
-        noted(&of.name).unwrap_or(body.map_or(Role::Secondary, |body| roles[body]))
+    let links = mechanism.link_ids().zip(&draft.links);
+    let role = |(link, of): (LinkId, &DraftLink)| {
+        let root = mechanism.root_of(link);
+        noted(&of.name).unwrap_or(root.map_or(Role::Secondary, |root| roles[root.index()]))
     };
     links.map(role).collect()
 }
@@ -65,19 +60,16 @@ pub(super) fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
 
 /// Of each link the colour of the step that places it; what is fixed to the frame
 /// has none.
-pub(super) fn of_groups(draft: &Draft, mechanism: &Mechanism) -> Vec<Role> {
+pub(super) fn of_groups(mechanism: &Mechanism) -> Vec<Role> {
     let structure = mechanism.structure();
     let roles: Vec<Role> = of_steps(structure).collect();
     let of_body = |name: &str| {
-        let mut bodies = 1..structure.step_of.len();
+        let mut bodies = mechanism.bodies();
         let body = bodies.find(|body| mechanism.body_name(*body) == name)?;
-        roles.get(structure.step_of[body]?).copied()
+        roles.get(structure.step_of[body.index()]?).copied()
     };
-    let role = |link: usize| {
-        let body = layout::body_of(draft, Some(link))?;
-        of_body(&draft.links[body].name)
-    };
-    let links = 0..draft.links.len();
+    let role = |link: LinkId| of_body(mechanism.link_name(mechanism.root_of(link)?));
+    let links = mechanism.link_ids();
     links
         .map(|link| role(link).unwrap_or(Role::Secondary))
         .collect()

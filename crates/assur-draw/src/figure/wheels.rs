@@ -2,11 +2,11 @@
 //! mesh. A wheel is drawn on its link; an idler is a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
-use assur::mechanism::{Draft, DraftGear, Mechanism, Pose};
+use assur::mechanism::{DraftGear, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
 use super::View;
-use super::layout::{self, Layout, LinkOrFrame};
+use super::layout::{self, Layout};
 use crate::annotations::Tag;
 use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
@@ -17,7 +17,7 @@ const RING: f64 = 2.75;
 /// Modules that differ by less than this, relative to their size, are one.
 const SAME: f64 = 1e-3;
 
-/// The wheels of a draft.
+/// The wheels of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gearing {
     wheels: Vec<Drawn>,
@@ -28,11 +28,11 @@ pub(super) struct Gearing {
 /// A wheel on its link.
 #[derive(Clone, Debug)]
 struct Drawn {
-    link: usize,
+    link: LinkId,
     role: Role,
     /// Its centre on the link, the point it turns about, and where a tooth is.
     centre: Point,
-    hinge: usize,
+    hinge: PointId,
     lead: f64,
     teeth: u32,
     ring: bool,
@@ -52,7 +52,7 @@ struct Idler {
     centre: Point,
     wheel: Wheel,
     /// The driving wheel's link and where its tooth is.
-    driver: usize,
+    driver: LinkId,
     lead: f64,
     module: f64,
     mates: Vec<(u32, bool)>,
@@ -67,30 +67,25 @@ impl Drawn {
 
     /// Whether it is this wheel of this link, of this module. (A link may hold
     /// several.)
-    fn is(&self, link: usize, wheel: &Wheel, module: f64) -> bool {
+    fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
     }
 }
 
 impl Gearing {
-    pub(super) fn new(
-        draft: &Draft,
-        layout: &Layout,
-        mechanism: &Mechanism,
-        home: &Pose<1>,
-        view: &View,
-    ) -> Self {
+    pub(super) fn new(layout: &Layout, mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
+        let draft = mechanism.draft();
         let mut gearing = Self {
             links: draft.links.len(),
             ..Self::default()
         };
         for gear in &draft.gears {
-            gearing.add(draft, layout, mechanism, home, gear);
+            gearing.add(layout, mechanism, home, gear);
         }
         // A link may hold several wheels: blades are on one of them.
         for (name, count) in &view.annotations.blades {
-            let link = layout::index_of(draft, name);
+            let link = mechanism.link(name);
             let mut wheels = gearing.wheels.iter_mut();
             if let Some(wheel) = wheels.find(|wheel| Some(wheel.link) == link) {
                 wheel.blades = *count;
@@ -102,18 +97,17 @@ impl Gearing {
     /// Adds what is not there yet of a coupling; none where it cannot be drawn.
     fn add(
         &mut self,
-        draft: &Draft,
         layout: &Layout,
         mechanism: &Mechanism,
         home: &Pose<1>,
         gear: &DraftGear,
     ) -> Option<()> {
-        let link = |name: &String| layout::index_of(draft, name);
+        let link = |name: &String| mechanism.link(name);
         let [first, second] = [link(&gear.links[0])?, link(&gear.links[1])?];
         let carrier = link(&gear.carrier);
-        let hinge = |wheel: usize| {
-            let body = layout::body_of(draft, Some(wheel));
-            layout.hinge(body, layout::body_of(draft, carrier))
+        let hinge = |wheel: LinkId| {
+            let on = layout::body_of(mechanism, carrier);
+            layout.hinge(mechanism, mechanism.root_of(wheel), on)
         };
         let hinges = [hinge(first)?, hinge(second)?];
         let [from, to] = hinges.map(|point| layout::local(mechanism, home, carrier, point));
@@ -128,8 +122,8 @@ impl Gearing {
 
         // Angles seen from the carrier.
         let (_, turn) = layout::body(mechanism, home, carrier);
-        let seen = |link: usize| mechanism.angle(home, link).value() - turn;
-        let lead = |link: usize, wheel: &Wheel| {
+        let seen = |link: LinkId| mechanism.angle(home, link).value() - turn;
+        let lead = |link: LinkId, wheel: &Wheel| {
             let same = |drawn: &&Drawn| drawn.is(link, wheel, module);
             self.wheels.iter().find(same).map(|drawn| drawn.lead)
         };
@@ -184,7 +178,7 @@ impl Gearing {
         Some(())
     }
 
-    pub(super) fn is_wheel(&self, link: usize) -> bool {
+    pub(super) fn is_wheel(&self, link: LinkId) -> bool {
         self.wheels.iter().any(|drawn| drawn.link == link)
     }
 
@@ -215,7 +209,7 @@ impl Gearing {
         mechanism: &Mechanism,
         pose: &Pose<N>,
         place: Point,
-    ) -> impl Iterator<Item = (f64, usize)> {
+    ) -> impl Iterator<Item = (f64, LinkId)> {
         self.wheels.iter().map(move |drawn| {
             let off = (place - mechanism.place(pose, drawn.hinge).place()).norm();
             let beyond = (off - drawn.rim()).max(0.0);
@@ -234,7 +228,7 @@ impl Gearing {
         &self,
         mechanism: &Mechanism,
         pose: &Pose<N>,
-        link: usize,
+        link: LinkId,
         tag: &Tag,
     ) -> Option<Point> {
         let drawn = self.wheels.iter().find(|drawn| drawn.link == link)?;
@@ -263,7 +257,7 @@ impl Gearing {
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);
         for drawn in rings.chain(self.wheels.iter().filter(|drawn| !drawn.ring)) {
-            list.body(drawn.link + 1);
+            list.body(layout::number(Some(drawn.link)));
             let teeth = Teeth::new(drawn.teeth, drawn.ring, &drawn.mates);
             let place = |p: Point| drawn.centre + layout::turned(p.coords, drawn.lead);
             let outline = teeth.outline(drawn.module).into_iter().map(place);

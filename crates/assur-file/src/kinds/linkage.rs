@@ -59,7 +59,8 @@ pub struct LinkageDocument {
     /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<f64>,
-    /// Which of its assemblies moves, from 1; without it the drawn one.
+    /// Which of its assemblies moves, from 1; without it the drawn one. Only links
+    /// and files of before name one: an assembly is saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,
 }
@@ -331,40 +332,43 @@ impl LinkageDocument {
         }
     }
 
-    /// The mechanism that is described.
+    /// The mechanism that is described, drawn in the assembly that moves.
     ///
     /// # Errors
     /// Every problem at once, each naming the field, or the links and points, at
-    /// fault. What is wrong with single fields comes first and alone.
+    /// fault. What is wrong with single fields comes first and alone. An assembly
+    /// that there is not.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         let problems = check::problems(self);
         if !problems.is_empty() {
             return Err(problems.into_iter().map(Problem::from).collect());
         }
-        Mechanism::new(&self.draft()).map_err(LinkageProblem::all)
+        let drawn = Mechanism::new(&self.draft()).map_err(LinkageProblem::all)?;
+        let Some(number) = self.assembly else {
+            return Ok(drawn);
+        };
+        if number == drawn.drawn_assembly() + 1 {
+            return Ok(drawn);
+        }
+        let other = number.checked_sub(1).and_then(|k| drawn.assembly(k));
+        other.ok_or_else(|| {
+            vec![Problem::OutOfRange {
+                field: "assembly".into(),
+                value: number as f64,
+                min: 1.0,
+                max: drawn.assemblies() as f64,
+            }]
+        })
     }
 }
 
 impl LinkageDocument {
-    /// The motion of the mechanism from the assembly that is chosen.
+    /// The motion of the mechanism.
     ///
     /// # Errors
-    /// As of [`Self::mechanism`]; an assembly that there is not.
+    /// As of [`Self::mechanism`].
     pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
-        let mechanism = self.mechanism()?;
-        let count = mechanism.assemblies();
-        match self.assembly {
-            None => Ok(Motion::new(&mechanism, mechanism.drawn_assembly())),
-            Some(number) if (1..=count).contains(&number) => {
-                Ok(Motion::new(&mechanism, number - 1))
-            }
-            Some(number) => Err(vec![Problem::OutOfRange {
-                field: "assembly".into(),
-                value: number as f64,
-                min: 1.0,
-                max: count as f64,
-            }]),
-        }
+        self.mechanism().map(Motion::new)
     }
 
     /// The quantities, of one kind, that a choice of the page names: `angles` those
@@ -378,11 +382,11 @@ impl LinkageDocument {
                 .collect();
             match asked.first().map(|one| one.is_angle()) {
                 Some(kind) => asked.retain(|one| one.is_angle() == kind),
-                None => asked = (0..mechanism.links().len()).map(Quantity::Angle).collect(),
+                None => asked = mechanism.link_ids().map(Quantity::Angle).collect(),
             }
             return Some(asked);
         }
-        if let Some(point) = mechanism.points().position(|name| name == choice) {
+        if let Some(point) = mechanism.point(choice) {
             return Some(vec![Quantity::X(point), Quantity::Y(point)]);
         }
         Quantity::named(mechanism, choice).map(|one| vec![one])

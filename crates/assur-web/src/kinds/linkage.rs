@@ -85,17 +85,14 @@ impl Edited for Linkage {
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
         let moving = &self.0;
         let mechanism = moving.mechanism();
-        let index = mechanism.points().position(|name| name == point);
+        let index = mechanism.point(point);
         let index = index.filter(|_| to.coords.iter().all(|x| x.is_finite()));
         let index = index.ok_or_else(|| unknown(point))?;
         if let Some(driven) = moving.driven_to(index, input, to) {
             return driven.map(Change::input);
         }
         let pose = moving.pose(input)?;
-        let draft = moving
-            .document()
-            .draft()
-            .redrawn(mechanism, &pose, index, to);
+        let draft = mechanism.redrawn(&pose, index, to);
         Ok(Change::document(&Redrawn::of(LinkageDocument::new(&draft))))
     }
 
@@ -111,7 +108,7 @@ impl Edited for Linkage {
         let [x, y] = mechanism.on_link(&pose, link, at).into();
         tracers.push(TracerDocument {
             name,
-            link: mechanism.links().nth(link).unwrap_or_default().to_owned(),
+            link: mechanism.link_name(link).to_owned(),
             at: [x, y],
         });
         Ok(Change::document(&Traced { tracers }))

@@ -89,7 +89,7 @@ pub struct FourBar {
 impl FourBar {
     /// Shortest and longest link, in any unit.
     const LENGTH: (f64, f64) = (1e-9, 1e9);
-    /// The shortest link may be this small beside the longest.
+    /// The shortest link may be this small relative to the longest.
     const RATIO: f64 = 1e-9;
 
     /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in

@@ -4,14 +4,15 @@
 use std::f64::consts::{PI, TAU};
 
 use super::Mechanism;
-use super::plan::Step;
+use crate::index::{BodyId, StepId};
+use crate::position::Step;
 use crate::{Assembly, FourBar};
 
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClosedStep<'a> {
     /// Which step of the plan.
-    pub(crate) step: usize,
+    pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
     /// What φ₁ has more than the input.
     pub(crate) lead: f64,
@@ -69,13 +70,13 @@ impl Mechanism {
     /// The steps solved by the closed form of a four-bar.
     pub(crate) fn closed_steps(&self) -> impl Iterator<Item = ClosedStep<'_>> {
         let crank = self.steps.iter().find_map(|step| match step {
-            Step::Crank { lead, .. } => Some(*lead),
+            Step::Crank(crank) => Some(crank.lead),
             _ => None,
         });
-        let steps = self.steps.iter().enumerate();
-        steps.filter_map(move |(k, step)| match step {
+        let steps = self.steps.enumerate();
+        steps.filter_map(move |(step, placing)| match placing {
             Step::Closed(closed) => Some(ClosedStep {
-                step: k,
+                step,
                 linkage: &closed.linkage,
                 lead: closed.lead - crank?,
             }),
@@ -86,9 +87,9 @@ impl Mechanism {
     /// Whether it is a crank, at most one four-bar, and wheels that drive nothing
     /// else: then the closed form tells all of its motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
-        let idle = |body: usize| !self.steps.iter().any(|step| step.leans_on(body));
+        let idle = |body: BodyId| !self.steps.iter().any(|step| step.rests_on(body));
         let known = |step: &Step| match step {
-            Step::Crank { .. } | Step::Closed(_) => true,
+            Step::Crank(_) | Step::Closed(_) => true,
             Step::Geared(wheel) => idle(wheel.body),
             _ => false,
         };
@@ -100,7 +101,7 @@ impl Mechanism {
     pub(crate) fn assembly_with(&self, assembly: Assembly) -> Option<usize> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.assemblies.iter();
-        signs.position(|signs| signs[step] == assembly.sign())
+        signs.position(|signs| Assembly::from(signs[step]) == assembly)
     }
 
     /// Whether another drawing shows the same linkage: the same names, steps, and
@@ -112,14 +113,14 @@ impl Mechanism {
             && self.links().eq(other.links())
             && self.range == other.range
             && self.bodies.len() == other.bodies.len()
-            && self.bodies.iter().zip(&other.bodies).all(|(a, b)| {
+            && self.bodies.iter().zip(other.bodies.iter()).all(|(a, b)| {
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && near(&a.1, &b.1))
             })
             && self.steps.len() == other.steps.len()
             && self
                 .steps
                 .iter()
-                .zip(&other.steps)
-                .all(|(a, b)| kind(a) == kind(b) && a.bodies().eq(b.bodies()))
+                .zip(other.steps.iter())
+                .all(|(a, b)| kind(a) == kind(b) && a.bodies() == b.bodies())
     }
 }

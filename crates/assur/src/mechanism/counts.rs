@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use super::body::Bodies;
-use super::draft::Draft;
+use super::resolved::Resolved;
 use crate::gears::Mesh;
 
 /// What mobility is counted from.
@@ -27,8 +27,8 @@ impl Mechanism {
 }
 
 /// The counts of a draft.
-pub(super) fn counts(draft: &Draft, bodies: &Bodies) -> Counts {
-    let graph = bodies.graph(draft.points.len());
+pub(super) fn counts(draft: &Resolved<'_>, bodies: &Bodies) -> Counts {
+    let graph = bodies.graph(draft.places.ids());
     let gears = draft.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
     Counts {

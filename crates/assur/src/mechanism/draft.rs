@@ -1,7 +1,7 @@
 //! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::{DraftTracer, Mechanism, Pose};
+use super::DraftTracer;
 use crate::gears::Mesh;
 use crate::{Point, Vector};
 
@@ -21,7 +21,7 @@ pub struct Draft {
     pub slides: Vec<DraftSlide>,
     /// Gear couplings.
     pub gears: Vec<DraftGear>,
-    /// What is driven. The input is the first one's coordinate.
+    /// What is driven. The input is the driver's coordinate; a mechanism has one.
     pub drivers: Vec<DraftDriver>,
     /// Points that links carry and that join nothing: tracer points.
     pub tracers: Vec<DraftTracer>,
@@ -173,6 +173,12 @@ pub enum Defect {
         /// What is locked.
         links: Vec<String>,
     },
+    /// More than one driver, as many as there are freedoms: the motion has one
+    /// input, and none of these further links may silently be locked to it.
+    FurtherDrivers {
+        /// What the second and every further driver turns or moves.
+        links: Vec<String>,
+    },
     /// Guides that are parallel where they must cross.
     ParallelGuides {
         /// The links that slide on them.
@@ -250,33 +256,16 @@ impl Draft {
         self
     }
 
-    /// The same linkage drawn in a pose of its mechanism.
-    #[must_use]
-    pub fn drawn_in(&self, mechanism: &Mechanism, pose: &Pose<1>) -> Self {
-        let mut draft = self.clone();
-        for (index, drawn) in draft.points.iter_mut().enumerate() {
-            drawn.at = mechanism.place(pose, index).place();
-        }
-        draft
-    }
-
-    /// The same linkage drawn in a pose of its mechanism, with one point, by its
-    /// number, drawn elsewhere: the links that list it are then as drawn, the
-    /// others keep their dimensions. A tracer is moved on its link.
-    #[must_use]
-    pub fn redrawn(&self, mechanism: &Mechanism, pose: &Pose<1>, point: usize, to: Point) -> Self {
-        let mut draft = self.drawn_in(mechanism, pose);
-        if let Some(moved) = draft.points.get_mut(point) {
-            moved.at = to;
-            for link in &mut draft.links {
-                if link.points.contains(&moved.name) {
-                    link.shape = None;
-                }
+    /// The link that a driver turns or moves; none where the driven slide does not
+    /// exist.
+    pub fn driven<'a>(&'a self, driver: &'a DraftDriver) -> Option<&'a str> {
+        match driver {
+            DraftDriver::Crank { link, .. } => Some(link),
+            DraftDriver::Slide { slide, .. } => {
+                let slide = self.slides.get(*slide);
+                slide.map(|slide| slide.link.as_str())
             }
-        } else if let Some(tracer) = draft.tracers.get_mut(point - self.points.len()) {
-            tracer.at = tracer.seen_from_its_link(mechanism, pose, to);
         }
-        draft
     }
 
     /// Where a point is drawn.

@@ -2,18 +2,18 @@
 //! they close.
 
 use super::closed::ClosedStep;
-use super::plan::Step;
 use super::{LinkOrFrame, Mechanism, Pose};
-use crate::position::{Arm, Rrr};
+use crate::index::{BodyId, LinkId, PointId};
+use crate::position::{Arm, Rrr, Step};
 use crate::{FourBar, Grashof, Jet, Vector};
 
 /// An Assur group of two links and three hinges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RrrDyad {
-    /// Its links, by index.
-    pub links: [usize; 2],
+    /// Its links.
+    pub links: [LinkId; 2],
     /// The point at which they are hinged on each other.
-    pub inner: usize,
+    pub inner: PointId,
     /// Where each of them is hinged on what is solved before, in the same order.
     pub outer: [OuterJoint; 2],
 }
@@ -22,7 +22,7 @@ pub struct RrrDyad {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OuterJoint {
     /// The point.
-    pub point: usize,
+    pub point: PointId,
     /// The link that has it.
     pub on: LinkOrFrame,
 }
@@ -34,15 +34,15 @@ pub struct FourBarLoop {
     /// The link that the four-bar stands on: the frame, or else the one of the two
     /// outer links that is solved first.
     pub base: LinkOrFrame,
-    /// The other outer link; coupler; rocker, by index.
-    pub crank: usize,
+    /// The other outer link.
+    pub crank: LinkId,
     /// The link of the dyad on the crank.
-    pub coupler: usize,
+    pub coupler: LinkId,
     /// The link of the dyad on the base.
-    pub rocker: usize,
+    pub rocker: LinkId,
     /// The points A, B, C, D: crank on base, crank and coupler, coupler and rocker,
     /// rocker on base.
-    pub joints: [usize; 4],
+    pub joints: [PointId; 4],
     /// Its lengths.
     pub linkage: FourBar,
 }
@@ -64,7 +64,7 @@ impl Mechanism {
     /// The transmission angle of a dyad in a pose: between the lines of its two links,
     /// acute, radians; 0 where they are in line.
     pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
-        let at = |point: usize| self.place(pose, point).place();
+        let at = |point: PointId| self.place(pose, point).place();
         let inner = at(dyad.inner);
         let [u, v] = dyad.outer.map(|outer| at(outer.point) - inner);
         u.perp(&v).abs().atan2(u.dot(&v).abs())
@@ -95,9 +95,9 @@ impl Mechanism {
     }
 
     /// The rocker of a four-bar in closed form.
-    pub(crate) fn rocker_of(&self, closed: &ClosedStep<'_>) -> Option<usize> {
+    pub(crate) fn rocker_of(&self, closed: &ClosedStep<'_>) -> Option<LinkId> {
         let [_, rocker] = arms_of(&self.steps[closed.step])?;
-        self.link_of(rocker.body)?
+        self.link_of(rocker.body)
     }
 
     fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
@@ -105,10 +105,10 @@ impl Mechanism {
         let outer = |arm: &Arm| {
             Some(OuterJoint {
                 point: self.shared([arm.body, arm.outer.body], Some(arm.from))?,
-                on: self.link_of(arm.outer.body)?,
+                on: self.link_of(arm.outer.body),
             })
         };
-        let link = |arm: &Arm| self.link_of(arm.body)?;
+        let link = |arm: &Arm| self.link_of(arm.body);
         Some(RrrDyad {
             links: [link(&arms[0])?, link(&arms[1])?],
             inner,
@@ -118,22 +118,15 @@ impl Mechanism {
 
     fn four_bar_of(&self, arms: &[Arm; 2]) -> Option<FourBarLoop> {
         let dyad = self.dyad_of(arms)?;
-        let order = |body: usize| match body {
-            0 => None,
-            body => self
-                .steps
-                .iter()
-                .position(|s| s.bodies().any(|b| b == body)),
-        };
         // What is solved first is the base; the frame before all.
-        let first = order(arms[0].outer.body) < order(arms[1].outer.body);
+        let first = self.placed_by[arms[0].outer.body] < self.placed_by[arms[1].outer.body];
         let [on_base, on_crank] = if first { [0, 1] } else { [1, 0] };
         let [base, crank] = [on_base, on_crank].map(|k| arms[k].outer);
         if base.body == crank.body {
             return None;
         }
         let a = self.shared([base.body, crank.body], None)?;
-        let place = |body: usize| {
+        let place = |body: BodyId| {
             let mut points = self.bodies[body].iter();
             points.find(|(point, _)| *point == a).map(|(_, at)| *at)
         };
@@ -160,22 +153,12 @@ impl Mechanism {
     }
 
     /// A point that two bodies share, at a place on the first if one is given.
-    fn shared(&self, [one, other]: [usize; 2], at: Option<Vector>) -> Option<usize> {
+    fn shared(&self, [one, other]: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
         let mut points = self.bodies[one].iter();
         let shared = points.find(|(point, local)| {
             at.is_none_or(|at| at == *local) && self.bodies[other].iter().any(|p| p.0 == *point)
         });
         shared.map(|(point, _)| *point)
-    }
-
-    /// The link that a body was made for, or the frame.
-    pub(super) fn link_of(&self, body: usize) -> Option<LinkOrFrame> {
-        if body == 0 {
-            return Some(None);
-        }
-        let name = self.body_name(body);
-        let link = self.links().position(|link| link == name);
-        link.map(Some)
     }
 }
 

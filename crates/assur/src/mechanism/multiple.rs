@@ -2,13 +2,14 @@
 //! fixed to links.
 
 use super::Mechanism;
-use super::plan::Step;
+use crate::index::{BodyId, LinkId};
+use crate::position::Step;
 
 /// What an angle is a multiple of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multiple {
-    /// The link, by index.
-    pub of: usize,
+    /// The link.
+    pub of: LinkId,
     /// The angle is `factor` times that link's, plus `offset`.
     pub factor: f64,
     /// Radians.
@@ -19,7 +20,7 @@ impl Mechanism {
     /// The link whose angle this one's is a constant multiple of, at all inputs: a
     /// wheel's is that of what drives it where both are carried by the frame. Of
     /// itself where there is none.
-    pub fn multiple_of(&self, link: usize) -> Multiple {
+    pub fn multiple_of(&self, link: LinkId) -> Multiple {
         let own = Multiple {
             of: link,
             factor: 1.0,
@@ -30,7 +31,9 @@ impl Mechanism {
         // A train of wheels ends after as many as there are steps.
         for _ in 0..self.steps.len() {
             let wheel = self.steps.iter().find_map(|step| match step {
-                Step::Geared(wheel) if wheel.body == body && wheel.at.body == 0 => Some(wheel),
+                Step::Geared(wheel) if wheel.body == body && wheel.at.body == BodyId::FRAME => {
+                    Some(wheel)
+                }
                 _ => None,
             });
             let Some(wheel) = wheel else { break };
@@ -39,8 +42,8 @@ impl Mechanism {
             body = wheel.mate;
         }
         match self.link_of(body) {
-            Some(Some(of)) => Multiple { of, factor, offset },
-            _ => own,
+            Some(of) => Multiple { of, factor, offset },
+            None => own,
         }
     }
 }

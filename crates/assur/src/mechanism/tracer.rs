@@ -3,9 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use super::body::{Bodies, Seat};
+use super::body::{Bodies, Placement};
 use super::draft::{Defect, Draft, FRAME};
+use super::resolved::Resolved;
 use super::{Mechanism, Pose};
+use crate::index::{BodyId, LinkId, List, PointId};
 use crate::position::{Anchor, product};
 use crate::{Point, Vector};
 
@@ -43,14 +45,20 @@ impl DraftTracer {
         pose: &Pose<1>,
         place: Point,
     ) -> Vector {
-        let link = mechanism.links().position(|link| link == self.link);
+        let link = mechanism.link(&self.link);
         link.map_or(place.coords, |link| mechanism.on_link(pose, link, place))
     }
 }
 
 impl Mechanism {
+    /// The tracer that a point is; none of a point that links list.
+    pub fn tracer(&self, point: PointId) -> Option<&DraftTracer> {
+        let tracer = point.index().checked_sub(self.draft.points.len())?;
+        self.draft.tracers.get(tracer)
+    }
+
     /// Where a place is in the coordinates of a link, those of [`DraftTracer::at`].
-    pub fn on_link(&self, pose: &Pose<1>, link: usize, place: Point) -> Vector {
+    pub fn on_link(&self, pose: &Pose<1>, link: LinkId, place: Point) -> Vector {
         // A link without points is no link: `Mechanism::new` refuses it.
         let origin = self
             .points_of(link)
@@ -79,30 +87,23 @@ pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect>
     found
 }
 
-/// The tracers with their places on bodies, of a draft whose references are sound.
+/// The places of the tracers on bodies.
 pub(super) fn anchored<'a>(
-    draft: &'a Draft,
+    draft: &'a Resolved<'_>,
     bodies: &'a Bodies,
-    seats: &'a [Seat],
-) -> impl Iterator<Item = (String, Anchor)> + 'a {
-    draft.tracers.iter().map(move |tracer| {
-        let mut links = draft.links.iter().zip(seats);
-        let carrier = links.find(|(link, _)| link.name == tracer.link);
-        let anchor = carrier.map_or(
-            Anchor {
-                body: 0,
-                local: tracer.at,
-            },
-            |(link, seat)| {
-                let first = draft.points.iter().position(|p| p.name == link.points[0]);
-                let origin = first.and_then(|first| bodies.local(seat.body, first));
-                let (sin, cos) = seat.lead.sin_cos();
-                Anchor {
-                    body: seat.body,
-                    local: origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin)),
-                }
-            },
-        );
-        (tracer.name.clone(), anchor)
+    placements: &'a List<LinkId, Placement>,
+) -> impl Iterator<Item = Anchor> + 'a {
+    draft.tracers.iter().map(move |(link, tracer)| match *link {
+        None => Anchor {
+            body: BodyId::FRAME,
+            local: tracer.at,
+        },
+        Some(link) => {
+            let Placement { body, lead } = placements[link];
+            let origin = bodies.local(body, draft.links[link].first);
+            let (sin, cos) = lead.sin_cos();
+            let local = origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin));
+            Anchor { body, local }
+        }
     })
 }

@@ -3,21 +3,17 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::knots::Knots;
-use super::trace::{DeadPoint, DeadPointKind, Motion};
+use super::interpolation::Knots;
+use super::{DeadPoint, DeadPointKind, Motion};
 use crate::mechanism::{ClosedStep, Mechanism, Quantity};
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// The motion from an assembly, where the closed form of a four-bar is all there
-    /// is: of a crank that cannot turn fully, over the arc that is drawn.
-    pub(super) fn in_closed_form(mechanism: &Mechanism, assembly: usize) -> Option<Self> {
-        if !(mechanism.turns() && mechanism.whole_closed_form()) {
-            return None;
-        }
+    /// The motion where the closed form of a four-bar is all there is: of a crank that
+    /// cannot turn fully, over the arc that is drawn.
+    pub(super) fn in_closed_form(mechanism: Mechanism) -> Self {
         let closed = mechanism.closed_steps().next();
         let arc = closed.and_then(|closed| closed.arc(mechanism.home()));
-        let (signs, stands) = mechanism.drawn_in(assembly);
         let (cycle, dead_points, turned) = match (arc, closed) {
             (Some(arc), Some(closed)) => {
                 // The arc is told by whole turns so that it begins within [−π, π).
@@ -32,8 +28,9 @@ impl Motion {
             }
         };
         let home = cycle.wrap(mechanism.home() - turned);
-        let knots = Knots::alone(home, signs, stands);
-        Some(Self::of(mechanism, cycle, knots, dead_points, home))
+        let (signs, orientations) = mechanism.as_drawn();
+        let knots = Knots::alone(home, signs, orientations);
+        Self::of(mechanism, cycle, knots, dead_points, home)
     }
 }
 
@@ -84,14 +81,9 @@ impl Motion {
         }
         let mut guess = Vec::new();
         let (signs, _) = self.knots.near(self.home, &mut guess);
-        let assembly = if signs[closed.step] > 0.0 {
-            Assembly::First
-        } else {
-            Assembly::Second
-        };
         Some(Rocker {
             closed,
-            assembly,
+            assembly: signs[closed.step].into(),
             ratio: turned.factor,
         })
     }

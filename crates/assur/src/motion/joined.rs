@@ -44,8 +44,9 @@ impl Motion {
         let same = match (self.pose::<1>(theirs + shift), other.pose::<1>(theirs)) {
             (Ok(ours), Ok(theirs)) => {
                 let size = 1e-6 * self.mechanism.size();
-                (0..self.mechanism.points().len())
-                    .flat_map(|k| [Quantity::X(k), Quantity::Y(k)])
+                let points = self.mechanism.point_ids();
+                points
+                    .flat_map(|point| [Quantity::X(point), Quantity::Y(point)])
                     .all(|place| {
                         let [a, b] = [&ours, &theirs].map(|pose| place.of(&self.mechanism, pose));
                         (a.value() - b.value()).abs() <= size

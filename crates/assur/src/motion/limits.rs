@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Course;
+use super::OutputProfile;
 use crate::Swing;
 
 /// A limit position: the quantity stands still and turns back.
@@ -14,7 +14,7 @@ pub struct LimitPosition {
     pub value: f64,
 }
 
-impl Course<'_> {
+impl OutputProfile<'_> {
     /// The limit positions over the whole motion, in ascending inputs: where the
     /// rate vanishes and changes its sign.
     pub fn limits(&self) -> Vec<LimitPosition> {

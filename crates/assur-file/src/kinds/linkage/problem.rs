@@ -1,8 +1,8 @@
 //! Everything that can be wrong with a linkage, as a code with parameters: paths of
 //! fields, names of links and points. The words are in `lang/`.
 
-use assur::mechanism::{Defect, Mechanism, Obstacle, Unsolved};
-use assur::synthesis::dwell::{Freedom, Movable, Refused};
+use assur::mechanism::{Cause, Defect, Mechanism, Unsolved};
+use assur::synthesis::dwell::{DesignVariable, Dimension, SearchError};
 use serde::Serialize;
 
 use crate::{Field, Problem};
@@ -21,7 +21,7 @@ pub enum LinkageProblem {
     BadName { path: String, max: usize },
     /// A title or source that is too long or holds control characters.
     BadText { path: String, max: usize },
-    /// A length beside a shape, or of a link that has not two points.
+    /// A length together with a shape, or of a link that has not two points.
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
@@ -63,10 +63,12 @@ pub enum LinkageProblem {
     NoDriver,
     /// Nothing joins these links to the frame.
     Loose { links: Vec<String> },
-    /// Fewer drivers than freedoms.
+    /// Fewer drivers than variables.
     Underdriven { mobility: isize, links: Vec<String> },
     /// Too many pairs or drivers.
     Locked { mobility: isize, links: Vec<String> },
+    /// More than one driver.
+    FurtherDrivers { links: Vec<String> },
     /// Guides that are parallel where they must cross.
     ParallelGuides { links: Vec<String> },
     /// A group that cannot be solved yet.
@@ -113,39 +115,39 @@ impl LinkageProblem {
             .links_of(unsolved.step)
             .map(str::to_owned)
             .collect();
-        match unsolved.obstacle {
-            Obstacle::Input => Self::BeyondRange,
-            Obstacle::Unreached => Self::Unreached,
-            Obstacle::Apart { by } => Self::LinksApart { links, by },
-            Obstacle::OutOfReach { by } => Self::OutOfReach { links, by },
-            Obstacle::Parallel => Self::GuidesParallel { links },
-            Obstacle::Undetermined => Self::LinksUndetermined { links },
-            Obstacle::DeadPoint => Self::LinksDeadPoint { links },
+        match unsolved.cause {
+            Cause::Input => Self::BeyondRange,
+            Cause::Unreached => Self::Unreached,
+            Cause::Apart { by } => Self::LinksApart { links, by },
+            Cause::OutOfReach { by } => Self::OutOfReach { links, by },
+            Cause::Parallel => Self::GuidesParallel { links },
+            Cause::Undetermined => Self::LinksUndetermined { links },
+            Cause::DeadPoint => Self::LinksDeadPoint { links },
         }
     }
 }
 
 impl LinkageProblem {
     /// Why there is no search for a dwell in which these dimensions may change.
-    pub fn refused(refused: Refused, freedoms: &[Freedom]) -> Vec<Self> {
-        let name = |index: usize| match freedoms.get(index).map(|one| &one.dimension) {
-            Some(Movable::Length { link: name })
-            | Some(Movable::X { point: name } | Movable::Y { point: name }) => name.clone(),
+    pub fn refused(refused: SearchError, variables: &[DesignVariable]) -> Vec<Self> {
+        let name = |index: usize| match variables.get(index).map(|one| &one.dimension) {
+            Some(Dimension::Length { link: name })
+            | Some(Dimension::X { point: name } | Dimension::Y { point: name }) => name.clone(),
             None => String::new(),
         };
         let wish = |field: &'static str| Self::BadWish {
             field: field.into(),
         };
         vec![match refused {
-            Refused::Tolerance => wish("band"),
-            Refused::Arc => wish("design.arc"),
-            Refused::Stroke => wish("design.stroke"),
-            Refused::Output => Self::NoOutput,
-            Refused::Rigid => Self::NothingMoves,
-            Refused::Dimension(index) => Self::NoDimension { name: name(index) },
-            Refused::Range(index) => Self::BadRange { name: name(index) },
-            Refused::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
-            Refused::Blocked => Self::Blocked,
+            SearchError::Tolerance => wish("band"),
+            SearchError::Arc => wish("design.arc"),
+            SearchError::Stroke => wish("design.stroke"),
+            SearchError::Output => Self::NoOutput,
+            SearchError::Rigid => Self::NothingMoves,
+            SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
+            SearchError::Range(index) => Self::BadRange { name: name(index) },
+            SearchError::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
+            SearchError::Blocked => Self::Blocked,
         }]
     }
 }
@@ -177,6 +179,7 @@ impl From<Defect> for LinkageProblem {
             Defect::Loose(links) => Self::Loose { links },
             Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
             Defect::Locked { mobility, links } => Self::Locked { mobility, links },
+            Defect::FurtherDrivers { links } => Self::FurtherDrivers { links },
             Defect::ParallelGuides { links } => Self::ParallelGuides { links },
             Defect::Unsupported { links } => Self::Unsupported { links },
             Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },

@@ -2,7 +2,7 @@
 
 use super::Mixer;
 use crate::Unsolved;
-use crate::mechanism::{Defect, Mechanism};
+use crate::mechanism::{Defect, Draft, Mechanism};
 use crate::motion::{Motion, Unjoinable};
 
 /// Why a mixer has no motion as a linkage.
@@ -33,10 +33,12 @@ impl Mixer {
         Ok(motion)
     }
 
-    fn moved(&self, draft: &crate::mechanism::Draft) -> Result<Motion, Unmoved> {
+    fn moved(&self, draft: &Draft) -> Result<Motion, Unmoved> {
         let mechanism = Mechanism::new(draft).map_err(Unmoved::Defects)?;
+        // Where the drawing does not tell the assemblies apart, it is redrawn.
         let assembly = mechanism.assembly_with(self.assembly);
-        let drawn = mechanism.drawn_assembly();
-        Ok(Motion::new(&mechanism, assembly.unwrap_or(drawn)))
+        let other = assembly.filter(|assembly| *assembly != mechanism.drawn_assembly());
+        let redrawn = other.and_then(|other| mechanism.assembly(other));
+        Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }
 }

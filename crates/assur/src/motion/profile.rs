@@ -37,7 +37,7 @@ impl Dwell {
 /// A quantity over a motion as a chain of monotone pieces; of a motion over several
 /// arcs, over that of the drawn pose.
 #[derive(Clone, Debug)]
-pub struct Course<'a> {
+pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
     quantity: Quantity,
     /// Inputs and values at which pieces meet: extrema, and the ends of the range
@@ -55,11 +55,11 @@ pub struct Course<'a> {
 
 /// On a flank, the band is tried at as many levels for a longest arc between them.
 const LEVELS: usize = 64;
-/// Values that differ by less beside the band are one.
+/// Values that differ by less relative to the band are one.
 const TOUCHING: f64 = 1e-9;
 
-impl<'a> Course<'a> {
-    /// The course of a quantity.
+impl<'a> OutputProfile<'a> {
+    /// The profile of a quantity.
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
         let mechanism = motion.mechanism();
         let unit = if quantity.is_angle() {
@@ -75,7 +75,7 @@ impl<'a> Course<'a> {
                 .map(|extremum| extremum.crank)
                 .collect(),
         };
-        let mut course = Self {
+        let mut profile = Self {
             motion,
             quantity,
             stations: Vec::new(),
@@ -84,31 +84,31 @@ impl<'a> Course<'a> {
             extrema: Vec::new(),
             monotone: extrema.is_empty(),
         };
-        course.extrema = course.valued(extrema.iter().copied());
+        profile.extrema = profile.valued(extrema.iter().copied());
         let inputs = extrema.iter().copied();
         // Of several arcs the one of the drawn pose.
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
             let known = motion.gain_in_closed_form(quantity, period);
-            course.gain = known.unwrap_or_else(|| course.gained(period));
+            profile.gain = known.unwrap_or_else(|| profile.gained(period));
             let mut inputs: Vec<f64> = inputs.collect();
             if inputs.is_empty() {
                 inputs.push(0.0);
             }
-            course.once = inputs.len();
+            profile.once = inputs.len();
             let turns = [0.0, 1.0, 2.0].map(|turn| turn * period);
             let all = turns
                 .iter()
                 .flat_map(|turn| inputs.iter().map(move |input| input + turn));
-            course.stations = course.valued(all.take(2 * inputs.len() + 1));
+            profile.stations = profile.valued(all.take(2 * inputs.len() + 1));
         } else {
             let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
             let inputs = inputs.filter(|input| (from..=to).contains(input));
-            course.stations = course.valued([from].into_iter().chain(inputs).chain([to]));
-            course.once = course.stations.len();
+            profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
+            profile.once = profile.stations.len();
         }
-        course
+        profile
     }
 
     pub(super) fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
@@ -145,8 +145,13 @@ impl<'a> Course<'a> {
     pub(super) fn value(&self, input: f64) -> Option<f64> {
         let cycle = self.motion.cycle();
         let period = cycle.period().filter(|_| cycle.is_full());
-        let cycles = period.map_or(0.0, |period| (input / period).floor());
-        let within = input - cycles * period.unwrap_or_default();
+        let (cycles, within) = match period {
+            Some(period) => {
+                let cycles = (input / period).floor();
+                (cycles, input - cycles * period)
+            }
+            None => (0.0, input),
+        };
         let pose = self.motion.pose::<1>(within).ok()?;
         let jet = self.quantity.of(self.motion.mechanism(), &pose);
         Some(jet.value() + cycles * self.gain)
@@ -237,7 +242,7 @@ impl<'a> Course<'a> {
             return None;
         }
         let flank = Flank {
-            course: self,
+            profile: self,
             pieces: [first, last],
             way,
             tolerance,
@@ -338,7 +343,7 @@ impl<'a> Course<'a> {
 /// A band that a quantity comes into on one piece and leaves, the same way up or
 /// down, on another or the same.
 struct Flank<'a> {
-    course: &'a Course<'a>,
+    profile: &'a OutputProfile<'a>,
     pieces: [usize; 2],
     /// 1 upwards, −1 downwards.
     way: f64,
@@ -357,12 +362,12 @@ struct Pass {
 impl Flank<'_> {
     /// With the band's lower edge, counted along the way, at a level.
     fn pass(&self, level: f64) -> Option<Pass> {
-        let Self { course, way, .. } = self;
-        let from = course.reaches(self.pieces[0], way * level)?;
-        let to = course.reaches(self.pieces[1], way * (level + self.tolerance))?;
+        let Self { profile, way, .. } = self;
+        let from = profile.reaches(self.pieces[0], way * level)?;
+        let to = profile.reaches(self.pieces[1], way * (level + self.tolerance))?;
         let slope = |input: f64| -> Option<f64> {
-            let pose = course.motion.pose::<2>(input).ok()?;
-            let jet = course.quantity.of(course.motion.mechanism(), &pose);
+            let pose = profile.motion.pose::<2>(input).ok()?;
+            let jet = profile.quantity.of(profile.motion.mechanism(), &pose);
             Some(way * jet.derivative(1))
         };
         Some(Pass {

@@ -1,11 +1,13 @@
-//! Samples of a motion: which way each group is joined, and where what is solved
-//! by iteration is about to be.
+//! Samples of a motion, and between them by Hermite interpolation the guess from
+//! which groups are solved.
 
-use crate::position::{Followed, Near, Stand};
+use crate::index::{BodyId, List};
+use crate::mechanism::Signs;
+use crate::position::{Nearby, Orientation, Predictor};
 
 /// Samples in ascending inputs (or descending, while a motion is followed back):
-/// signs of the steps, how the bodies stand, and the unknowns of groups with two
-/// derivatives.
+/// which way each group is joined, how the bodies are turned, and the unknowns of
+/// groups with three derivatives.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots {
     list: Vec<Knot>,
@@ -14,34 +16,36 @@ pub(super) struct Knots {
 #[derive(Clone, Debug)]
 struct Knot {
     input: f64,
-    signs: Vec<f64>,
-    stands: Vec<Stand>,
+    signs: Signs,
+    orientations: List<BodyId, Orientation>,
     /// Of each coordinate the value and the coefficients of three derivatives.
     natural: Vec<[f64; 4]>,
 }
 
 impl Knots {
-    pub(super) fn push(&mut self, input: f64, signs: &[f64], state: &Followed) {
+    pub(super) fn push(&mut self, input: f64, signs: &Signs, state: &Predictor) {
         let natural = state.natural.iter().flat_map(|place| {
             [0, 1].map(|axis| [0, 1, 2, 3].map(|order: usize| place[order][axis]))
         });
         self.list.push(Knot {
             input,
-            signs: signs.to_vec(),
-            stands: (0..state.angle.len())
-                .map(|body| state.stand(body))
-                .collect(),
+            signs: signs.clone(),
+            orientations: state.orientations(),
             natural: natural.collect(),
         });
     }
 
     /// The one knot that a motion in closed form needs.
-    pub(super) fn alone(input: f64, signs: &[f64], stands: &[Stand]) -> Self {
+    pub(super) fn alone(
+        input: f64,
+        signs: &Signs,
+        orientations: &List<BodyId, Orientation>,
+    ) -> Self {
         Self {
             list: vec![Knot {
                 input,
-                signs: signs.to_vec(),
-                stands: stands.to_vec(),
+                signs: signs.clone(),
+                orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
         }
@@ -58,9 +62,9 @@ impl Knots {
     }
 
     /// Other signs from the last knot on.
-    pub(super) fn amend(&mut self, signs: &[f64]) {
+    pub(super) fn amend(&mut self, signs: &Signs) {
         if let Some(last) = self.list.last_mut() {
-            last.signs = signs.to_vec();
+            last.signs.clone_from(signs);
         }
     }
 
@@ -85,24 +89,15 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        let gained: Vec<f64> = last
-            .stands
-            .iter()
-            .zip(&first.stands)
-            .map(|(b, a)| b.angle - a.angle)
-            .collect();
-        let later = |knot: &Knot, periods: f64| Knot {
-            input: knot.input + period * periods,
-            stands: knot
-                .stands
-                .iter()
-                .zip(&gained)
-                .map(|(stand, gain)| Stand {
-                    angle: stand.angle + gain * periods,
-                    ..*stand
-                })
-                .collect(),
-            ..knot.clone()
+        let turned = last.orientations.iter().zip(first.orientations.iter());
+        let gained: Vec<f64> = turned.map(|(b, a)| b.angle - a.angle).collect();
+        let later = |knot: &Knot, periods: f64| {
+            let mut later = knot.clone();
+            later.input += period * periods;
+            for (orientation, gain) in later.orientations.iter_mut().zip(&gained) {
+                orientation.angle += gain * periods;
+            }
+            later
         };
         for knot in &mut self.list {
             *knot = later(knot, -(knot.input / period).floor());
@@ -117,7 +112,11 @@ impl Knots {
 
     /// The signs at an input, what is known nearby, and a guess for the unknowns
     /// of groups, put into `guess`.
-    pub(super) fn near<'a>(&'a self, input: f64, guess: &'a mut Vec<f64>) -> (&'a [f64], Near<'a>) {
+    pub(super) fn near<'a>(
+        &'a self,
+        input: f64,
+        guess: &'a mut Vec<f64>,
+    ) -> (&'a Signs, Nearby<'a>) {
         let at = self.before(input);
         let knot = &self.list[at];
         guess.clear();
@@ -125,8 +124,8 @@ impl Knots {
             Some(next) => between(knot, next, input, guess),
             None => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
         }
-        let near = Near {
-            stands: &knot.stands,
+        let near = Nearby {
+            orientations: &knot.orientations,
             natural: guess,
         };
         (&knot.signs, near)
@@ -134,7 +133,7 @@ impl Knots {
 
     /// The last knot that is not after an input, or the first.
     fn before(&self, input: f64) -> usize {
-        // They are as many as the samples of a grid, but for doubts.
+        // They are as many as the samples of a grid, but for halved steps.
         if let [first, .., last] = &self.list[..] {
             let cells = (self.list.len() - 1) as f64;
             let at = (input - first.input) / (last.input - first.input) * cells;
