@@ -261,42 +261,44 @@ fn tracers_follow_their_links() {
     assert_eq!(mechanism.points().collect::<Vec<_>>()[4..], ["T", "F"]);
     assert_eq!(mechanism.structure(), plain.structure());
     assert_eq!(mechanism.assemblies(), plain.assemblies());
-    assert_eq!(mechanism.points_of(1), plain.points_of(1));
+    let [coupler, rocker] = ["coupler", "rocker"].map(|link| mechanism.link(link).unwrap());
+    let [b, c, t, f] = ["B", "C", "T", "F"].map(|point| mechanism.point(point).unwrap());
+    assert_eq!(mechanism.points_of(coupler), plain.points_of(coupler));
     assert!(Quantity::named(&mechanism, "T.x").is_some());
-    let check = |mechanism: &Mechanism, at: Vector| {
-        let motion = Motion::new(mechanism, mechanism.drawn_assembly());
+    let check = |mechanism: Mechanism, at: Vector| {
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
         for input in [0.2, 1.0, 4.0] {
             let pose = motion.pose::<3>(input).unwrap();
-            let [b, t] = [1, 4].map(|point| mechanism.place(&pose, point));
-            let expected = b.offset(mechanism.angle(&pose, 1), at.x, at.y);
+            let [from, traced] = [b, t].map(|point| mechanism.place(&pose, point));
+            let expected = from.offset(mechanism.angle(&pose, coupler), at.x, at.y);
             for order in 0..3 {
-                let off = t.derivative(order) - expected.derivative(order);
+                let off = traced.derivative(order) - expected.derivative(order);
                 assert!(off.norm() < 1e-13, "{input} {order}: {off}");
             }
             assert!(
-                (mechanism.place(&pose, 5).place() - Vector::new(0.1, 0.4))
+                (mechanism.place(&pose, f).place() - Vector::new(0.1, 0.4))
                     .coords
                     .norm()
                     < 1e-15
             );
-            assert_eq!(mechanism.carried(&pose, 1, 4), Some(t));
-            assert_eq!(mechanism.carried(&pose, 2, 4), None);
+            assert_eq!(mechanism.carried(&pose, coupler, t), Some(traced));
+            assert_eq!(mechanism.carried(&pose, rocker, t), None);
         }
         motion
     };
     let at = Vector::new(0.3, -0.2);
-    let motion = check(&mechanism, at);
+    let motion = check(mechanism, at);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(2.0).unwrap();
-    let c = mechanism.place(&pose, 2).place();
-    let redrawn = draft.redrawn(&mechanism, &pose, 2, c + Vector::new(0.02, 0.05));
-    check(&Mechanism::new(&redrawn).unwrap(), at);
+    let to = mechanism.place(&pose, c).place() + Vector::new(0.02, 0.05);
+    let redrawn = mechanism.redrawn(&pose, c, to);
+    check(Mechanism::new(&redrawn).unwrap(), at);
     // Drawn elsewhere itself, it has another place on its link.
     let to = Point::new(0.9, 0.1);
-    let moved = Mechanism::new(&draft.redrawn(&mechanism, &pose, 4, to)).unwrap();
-    let there = Motion::new(&moved, moved.drawn_assembly())
-        .pose::<1>(2.0)
-        .unwrap();
-    assert!((moved.place(&there, 4).place() - to).norm() < 1e-12);
+    let moved = Motion::new(Mechanism::new(&mechanism.redrawn(&pose, t, to)).unwrap());
+    let there = moved.pose::<1>(2.0).unwrap();
+    assert!((moved.mechanism().place(&there, t).place() - to).norm() < 1e-12);
 }
 
 /// On a part fixed to a link, and on a wheel, which turns the same with it and without.
@@ -316,13 +318,15 @@ fn tracers_on_parts_and_wheels() {
         teeth: [30.0, 20.0],
         mesh: Mesh::External,
     });
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
+    let links = ["rocker", "wheel", "part"].map(|link| mechanism.link(link).unwrap());
+    let points = ["C", "E", "T", "W"].map(|point| mechanism.point(point).unwrap());
     for input in [0.2, 1.0, 4.0] {
         let pose = motion.pose::<3>(input).unwrap();
-        let [rocker, wheel, part] = [2, 3, 4].map(|link| mechanism.angle(&pose, link));
+        let [rocker, wheel, part] = links.map(|link| mechanism.angle(&pose, link));
         assert_eq!(wheel, rocker * -1.5);
-        let [c, e, t, w] = [2, 4, 5, 6].map(|point| mechanism.place(&pose, point));
+        let [c, e, t, w] = points.map(|point| mechanism.place(&pose, point));
         for (found, from, angle) in [(t, c, part), (w, e, wheel)] {
             let expected = from.offset(angle, 0.1, 0.2);
             for order in 0..3 {
@@ -391,8 +395,8 @@ fn readings_of_a_four_bar_that_is_followed() {
             teeth: [20.0, 20.0],
             mesh: Mesh::AsPrinted,
         });
-        let mechanism = Mechanism::new(&draft).unwrap();
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(Mechanism::new(&draft).unwrap());
+        let mechanism = motion.mechanism();
         let [found] = mechanism.four_bars()[..] else {
             panic!("one four-bar")
         };
@@ -419,19 +423,19 @@ fn readings_of_a_four_bar_that_is_followed() {
                 "{lengths:?}: {found} {expected}"
             );
         }
-        let rocker = Quantity::named(&mechanism, "rocker.angle").unwrap();
-        let course = Course::new(&motion, rocker);
+        let rocker = Quantity::named(mechanism, "rocker.angle").unwrap();
+        let profile = OutputProfile::new(&motion, rocker);
         // Of two arcs it is followed over the drawn one.
         let mut limits = linkage.limits(Assembly::First);
         limits.retain(|limit| motion.cycle().contains(limit.crank));
-        assert_eq!(course.limits().len(), limits.len());
-        for (found, limit) in course.limits().iter().zip(limits) {
+        assert_eq!(profile.limits().len(), limits.len());
+        for (found, limit) in profile.limits().iter().zip(limits) {
             assert!(
                 (found.input - limit.crank).abs() < 1e-9,
                 "{lengths:?}: {found:?} {limit:?}"
             );
         }
-        for (found, expected) in course
+        for (found, expected) in profile
             .travels()
             .iter()
             .zip(linkage.travels(Assembly::First))
@@ -441,12 +445,12 @@ fn readings_of_a_four_bar_that_is_followed() {
                 "{lengths:?}: {found} {expected}"
             );
         }
-        let strokes = [course.swings(), linkage.swings(Assembly::First)].map(|s| s[0].stroke());
+        let strokes = [profile.swings(), linkage.swings(Assembly::First)].map(|s| s[0].stroke());
         match strokes {
             [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-6),
             strokes => assert_eq!(strokes, [None, None]),
         }
-        let ratios = [course.time_ratio(), linkage.time_ratio(Assembly::First)];
+        let ratios = [profile.time_ratio(), linkage.time_ratio(Assembly::First)];
         match ratios {
             [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-8),
             ratios => assert_eq!(ratios, [None, None]),

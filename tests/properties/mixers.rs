@@ -3,7 +3,7 @@
 use assur::catalog::mixer::{Carrier, Case, Mixer, Tracer};
 use assur::gears::Mesh;
 use assur::mechanism::{Multiple, Pose, Quantity};
-use assur::motion::{Course, Motion, Unjoinable};
+use assur::motion::{Motion, OutputProfile, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use proptest::prelude::*;
 
@@ -50,7 +50,7 @@ fn agree<const N: usize>(
     };
     let mechanism = motion.mechanism();
     let pose: &Pose<N> = &pose;
-    let link = |name: &str| mechanism.links().position(|link| link == name).unwrap();
+    let link = |name: &str| mechanism.link(name).unwrap();
     let angle = |name: &str| mechanism.angle(pose, link(name));
     let ratio = mixer.gears.pairs()[0].ratio();
     let near = |found: Jet<N>, expected: Jet<N>, units: [f64; 3], what: &str| {
@@ -89,10 +89,7 @@ fn agree<const N: usize>(
         TOLERANCE[1].max(1e-14 * steep) * size * first,
         TOLERANCE[2].max(1e-13 * steep * steep) * size * second.max(first * first),
     ];
-    let point = |name: &str| {
-        let at = mechanism.points().position(|point| point == name).unwrap();
-        mechanism.place(pose, at)
-    };
+    let point = |name: &str| mechanism.place(pose, mechanism.point(name).unwrap());
     let [a, b, c, d] = mixer.linkage.joints(&exact);
     let centre = |link: Link| mixer.linkage.carried(&exact, link, Offset::MIDDLE);
     let traced = |k: usize| mixer.traced(&exact, &mixer.tracers()[k]);
@@ -171,10 +168,10 @@ proptest! {
     }
 }
 
-/// The course of the angle of a link.
-fn course<'a>(motion: &'a Motion, link: &str) -> Course<'a> {
+/// The profile of the angle of a link.
+fn profile<'a>(motion: &'a Motion, link: &str) -> OutputProfile<'a> {
     let quantity = Quantity::named(motion.mechanism(), &format!("{link}.angle"));
-    Course::new(motion, quantity.unwrap())
+    OutputProfile::new(motion, quantity.unwrap())
 }
 
 proptest! {
@@ -189,14 +186,17 @@ proptest! {
         prop_assert_eq!(four_bar.linkage, linkage);
         prop_assert_eq!(four_bar.grashof(), linkage.grashof());
         prop_assert_eq!(four_bar.base, None);
-        let links: Vec<&str> = mechanism.links().collect();
-        let named = [four_bar.crank, four_bar.coupler, four_bar.rocker].map(|link| links[link]);
+        let links = [four_bar.crank, four_bar.coupler, four_bar.rocker];
+        let named = links.map(|link| mechanism.link_name(link));
         prop_assert_eq!(named, ["crank", "coupler", "rocker"]);
-        let points: Vec<&str> = mechanism.points().collect();
-        prop_assert_eq!(four_bar.joints.map(|point| points[point]), ["A", "B", "C", "D"]);
+        let joints = four_bar.joints.map(|point| mechanism.point_name(point));
+        prop_assert_eq!(joints, ["A", "B", "C", "D"]);
         let [dyad] = mechanism.rrr_dyads()[..] else { panic!("one dyad") };
-        prop_assert_eq!(points[dyad.inner], "C");
-        let mut outer = dyad.outer.map(|outer| (points[outer.point], outer.on.map(|on| links[on])));
+        prop_assert_eq!(mechanism.point_name(dyad.inner), "C");
+        let mut outer = dyad.outer.map(|outer| {
+            let on = outer.on.map(|on| mechanism.link_name(on));
+            (mechanism.point_name(outer.point), on)
+        });
         outer.sort();
         prop_assert_eq!(outer, [("B", Some("crank")), ("D", None)]);
         // Lines of short links are known the worse.
@@ -223,16 +223,16 @@ proptest! {
         let mixer = mixer(&linkage, assembly);
         let motion = mixer.motion().unwrap();
         for (link, ratio) in [("rocker", 1.0), ("wheel5", mixer.gears.pairs()[0].ratio())] {
-            let course = course(&motion, link);
+            let profile = profile(&motion, link);
             let limits = linkage.limits(assembly);
-            let found = course.limits();
+            let found = profile.limits();
             prop_assert_eq!(found.len(), limits.len(), "{:?} {:?}: {:?} {:?}", linkage, assembly, found, limits);
             for (found, limit) in found.iter().zip(limits) {
                 prop_assert!((found.input - limit.crank).abs() < 1e-9, "{linkage:?}: {found:?} {limit:?}");
                 prop_assert!((found.value - ratio * limit.rocker).abs() < 1e-9, "{linkage:?}");
             }
             let swings = linkage.swings(assembly).into_iter().map(|swing| swing.scaled(ratio));
-            for (found, expected) in course.swings().into_iter().zip(swings) {
+            for (found, expected) in profile.swings().into_iter().zip(swings) {
                 match (found, expected) {
                     (Swing::Turns, Swing::Turns) => {}
                     (Swing::Between { min: a, max: b }, Swing::Between { min, max }) => {
@@ -242,11 +242,11 @@ proptest! {
                     _ => prop_assert!(false, "{linkage:?}: {found:?} {expected:?}"),
                 }
             }
-            for (found, travel) in course.travels().iter().zip(linkage.travels(assembly)) {
+            for (found, travel) in profile.travels().iter().zip(linkage.travels(assembly)) {
                 let off = (found - ratio.abs() * travel).abs();
                 prop_assert!(off < 1e-8, "{linkage:?} {assembly:?}: {found} {travel}");
             }
-            match (course.time_ratio(), linkage.time_ratio(assembly)) {
+            match (profile.time_ratio(), linkage.time_ratio(assembly)) {
                 (Some(found), Some(expected)) => {
                     prop_assert!((found - expected).abs() < 1e-8 * expected, "{linkage:?}");
                 }
@@ -273,7 +273,7 @@ fn counts_and_multiples() {
             expected
         );
         assert_eq!(counts.mobility, 1);
-        let link = |name: &str| mechanism.links().position(|link| link == name).unwrap();
+        let link = |name: &str| mechanism.link(name).unwrap();
         let ratio = mixer.gears.pairs()[0].ratio();
         for (name, of, factor) in [
             ("wheel5", "rocker", ratio),

@@ -37,10 +37,10 @@ fn draft() -> Draft {
 fn figure(motion: &Motion, overlays: Overlays) -> Figure {
     let view = View {
         overlays,
-        traced: vec![5],
+        traced: motion.mechanism().point("M").into_iter().collect(),
         ..View::default()
     };
-    let figure = Figure::new(&draft(), motion, &view);
+    let figure = Figure::new(motion, &view);
     figure.unwrap_or_else(|unsolved| panic!("{unsolved}"))
 }
 
@@ -56,8 +56,8 @@ const TRACES: Overlays = Overlays {
 #[test]
 fn lists_are_whole_and_bodies_stand_where_they_are() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
     let figure = figure(&motion, TRACES);
     let rigid = records(figure.rigid().numbers());
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
@@ -79,14 +79,15 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
         let frame = figure.frame(&motion.pose::<1>(input).unwrap());
         assert_eq!(frame[0] as usize, bodies);
         let pose = motion.pose::<1>(input).unwrap();
-        for link in 0..draft.links.len() {
-            let first = mechanism.points_of(link)[0];
+        for (link, id) in mechanism.link_ids().enumerate() {
+            let first = mechanism.points_of(id)[0];
             let at = mechanism.place(&pose, first).place();
             let [x, y, angle] = [1, 2, 3].map(|i| f64::from(frame[3 + 3 * link + i]));
             assert!((x - at.x).abs() < 1e-6 && (y - at.y).abs() < 1e-6);
-            assert!((angle - mechanism.angle(&pose, link).value()).abs() < 1e-6);
+            assert!((angle - mechanism.angle(&pose, id).value()).abs() < 1e-6);
         }
-        for point in [0, 1, 2, 5, 6, 7] {
+        for point in ["A", "B", "C", "M", "D", "E"] {
+            let point = mechanism.point(point).unwrap();
             let at = mechanism.place(&pose, point).place();
             assert!((left..=right).contains(&at.x) && (bottom..=top).contains(&at.y));
         }
@@ -114,10 +115,9 @@ fn beyond_dead_points_nothing_is_drawn() {
         .bar("coupler", &["B", "C"])
         .bar("rocker", &["D", "C"])
         .crank("crank");
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
     assert!(!motion.cycle().is_full());
-    let figure = Figure::new(&draft, &motion, &View::default()).unwrap();
+    let figure = Figure::new(&motion, &View::default()).unwrap();
     let home = motion.pose::<3>(motion.home()).unwrap();
     assert!(figure.frame(&home).iter().all(|x| x.is_finite()));
     assert!(motion.pose::<1>(3.0).is_err());
@@ -127,8 +127,8 @@ fn beyond_dead_points_nothing_is_drawn() {
 #[test]
 fn vectors_are_derivatives_to_scale() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
     let vectors = Overlays {
         vectors: true,
         ..Overlays::default()
@@ -149,7 +149,8 @@ fn vectors_are_derivatives_to_scale() {
             for (shaft, head) in of(2.0).zip(of(1.0)) {
                 let [x, y] = [shaft[4], shaft[5]].map(f64::from);
                 let tip = [head[5], head[6]].map(f64::from);
-                let ends = (0..8).map(|point| mechanism.place(&pose, point));
+                let points = mechanism.point_ids();
+                let ends = points.map(|point| mechanism.place(&pose, point));
                 let mut from = ends.filter(|end| (end.place() - Point::new(x, y)).norm() < 1e-5);
                 let vector = from.next().unwrap().derivative(order);
                 let drawn = Point::new(tip[0], tip[1]) - Point::new(x, y);
@@ -174,13 +175,10 @@ fn vectors_are_derivatives_to_scale() {
 #[test]
 fn groups_have_their_colours() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let formula = mechanism
-        .structure()
-        .formula(|body| mechanism.body_name(body).to_owned());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
     assert_eq!(
-        formula,
+        mechanism.formula(),
         "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
     );
     let [plain, grouped] = [false, true].map(|groups| {
@@ -212,7 +210,7 @@ fn groups_have_their_colours() {
     // Slider and lever had other colours before; crank and rod have kept theirs.
     assert_eq!((painted[1], painted[2]), (0, 0));
     assert!(painted[3] > 0 && painted[5] > 0, "{painted:?}");
-    for (link, role) in of_links.into_iter().enumerate() {
+    for (link, role) in mechanism.link_ids().zip(of_links) {
         assert_eq!(grouped.drawn_role(link), role);
         assert_eq!(grouped.role(link), plain.drawn_role(link));
     }

@@ -39,16 +39,15 @@ impl Drawn {
         let mixer = mixer.unwrap_or_else(|invalid| panic!("{invalid:?}"));
         let motion = mixer.motion();
         let motion = motion.unwrap_or_else(|unmoved| panic!("{unmoved:?}"));
-        let points = motion.mechanism().points().enumerate();
-        let joints = points.filter(|(_, name)| ["B", "C"].contains(name));
+        let joints = ["B", "C"].into_iter();
         let view = View {
             overlays,
-            traced: joints.map(|(point, _)| point).collect(),
+            traced: joints
+                .filter_map(|joint| motion.mechanism().point(joint))
+                .collect(),
             annotations: Annotations::from(&mixer),
         };
-        let draft = mixer.draft();
-        let draft = draft.unwrap_or_else(|unsolved| panic!("{unsolved}"));
-        let figure = Figure::new(&draft, &motion, &view);
+        let figure = Figure::new(&motion, &view);
         let figure = figure.unwrap_or_else(|unsolved| panic!("{unsolved}"));
         Self {
             mixer,

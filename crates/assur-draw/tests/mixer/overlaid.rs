@@ -66,7 +66,7 @@ fn traced_points_run_along_their_curves() {
         let mechanism = drawn.motion.mechanism();
         for (k, (tracer, curve)) in tracers.iter().zip(&curves).enumerate() {
             let name = format!("P{}", k + 1);
-            let point = mechanism.points().position(|point| point == name).unwrap();
+            let point = mechanism.point(&name).unwrap();
             let at = mechanism.place(&pose, point).place();
             let exact = drawn.mixer.linkage.pose::<1>(drawn.mixer.assembly, crank);
             let exact = drawn.mixer.traced(&exact.unwrap(), tracer).place();
@@ -249,7 +249,7 @@ fn loop_vectors_lie_on_the_loop() {
         },
         ..View::default()
     };
-    let plain = Figure::new(&drawn.mixer.draft().unwrap(), &drawn.motion, &view).unwrap();
+    let plain = Figure::new(&drawn.motion, &view).unwrap();
     let symbols = &plain.names()[drawn.motion.mechanism().points().len()..];
     assert_eq!(symbols[..3], ["AB", "BC", "DC"]);
     assert_eq!(symbols.last().map(String::as_str), Some("BD"));

@@ -1,5 +1,6 @@
 use std::f64::consts::PI;
 
+use assur::mechanism::Draft;
 use assur::motion::Motion;
 
 use super::super::View;
@@ -52,12 +53,12 @@ fn draft() -> Draft {
 #[test]
 fn teeth_meet_gaps_all_along_a_train() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
     let home = motion.pose::<1>(motion.home()).unwrap();
     let view = View::default();
-    let layout = Layout::new(&draft, &mechanism, &home, &view);
-    let gearing = Gearing::new(&draft, &layout, &mechanism, &home, &view);
+    let layout = Layout::new(mechanism, &home, &view);
+    let gearing = Gearing::new(&layout, mechanism, &home, &view);
     // The ring has an outer rim of teeth as well, for the train.
     assert_eq!(gearing.wheels.len(), 6);
     for input in [0.0, 0.3, 1.7, 4.0] {
@@ -65,7 +66,7 @@ fn teeth_meet_gaps_all_along_a_train() {
         for gear in &draft.gears {
             let internal = gear.mesh == Mesh::Internal;
             let drawn = [0, 1].map(|k| {
-                let link = layout::index_of(&draft, &gear.links[k]).unwrap();
+                let link = mechanism.link(&gear.links[k]).unwrap();
                 let ring = internal && gear.teeth[k] > gear.teeth[1 - k];
                 let mut wheels = gearing.wheels.iter();
                 wheels
