@@ -3,6 +3,7 @@
 import { degrees } from "assur/core/angles.js";
 
 /**
+ * @typedef {import("assur/engine.js").Output["limits"][number]} Limit
  * @typedef {import("assur/engine.js").MixerSummary} Summary
  * @typedef {import("assur/lesson/panel.js").Step<"mixer">} Step
  */
@@ -60,7 +61,7 @@ function slowStroke({ outputs: [{ time_ratio: ratio }] }) {
 
 /**
  * @param {Summary} summary
- * @returns {{ near: Summary["limits"][number], far: Summary["limits"][number] } | undefined} that of the smaller φ₃ and the other
+ * @returns {{ near: Limit, far: Limit } | undefined} that of the smaller φ₃ and the other
  */
 function limits({ outputs: [{ limits: all }] }) {
   if (all.length !== 2) return undefined;

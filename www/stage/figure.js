@@ -101,7 +101,7 @@ export class Figure {
   }
 
   /**
-   * @param {Float32Array | Float64Array} list
+   * @param {import("assur/canvas/display-list.js").List} list
    * @param {number} start
    * @param {readonly Layer[]} [before]
    */
