@@ -93,9 +93,8 @@ const BUILT: [(&str, &[&str]); 25] = [
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
 
-/// The tables of all that the page says, and of what it says of linkages besides.
+/// The tables of all that the page says.
 const PAGE: &str = "lang/*.json";
-const LINKAGES: &str = "lang/linkages/*.json";
 /// Those of the panel that every lesson is shown in.
 const PANEL: &str = "lang/lessons/panel.*.json";
 /// Those of the misprints that lessons are about.
@@ -150,11 +149,7 @@ fn lesson_tables() -> Vec<String> {
 
 /// Every word the page ever says outside its lessons, in the first language.
 fn page_words() -> Words {
-    let tables = [PAGE, LINKAGES].map(|place| tables(place).swap_remove(0).2);
-    let count: usize = tables.iter().map(Words::len).sum();
-    let all: Words = tables.into_iter().flatten().collect();
-    assert_eq!(all.len(), count, "a key stands in both tables");
-    all
+    tables(PAGE).swap_remove(0).2
 }
 
 /// A key without the form of the noun, and the form.
@@ -217,7 +212,7 @@ fn pascal(code: &str) -> String {
 fn every_language_says_everything() {
     let all = lesson_tables()
         .into_iter()
-        .chain([PAGE, LINKAGES, ERRATA].map(str::to_owned));
+        .chain([PAGE, ERRATA].map(str::to_owned));
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
@@ -494,7 +489,7 @@ fn every_problem_has_words() {
             );
         }
     }
-    for (lang, _, words) in tables(LINKAGES) {
+    for (lang, _, words) in tables(PAGE) {
         for code in of_linkages {
             let key = format!("problem.{code}");
             assert!(words.contains_key(&key), "{lang}: {code}");

@@ -12,7 +12,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
  * @typedef {{ name: string, swing: (Swing | null)[], turns: number[], limits: { input: number, value: number }[], time_ratio: number | null }} Output
- * What a plotted quantity does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
+ * What an output of the document does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
  * @typedef {{
  *   moves: "angle" | "length", cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, lower: number, higher: number, mobility: number },
@@ -129,10 +129,8 @@ export class Engine {
   at(input) {
     const flat = this.ask((simulator) => simulator.at(input));
     let end = LISTS;
-    const [frame, handles, readouts, plotted] = flat.subarray(0, LISTS).map(Number).reduce((lists, length) => {
-      lists.push(flat.subarray(end, (end += length)));
-      return lists;
-    }, /** @type {Float64Array[]} */ ([]));
+    const list = (/** @type {number} */ index) => flat.subarray(end, (end += flat[index]));
+    const [frame, handles, readouts, plotted] = [list(0), list(1), list(2), list(3)];
     const read = readouts.length > 0;
     return { frame, handles, readouts: read ? this.#named(readouts) : null, plotted: read ? plotted : null };
   }

@@ -26,7 +26,7 @@ pub(crate) fn document(name: &str) -> LinkageDocument {
 
 /// What the gallery calls a mechanism.
 fn called(name: &str) -> String {
-    let words = include_str!("../../lang/linkages/en.json");
+    let words = include_str!("../../lang/en.json");
     let words: BTreeMap<String, String> = serde_json::from_str(words).unwrap();
     words[&format!("gallery.{name}")].clone()
 }

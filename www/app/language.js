@@ -9,7 +9,7 @@ import { withView } from "assur/state/state.js";
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {
-  const { store, engine } = page;
+  const { store } = page;
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;

@@ -8,7 +8,6 @@ import { SWITCHES, withDocument, withView } from "assur/state/state.js";
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/core/words.js").Words} Words

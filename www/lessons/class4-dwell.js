@@ -3,7 +3,7 @@
 import { degrees } from "assur/core/angles.js";
 
 /**
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/engine.js").MotionSummary} Summary
  * @typedef {import("assur/lesson/panel.js").Step<"linkage">} Step
  * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  */
@@ -20,7 +20,7 @@ export const STEPS = Object.freeze([
     id: "structure",
     formula: "W = 3n − 2p₁",
     shows: [{ preset: PRESET, play: true, overlays: ["traces", "groups"] }],
-    question: { whole: true, within: 0, answer: ({ counts }) => counts.pairs, places: ({ counts, mobility }) => ({ links: counts.links, mobility }) },
+    question: { whole: true, within: 0, answer: ({ counts }) => counts.lower, places: ({ counts: { links, mobility } }) => ({ links, mobility }) },
   },
   {
     id: "groups",
@@ -54,7 +54,7 @@ export const STEPS = Object.freeze([
     // Of hinges there are as many equations as coordinates of moving points, less the mobility.
     question: {
       whole: true, within: 0, answer: ({ equations }) => equations.length,
-      places: ({ equations, mobility }) => ({ coordinates: equations.length + mobility, mobility }),
+      places: ({ equations, counts: { mobility } }) => ({ coordinates: equations.length + mobility, mobility }),
     },
   },
   {
@@ -89,14 +89,14 @@ function regulated(document) {
  * @param {Summary} summary
  * @returns {number | undefined} how much of the crank's turn the dwell takes, degrees
  */
-function dwell({ course }) {
-  return course?.dwell ? degrees(course.dwell.arc[1] - course.dwell.arc[0]) : undefined;
+function dwell({ profile }) {
+  return profile?.dwell ? degrees(profile.dwell.arc[1] - profile.dwell.arc[0]) : undefined;
 }
 
 /**
  * @param {Summary} summary
  * @returns {number | undefined} degrees
  */
-function stroke({ course }) {
-  return course && course.stroke !== null ? degrees(course.stroke) : undefined;
+function stroke({ profile }) {
+  return profile && profile.stroke !== null ? degrees(profile.stroke) : undefined;
 }

@@ -3,6 +3,7 @@
 import { degrees } from "assur/core/angles.js";
 
 /**
+ * @typedef {import("assur/engine.js").Output["limits"][number]} Limit
  * @typedef {import("assur/engine.js").MixerSummary} Summary
  * @typedef {import("assur/lesson/panel.js").Step<"mixer">} Step
  */
@@ -22,19 +23,19 @@ export const STEPS = Object.freeze([
     id: "ratio",
     formula: "φ₅ = u φ₃\n|u| = z₄ / z₅",
     shows: [{ preset: "a", at: () => Math.PI / 2 }],
-    question: { within: 0.005, answer: ({ wheels }) => wheels[0].ratio },
+    question: { within: 0.005, answer: ({ ratios }) => ratios[0] },
   },
   {
     id: "limits",
     formula: "cos ∠DAC =\n(AC² + l₄² − l₃²) / (2AC·l₄)\nAC = l₂ ± l₁",
-    shows: [{ preset: "a", at: (summary) => limits(summary)?.near.phi, overlays: ["traces", "loop_vectors"] }],
-    question: { unit: "°", round: true, within: 0.5, answer: (summary) => inDegrees(limits(summary)?.far.phi) },
+    shows: [{ preset: "a", at: (summary) => limits(summary)?.near.input, overlays: ["traces", "loop_vectors"] }],
+    question: { unit: "°", round: true, within: 0.5, answer: (summary) => inDegrees(limits(summary)?.far.input) },
   },
   {
     id: "swing",
     formula: "Δφ₅ = |u| Δφ₃",
-    shows: [{ preset: "c", at: (summary) => limits(summary)?.near.phi }],
-    question: { unit: "°", within: 0.5, answer: ({ wheels: [{ swing }] }) => (swing.length === 1 ? inDegrees(swing[0]?.stroke) : undefined) },
+    shows: [{ preset: "c", at: (summary) => limits(summary)?.near.input }],
+    question: { unit: "°", within: 0.5, answer: ({ outputs: [, { swing }] }) => (swing.length === 1 ? inDegrees(swing[0]?.stroke) : undefined) },
   },
   {
     id: "speed",
@@ -54,17 +55,17 @@ export const STEPS = Object.freeze([
  * @param {Summary} summary
  * @returns {number | undefined} what the slow stroke takes of the crank's turn, degrees
  */
-function slowStroke({ time_ratio: ratio }) {
+function slowStroke({ outputs: [{ time_ratio: ratio }] }) {
   return ratio === null ? undefined : (360 * ratio) / (1 + ratio);
 }
 
 /**
  * @param {Summary} summary
- * @returns {{ near: Summary["limits"][number], far: Summary["limits"][number] } | undefined} that of the smaller φ₃ and the other
+ * @returns {{ near: Limit, far: Limit } | undefined} that of the smaller φ₃ and the other
  */
-function limits({ limits: all }) {
+function limits({ outputs: [{ limits: all }] }) {
   if (all.length !== 2) return undefined;
-  const [near, far] = [...all].sort((a, b) => a.rocker - b.rocker);
+  const [near, far] = [...all].sort((a, b) => a.value - b.value);
   return { near, far };
 }
 

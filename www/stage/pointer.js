@@ -157,13 +157,13 @@ export class MechanismPointer {
     const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
     const change = attempt(() => this.#engine.drag(name, radians(phiDeg), x, y)).value;
     if (!change) return;
-    const { document, phi } = change;
+    const { document, input } = change;
     if (document) {
       this.#drafts.dropAll(Object.keys(document));
       this.#store.update((state) => withDocument(state, document));
     } else {
       this.#drafts.drop("phi_deg");
-      this.#store.update((state) => placed(state, degrees(phi), this.#model));
+      this.#store.update((state) => placed(state, degrees(input), this.#model));
     }
   }
 

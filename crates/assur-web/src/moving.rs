@@ -153,6 +153,20 @@ impl Moving {
         &self.dyads
     }
 
+    /// The outputs that the document names, whatever is plotted now; of one that names none
+    /// the first that is plotted.
+    pub(crate) fn outputs(&self) -> Vec<Quantity> {
+        let mechanism = self.mechanism();
+        let named = self.document.plots.iter();
+        let named = named.filter_map(|name| Quantity::named(mechanism, name));
+        let named: Vec<Quantity> = named.collect();
+        if named.is_empty() {
+            self.plotted.first().copied().into_iter().collect()
+        } else {
+            named
+        }
+    }
+
     pub(crate) fn handles(&self) -> &[PointId] {
         &self.handles
     }
@@ -211,6 +225,16 @@ impl Moving {
                 })
             }
         }
+    }
+
+    /// The plotted quantities at an input, as of [`Here`].
+    ///
+    /// # Errors
+    /// Why there is no pose, or none of its derivatives.
+    pub(crate) fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
+        let pose = self.motion.pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
+        Ok(self.rates(&self.plotted, &pose).collect())
     }
 
     /// Why there is no pose at an input, or none of its derivatives; nothing where there is.

@@ -77,6 +77,14 @@ impl Simulator {
         Ok(self.moving()?.at(input).map_err(one)?.flat())
     }
 
+    /// The last of the lists of `at` alone: for the cursor of the plots.
+    ///
+    /// # Errors
+    /// Why there is no pose, or none of its derivatives.
+    pub fn plotted(&self, input: f64) -> Result<Vec<f64>, JsValue> {
+        self.moving()?.plotted_at(input).map_err(one)
+    }
+
     /// The problems that a place of the motion has: why there is no pose, or none of its
     /// derivatives.
     ///

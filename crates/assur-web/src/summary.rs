@@ -90,7 +90,7 @@ struct TransmissionSummary<'a> {
     input: f64,
 }
 
-/// What a plotted quantity does over the motion. Swings are one for every arc of it, none
+/// What an output does over the motion. Swings are one for every arc of it, none
 /// where it turns on and on; turns are there and back, per cycle.
 #[derive(Serialize)]
 struct OutputSummary {
@@ -187,9 +187,8 @@ impl<'a> MotionSummary<'a> {
             change_points: motion.change_points(),
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
-            outputs: plotted
-                .clone()
-                .map(|one| OutputSummary::new(motion, *one))
+            outputs: (moving.outputs().into_iter())
+                .map(|one| OutputSummary::new(motion, one))
                 .collect(),
             roles: (mechanism.link_ids())
                 .map(|link| (mechanism.link_name(link), figure.role(link).name()))

@@ -92,21 +92,21 @@ export class DesignView {
     const { state, summary, words, stale } = snapshot;
     if (this.#worker && !this.#holds(state)) this.#finish("stopped");
     this.#build(snapshot);
-    const { course } = summary;
+    const { profile } = summary;
     const { arc, stroke } = this.#now();
     this.#rows?.arc.show(this.#wish.arc ?? arc, words, false);
     this.#rows?.stroke.show(this.#wish.stroke ?? stroke, words, false);
-    this.#start.disabled = stale || !summary.cycle.full || typeof course?.stroke !== "number";
+    this.#start.disabled = stale || !summary.cycle.full || typeof profile?.stroke !== "number";
     this.#show();
     if (before?.words !== words) this.#tell();
   }
 
   /** Arc and stroke of what is shown, as they are written. */
   #now() {
-    const { course, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
+    const { profile, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
     const angle = plotted[0]?.endsWith(".angle") ?? true;
-    const arc = course?.dwell ? course.dwell.arc[1] - course.dwell.arc[0] : 0;
-    const stroke = course?.stroke ?? 0;
+    const arc = profile?.dwell ? profile.dwell.arc[1] - profile.dwell.arc[0] : 0;
+    const stroke = profile?.stroke ?? 0;
     return { angle, arc: degrees(arc), stroke: angle ? degrees(stroke) : stroke };
   }
 

@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
 /**
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/engine.js").MotionSummary} Summary
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/state.js").State<"linkage">} LinkageState
@@ -11,14 +11,14 @@ import { byId, make, setData } from "assur/core/dom.js";
 
 /** @type {Readonly<Record<string, (summary: Summary, words: Words, state: LinkageState) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
-  mobility: ({ mobility }, words) => words.numbers.exact(mobility),
+  mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, _, { view }) => (view.groups ? coloured(groups) : formula),
   "linkage-assembly": ({ assembly, assemblies }, words) =>
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
   "linkage-range": ({ cycle }, words) => (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => angle(end, words)).join("…")).join(", ")),
   "linkage-dead": ({ dead_points: dead }, words) =>
-    dead.map(({ phi, kind, links }) => `${angle(phi, words)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
+    dead.map(({ input, kind, links }) => `${angle(input, words)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
   "linkage-change": ({ change_points: points }, words) => points.map((phi) => angle(phi, words)).join(", "),
 });
 

@@ -20,28 +20,28 @@ const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
 /** @type {[string, Say][]} */
 const WHEEL_SWINGS = WHEELS.map((index) => [
   `swing-${wheelLink(index)}`,
-  ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
+  ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
 ]);
 
 /** @type {Readonly<Record<string, Say>>} */
 const ENTRIES = Object.freeze({
-  grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
+  grashof: ({ four_bars: [{ grashof }] }, words) => ({ text: words.text(`grashof.${grashof}`) }),
   assembly: (_, words, { document }) => ({
     text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
     value: document.assembly,
   }),
-  "swing-rocker": ({ swing }, words) => swingEntry(swing, words),
+  "swing-rocker": ({ outputs: [{ swing }] }, words) => swingEntry(swing, words),
   ...Object.fromEntries(WHEEL_SWINGS),
   overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
-  turns: ({ wheels }, words) => ({
+  turns: ({ outputs: [, ...wheels] }, words) => ({
     text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
     value: wheels[0].turns[0],
   }),
-  ratio: ({ wheels }, words) => ({ text: wheels.map(({ ratio }) => words.numbers.upTo(ratio, 4)).join("; "), value: wheels[0].ratio }),
-  "time-ratio": ({ time_ratio: ratio }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
-  transmission: ({ transmission }, words) => angleEntry(transmission.min, words),
+  ratio: ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] }),
+  "time-ratio": ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
+  transmission: ({ transmissions: [{ min }] }, words) => angleEntry(min, words),
   range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
-  "dead-points": ({ dead_points: points }, words) => anglesEntry(points, words),
+  "dead-points": ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words),
   "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
 });
 
