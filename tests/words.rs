@@ -26,6 +26,7 @@ const BUILT: [(&str, &[&str]); 25] = [
         &[
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/state.rs",
+            "crates/assur-file/src/view.rs",
             "www/kinds/mixer/rail.js",
             "www/kinds/mixer/lists.js",
             "www/kinds/linkage/rail.js",
@@ -69,8 +70,9 @@ const BUILT: [(&str, &[&str]); 25] = [
     (
         "problem.",
         &[
-            "crates/assur-file/src/linkage/problem.rs",
+            "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
+            "www/app/notices.js",
             "www/state/codec.js",
             "www/engine.js",
             "www/state/model.js",

@@ -62,7 +62,7 @@ impl Mixer {
     pub(crate) fn new(state: &State, document: &MixerDocument) -> Result<Self, Vec<Problem>> {
         let moved = state.moved()?;
         let parameters = document.mixer()?;
-        let linkage = parameters.linkage.clone();
+        let linkage = parameters.linkage;
         let assembly = parameters.assembly;
         // Of a four-bar more can be said than that two links do not meet.
         let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
