@@ -24,6 +24,7 @@ const BUILT: [(&str, &[&str]); 25] = [
     (
         "field.",
         &[
+            "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/state.rs",
             "crates/assur-file/src/view.rs",
