@@ -1,9 +1,9 @@
 //! The misprints of the papers, listed in docs/errata.md: what is printed is
 //! wrong, what we use is right. One test for each, named after it.
 
-use assur::catalog::mixer::{Case, Mixer};
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, Mechanism};
+use assur::mixer::{Case, Mixer};
 use assur::motion::Motion;
 use assur::{Assembly, FourBar, Jet, Link, Offset, Pose, Vector};
 use assur_tests::{angle_between, assert_near};
@@ -105,7 +105,7 @@ fn mixer_26_sense_of_wheel_5() {
         (Mesh::Internal, 2.0),
         (Mesh::AsPrinted, 2.0),
     ] {
-        let dimensions = assur::catalog::mixer::Dimensions {
+        let dimensions = assur::mixer::Dimensions {
             mesh,
             ..Case::A.dimensions()
         };

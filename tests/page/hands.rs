@@ -1,6 +1,6 @@
 //! Hands on plots and drawing: what a mouse and fingers do there.
 
-use assur::catalog::mixer::{Case, Dimensions, Mixer};
+use assur::mixer::{Case, Dimensions, Mixer};
 use assur::{Assembly, FourBar, Point};
 use assur_draw::{Annotations, Figure, View};
 use assur_tests::assert_near;

@@ -1,7 +1,7 @@
 //! The lesson's steps: opened, walked through and answered by mouse, by keys and by
 //! touch; what is right is what the engine, run natively, says of the mechanism.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::mixer::{Case, Mixer};
 use serde_json::json;
 use thirtyfour::prelude::*;
 

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use assur::Point;
-use assur::catalog::mixer::{Case, Dimensions, Mixer};
 use assur::gears::Mate;
+use assur::mixer::{Case, Dimensions, Mixer};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 

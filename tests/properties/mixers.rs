@@ -1,8 +1,8 @@
 //! A mixer as a linkage like any other moves as its four-bar's closed form says.
 
-use assur::catalog::mixer::{Carrier, Case, Mixer, Tracer};
 use assur::gears::Mesh;
 use assur::mechanism::{Multiple, Pose, Quantity};
+use assur::mixer::{Carrier, Case, Mixer, Tracer};
 use assur::motion::{Motion, OutputProfile, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use proptest::prelude::*;

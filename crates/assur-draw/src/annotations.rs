@@ -1,7 +1,7 @@
 //! What a document says of its drawing beyond the linkage itself.
 
-use assur::catalog::mixer::Mixer;
 use assur::gears::GearSet;
+use assur::mixer::Mixer;
 
 use crate::list::Role;
 

@@ -1,6 +1,6 @@
 //! Mechanisms that come with Assur, by name, and those of a reader's files.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::mixer::{Case, Mixer};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 

@@ -1,8 +1,8 @@
 //! Three hundred damaged states: each is refused with a problem that names a part,
 //! or is a state that can be shown; none panics.
 
-use assur::catalog::mixer::{Carrier, Case, Tracer};
 use assur::gears::Mate;
+use assur::mixer::{Carrier, Case, Tracer};
 use assur_file::{MixerDocument, Problem, State};
 use serde_json::{Value, json};
 

@@ -1,7 +1,7 @@
 //! The one object the page talks to.
 
 use assur::Point;
-use assur::catalog::mixer::Case;
+use assur::mixer::Case;
 use assur_draw::ROLES;
 use assur_file::{LinkageDocument, MixerDocument, Problem, State, from_catalogue};
 use plotters::prelude::IntoDrawingArea;

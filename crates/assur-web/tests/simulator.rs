@@ -100,6 +100,9 @@ fn a_table_has_the_golden_numbers_and_reasons() {
         put(&state, "document", key, length.into());
     }
     simulator.set(state).unwrap();
+    // There is a step at least.
+    let table = simulator.sweep(0).unwrap();
+    assert_eq!(number(&table, "rows.length"), 2.0);
     let table = simulator.sweep(4).unwrap();
     let codes = [0, 1, 2, 3, 4].map(|row| {
         let reason = get(&table, &format!("rows.{row}.reason"));

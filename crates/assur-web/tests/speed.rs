@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use assur::mechanism::{self, LinkId, PointId};
-use assur::motion::{Motion, extrema};
+use assur::mechanism::{self, LinkId, PointId, Quantity};
+use assur::mixer::{Case, Mixer};
+use assur::motion::{Input, Motion};
 use assur::{Assembly, FourBar, Pose};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -28,6 +29,8 @@ type Columns = [Vec<f64>; 6];
 #[wasm_bindgen_test(unsupported = test)]
 fn speed() {
     let linkage = FourBar::new(LENGTHS).unwrap();
+    let moving = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+    let rocker = Quantity::named(moving.mechanism(), "rocker.angle").unwrap();
     let mut columns: Columns = std::array::from_fn(|_| vec![0.0; SAMPLES]);
     let mut contestants: Vec<(&str, usize, Box<dyn FnMut()>)> = Vec::new();
     let mut own = columns.clone();
@@ -54,7 +57,7 @@ fn speed() {
         "engine, all extrema of a motion",
         1,
         Box::new(move || {
-            black_box(extrema(&linkage, Assembly::First, |pose| pose.rocker));
+            black_box(moving.features(&[rocker], Input::ANALOGUES));
         }),
     ));
     for (name, linkage, places) in [

@@ -21,7 +21,6 @@
 //! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
-pub mod catalog;
 mod four_bar;
 pub mod gears;
 mod geometry;
@@ -29,6 +28,7 @@ mod index;
 mod invalid;
 mod jet;
 pub mod mechanism;
+pub mod mixer;
 pub mod motion;
 mod position;
 pub mod structure;

@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use assur::Jet;
 use assur::mechanism::{Pose, Quantity, RrrDyad};
-use assur::motion::{DeadPoint, DeadPointKind, Features, Input, features};
+use assur::motion::{DeadPoint, DeadPointKind};
 
 use super::{Figure, paths};
 use crate::chart::{Chart, Kind, Sample, Series, Settings};
@@ -15,9 +14,6 @@ use crate::list::Role;
 const CLEAR: f64 = 15.0 * PI / 180.0;
 /// Where it is no dyad of hinges, ranges keep this share of an arc off its end.
 const CLEAR_SHARE: f64 = 0.04;
-
-/// An angle with less of an offset to a multiple of another, radians, is that.
-const NO_OFFSET: f64 = 1e-12;
 
 /// What tells that derivatives are far from growing without bound at a dead point.
 enum Clear {
@@ -32,7 +28,7 @@ impl Figure {
     /// `settings` say.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let found = self.features(quantities, settings.input);
+        let found = motion.features(quantities, settings.input);
         let series = quantities.iter().zip(found);
         let series = series.map(|(quantity, features)| Series {
             name: quantity.name(mechanism, 0),
@@ -56,48 +52,6 @@ impl Figure {
             _ => Kind::Angle,
         };
         Chart::new(motion.cycle(), kind, series.collect(), &sample, settings)
-    }
-
-    /// Zeros and extrema of the quantities: found once for all that are multiples of
-    /// the same one.
-    fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
-        let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let multiples = quantities.iter().map(|one| self.multiple(*one));
-        let multiples: Vec<(Quantity, f64)> = multiples.collect();
-        let mut bases: Vec<Quantity> = Vec::new();
-        for (base, _) in &multiples {
-            if !bases.contains(base) {
-                bases.push(*base);
-            }
-        }
-        let size = mechanism.size();
-        let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
-        let units: Vec<f64> = bases.iter().map(unit).collect();
-        let jets = |input: f64| -> Option<Vec<Jet<5>>> {
-            let pose = motion.pose::<5>(input).ok()?;
-            Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
-        };
-        let found = features(motion.cycle(), &jets, &units, input);
-        let scaled = |(base, factor): (Quantity, f64)| {
-            let mut known = bases.iter().zip(&found);
-            let found = known.find(|(one, _)| **one == base);
-            found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
-        };
-        multiples.into_iter().filter_map(scaled).collect()
-    }
-
-    /// The quantity that another is a multiple of, and how many times. With an offset
-    /// to it an angle has zeros of its own.
-    fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
-        let Quantity::Angle(link) = quantity else {
-            return (quantity, 1.0);
-        };
-        let multiple = self.motion.mechanism().multiple_of(link);
-        if multiple.offset.abs() < NO_OFFSET {
-            (Quantity::Angle(multiple.of), multiple.factor)
-        } else {
-            (quantity, 1.0)
-        }
     }
 
     /// The dead points.

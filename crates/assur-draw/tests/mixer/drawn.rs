@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use assur::catalog::mixer::{Carrier, Case, Dimensions, Mixer, Tracer};
 use assur::gears::Mate;
 use assur::mechanism::Pose;
+use assur::mixer::{Carrier, Case, Dimensions, Mixer, Tracer};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 use assur_draw::{Annotations, Figure, Overlays, View};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::catalog::mixer::{Carrier, Case, Tracer};
+use assur::mixer::{Carrier, Case, Tracer};
 use assur::{Point, Vector};
 use assur_draw::{Figure, Overlays, Role, View};
 

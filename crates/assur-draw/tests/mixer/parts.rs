@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use assur::catalog::mixer::{Case, Dimensions};
 use assur::gears::Mesh;
+use assur::mixer::{Case, Dimensions};
 use assur::{Point, Vector};
 use assur_draw::{Overlays, Role};
 

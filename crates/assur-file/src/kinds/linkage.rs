@@ -4,12 +4,12 @@
 mod check;
 mod problem;
 
-use assur::catalog::mixer::Mixer;
 use assur::gears::Mesh;
 use assur::mechanism::{
     Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, DraftTracer, FRAME,
     Mechanism, Quantity,
 };
+use assur::mixer::Mixer;
 use assur::motion::Motion;
 use assur::{Point, Vector};
 use serde::{Deserialize, Serialize};

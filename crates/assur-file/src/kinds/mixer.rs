@@ -1,8 +1,8 @@
 //! The mixer's dimensions as they are saved.
 
 use assur::Assembly;
-use assur::catalog::mixer::{Carrier, Dimensions, Mixer, Tracer, Unmoved};
 use assur::gears::{Mate, Mesh};
+use assur::mixer::{Carrier, Dimensions, Mixer, Tracer, Unmoved};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,5 @@
 use super::*;
-use assur::catalog::mixer::Case;
+use assur::mixer::Case;
 use assur::motion::Input;
 use serde_json::json;
 

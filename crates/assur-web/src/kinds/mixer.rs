@@ -1,8 +1,8 @@
 //! The mixer on the page: a linkage that its parameters describe.
 
-use assur::catalog::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::gears::GearPair;
 use assur::mechanism::{Mechanism, Unsolved};
+use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
 use assur_draw::{Annotations, List};
 use assur_file::{LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State};

@@ -91,8 +91,8 @@ fn nearest(lengths: [f64; 4], crank: f64, c: Point) -> Option<Assembly> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::mixer::Case;
     use crate::gears::Mesh;
+    use crate::mixer::Case;
 
     fn mixer(lengths: [f64; 4], assembly: Assembly) -> Mixer {
         let dimensions = super::super::Dimensions {

@@ -1,7 +1,4 @@
-//! Extrema of the derivatives of an angle over the motion of a four-bar.
-
-use super::{Input, features};
-use crate::{Assembly, FourBar, Jet, Pose};
+//! A local extremum of a quantity over a motion.
 
 /// Maximum or minimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +14,7 @@ pub enum Kind {
 pub struct Extremum {
     /// Maximum or minimum.
     pub kind: Kind,
-    /// φ₁.
+    /// The input.
     pub crank: f64,
     /// The extreme value.
     pub value: f64,
@@ -38,20 +35,4 @@ impl Extremum {
             value: self.value * ratio,
         }
     }
-}
-
-/// The local extrema of φ′ and of φ″ of an angle of the linkage over its cycle,
-/// each in ascending crank angle; `angle` picks the link.
-///
-/// Each is a root of the next derivative, see [`features`].
-pub fn extrema(
-    linkage: &FourBar,
-    assembly: Assembly,
-    angle: impl Fn(&Pose<5>) -> Jet<5>,
-) -> [Vec<Extremum>; 2] {
-    let motion = |crank: f64| Some(vec![angle(&linkage.pose(assembly, crank).ok()?)]);
-    let found = features(&linkage.cycle(), &motion, &[1.0], Input::ANALOGUES);
-    let mut orders = found.into_iter().flatten().map(|features| features.extrema);
-    let _value = orders.next();
-    [(); 2].map(|()| orders.next().unwrap_or_default())
 }

@@ -5,15 +5,12 @@
 mod draft;
 mod drag;
 mod motion;
-mod quantity;
-mod table;
 mod tracer;
 
 use std::f64::consts::PI;
 
 pub use drag::{Dragged, Joint};
 pub use motion::Unmoved;
-pub use quantity::{Axis, Quantity, Tracked, Turning};
 pub use tracer::{Carrier, Tracer};
 
 use crate::gears::{GearSet, Mate, Mesh};

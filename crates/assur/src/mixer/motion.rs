@@ -42,3 +42,6 @@ impl Mixer {
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }
 }
+
+#[cfg(test)]
+mod tests;
