@@ -2,7 +2,7 @@
 
 use assur::mixer::{Case, Dimensions, Mixer};
 use assur::{Assembly, FourBar, Point};
-use assur_draw::{Annotations, Figure, View};
+use assur_draw::{Annotations, Figure, View as Drawing};
 use assur_tests::assert_near;
 
 use crate::browser::Page;
@@ -116,9 +116,9 @@ impl View {
 }
 
 fn bounds(mixer: &Mixer) -> [f64; 4] {
-    let view = View {
+    let view = Drawing {
         annotations: Annotations::from(mixer),
-        ..View::default()
+        ..Drawing::default()
     };
     let motion = mixer.motion().unwrap();
     let figure = Figure::new(&mixer.draft().unwrap(), &motion, &view);

@@ -175,7 +175,8 @@ impl Hand<'_> {
                 let (from, to) = (within(&mut self.dice), within(&mut self.dice));
                 self.note(format!("drag {id} {from:?} {to:?}"));
                 if self.dice.below(5) == 0 {
-                    let wheel = json!({ "deltaX": 0, "deltaY": [-240, 240][self.dice.below(2)] });
+                    let by = *self.dice.one(&[-240, 240]);
+                    let wheel = json!({ "deltaX": 0, "deltaY": by });
                     self.mouse("mouseWheel", from, wheel).await;
                     return;
                 }
