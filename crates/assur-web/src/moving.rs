@@ -1,6 +1,6 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use assur::mechanism::{Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
 use assur::motion::{Column, Motion};
@@ -9,6 +9,7 @@ use assur_draw::chart::{Chart, Settings};
 use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
 use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
+use crate::driven::Driven;
 use crate::equations::sides;
 use crate::table::{SweepRow, SweepTable};
 
@@ -53,15 +54,6 @@ impl Here {
         let rest = [handles, readouts, plotted].into_iter().flatten().copied();
         lengths.chain(frame).chain(rest).collect()
     }
-}
-
-/// The hand on what is driven: the point that takes the input along.
-#[derive(Clone, Copy)]
-enum Driven {
-    /// The end of a crank, about its pivot.
-    Crank { pivot: PointId, end: PointId },
-    /// A point that slides from the first point of a line towards the second.
-    Slide { line: [PointId; 2], end: PointId },
 }
 
 impl Moving {
@@ -295,27 +287,8 @@ impl Moving {
         to: Point,
     ) -> Option<Result<f64, Problem>> {
         let driven = self.driven.filter(|driven| driven.end() == point)?;
-        Some(self.pose(input).map(|pose| {
-            let at = |point: PointId| self.place(&pose, point);
-            match driven {
-                Driven::Crank { pivot, end } => {
-                    let angle = |place: Point| {
-                        let along = place - at(pivot);
-                        along.y.atan2(along.x)
-                    };
-                    let by = angle(to) - angle(at(end));
-                    input + by - TAU * ((by + PI) / TAU).floor()
-                }
-                Driven::Slide {
-                    line: [from, towards],
-                    end,
-                } => {
-                    let along = (at(towards) - at(from)).normalize();
-                    let [least, most] = self.cycle().arcs()[0];
-                    (input + along.dot(&(to - at(end)))).clamp(least, most)
-                }
-            }
-        }))
+        let pose = self.pose(input);
+        Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
     }
 
     /// The motion as a table with this many rows to a turn of the crank, or to the range of
@@ -371,37 +344,6 @@ impl Moving {
         let pose = self.motion.pose::<3>(input);
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
         Ok(sides(self.mechanism(), &pose, order.min(2)))
-    }
-}
-
-impl Driven {
-    fn end(self) -> PointId {
-        match self {
-            Self::Crank { end, .. } | Self::Slide { end, .. } => end,
-        }
-    }
-
-    /// The hand on the driver of a document; none on a crank that turns on a moving link.
-    fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
-        let [driver] = &document.drivers[..] else {
-            return None;
-        };
-        let point = |name: &String| mechanism.point(name);
-        if let Some(slide) = driver.slide {
-            let slide = document.slides.get(slide)?;
-            let [from, towards] = &slide.line;
-            return Some(Self::Slide {
-                line: [point(from)?, point(towards)?],
-                end: point(&slide.point)?,
-            });
-        }
-        let name = driver.crank.as_ref().filter(|_| driver.base.is_none())?;
-        let link = document.links.iter().find(|link| link.name == *name)?;
-        let fixed = |name: &&String| document.frame.contains(name);
-        Some(Self::Crank {
-            pivot: point(link.points.iter().find(fixed)?)?,
-            end: point(link.points.iter().find(|name| !fixed(name))?)?,
-        })
     }
 }
 

@@ -165,6 +165,26 @@ impl Kind for MixerDocument {
     }
 }
 
+impl LinkageDocument {
+    /// A mixer, with the angles of what its rocker drives plotted.
+    ///
+    /// # Errors
+    /// Why it cannot be drawn.
+    pub fn of_mixer(mixer: &Mixer) -> Result<Self, Problem> {
+        let mut document = Self::new(&mixer.draft()?);
+        let driven = document.links.iter().map(|link| &link.name);
+        let driven = driven.filter(|name| *name == "rocker" || name.starts_with("wheel"));
+        document.plots = driven
+            .filter(|name| *name != "wheel4")
+            .map(|name| format!("{name}.angle"))
+            .collect();
+        let traced = document.tracers.iter().map(|tracer| tracer.name.clone());
+        document.traces = traced.collect();
+        document.traces.extend(["B", "C"].map(str::to_owned));
+        Ok(document)
+    }
+}
+
 impl MixerDocument {
     /// The saved form of these dimensions.
     pub fn new(dimensions: &Dimensions) -> Self {

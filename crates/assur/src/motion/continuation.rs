@@ -7,6 +7,7 @@ use std::convert::Infallible;
 use super::closed::dead_point;
 use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::Knots;
+use super::root::bisect;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, Signs};
 use crate::position::{Nearby, Orientation, Predictor, ROUNDING, State, Step};
@@ -383,24 +384,4 @@ impl<'a> Continuation<'a> {
         debug_assert!(solved.is_ok() || cause != Cause::Input);
         DeadPoint { input, kind, step }
     }
-}
-
-/// Halves an interval until its ends are neighbours, or as good as that: its first
-/// end is before what is sought, the other one is not.
-fn bisect<E>(
-    [mut low, mut high]: [f64; 2],
-    mut is_before: impl FnMut(f64) -> Result<bool, E>,
-) -> Result<[f64; 2], E> {
-    for _ in 0..120 {
-        let middle = 0.5 * (low + high);
-        if middle == low || middle == high {
-            break;
-        }
-        if is_before(middle)? {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Ok([low, high])
 }
