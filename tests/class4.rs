@@ -181,15 +181,15 @@ fn adjustable_dwell() {
             "{length}: {:?}",
             motion.dead_points()
         );
-        let course = output(&motion);
-        let found = course.dwell(0.1_f64.to_radians()).unwrap();
+        let profile = output(&motion);
+        let found = profile.dwell(0.1_f64.to_radians()).unwrap();
         let degrees = found.length().to_degrees();
         assert!((degrees - dwell).abs() < 0.02, "FK {length}: {degrees}");
         assert!(
             (found.residual().to_degrees() - 0.1).abs() < 1e-9,
             "FK {length}"
         );
-        let values = course
+        let values = profile
             .strokes()
             .into_iter()
             .flatten()
@@ -207,8 +207,8 @@ fn adjustable_dwell() {
 #[wasm_bindgen_test(unsupported = test)]
 fn dwell_and_cyclogram() {
     let motion = with_fk(4.011_645_547_652);
-    let course = output(&motion);
-    let found = course.dwell(0.01_f64.to_radians()).unwrap();
+    let profile = output(&motion);
+    let found = profile.dwell(0.01_f64.to_radians()).unwrap();
     assert!(
         (found.length().to_degrees() - 170.19).abs() < 0.01,
         "{found:?}"
@@ -227,7 +227,7 @@ fn dwell_and_cyclogram() {
     assert!((0..=10_000).all(|k| inside(found.arc[0] + found.length() * f64::from(k) / 1e4)));
     assert!(!inside(found.arc[0] - 1e-6) && !inside(found.arc[1] + 1e-6));
 
-    let phases = course.cyclogram(0.1_f64.to_radians());
+    let phases = profile.cyclogram(0.1_f64.to_radians());
     let turn: f64 = phases.iter().map(|phase| phase.arc[1] - phase.arc[0]).sum();
     assert!((turn - std::f64::consts::TAU).abs() < 1e-9, "{phases:?}");
     let kinds: Vec<PhaseKind> = phases.iter().map(|phase| phase.kind).collect();
@@ -255,13 +255,13 @@ fn dwells_at_the_bounds() {
     );
     assert!(crank.strokes().is_empty());
     assert_eq!(crank.cyclogram(0.1).len(), 1);
-    let course = output(&motion);
-    let whole = course.dwell(2.0).unwrap();
+    let profile = output(&motion);
+    let whole = profile.dwell(2.0).unwrap();
     assert!((whole.length() - std::f64::consts::TAU).abs() < 1e-12);
     assert!((whole.residual().to_degrees() - 43.2908).abs() < 2e-4);
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(
-            course.dwell(tolerance).is_none() && course.cyclogram(tolerance).is_empty()
+            profile.dwell(tolerance).is_none() && profile.cyclogram(tolerance).is_empty()
                 || tolerance.is_infinite()
         );
     }

@@ -37,7 +37,7 @@ pub(crate) fn inputs(motion: &Motion, random: &mut Random) -> Vec<f64> {
     (0..8).map(|_| inside(random)).collect()
 }
 
-/// By how much a moving point differs from another, each derivative beside the
+/// By how much a moving point differs from another, each derivative relative to the
 /// size that derivatives of this order have.
 pub(crate) fn worst<const N: usize>(a: &JetPoint<N>, b: &JetPoint<N>, size: f64, rate: f64) -> f64 {
     (0..N)

@@ -77,7 +77,7 @@ fn agree<const N: usize>(
         near(angle(name), expected, TOLERANCE, name)?;
     }
     // C is the coupler's here and the rocker's there: the derivatives of the loop close
-    // beside the size of their terms, less what a short diagonal loses (poses.rs).
+    // relative to the size of their terms, less what a short diagonal loses (poses.rs).
     let [first, second] = [1, 2].map(|order| {
         let rates = [exact.coupler, exact.rocker].map(|angle| angle.derivative(order).abs());
         rates[0].max(rates[1]).max(1.0)

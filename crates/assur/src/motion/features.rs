@@ -152,7 +152,7 @@ pub(super) fn turning_points(
 }
 
 /// Zeros and extrema of one function of the crank angle, from samples of the
-/// whole motion; beside `size` its values are seen.
+/// whole motion; `size` is what its values are relative to.
 fn features_of(
     cycle: &Cycle,
     sweeps: &[Vec<Option<Sample>>],
