@@ -168,7 +168,7 @@ export class Engine {
    * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ document: { tracers: import("assur/state/state.js").Tracer[] } }}
+   * @returns {{ document: { tracers: { name?: string, link: string }[] } & import("assur/state/state.js").Change }}
    */
   trace(input, x, y) {
     return this.ask((simulator) => simulator.trace(input, x, y));

@@ -268,7 +268,7 @@ fn judged(held: Option<Value>, length: usize) -> Result<State, Vec<Problem>> {
     let fits = |value: &Value| length <= LONGEST && depth(value) <= DEEPEST;
     let value = held.filter(fits).ok_or_else(Vec::new)?;
     let state = State::read(|| &value).map_err(|problem| vec![problem])?;
-    state.mixer()?;
+    state.moved()?;
     Ok(state)
 }
 

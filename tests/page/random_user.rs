@@ -201,7 +201,8 @@ impl Hand<'_> {
                 self.page
                     .tool("Input.insertText", json!({ "text": text }))
                     .await;
-                self.key(*self.dice.one(&[("Enter", 13), ("Tab", 9)]), 0)
+                let end = *self.dice.one(&[("Enter", 13), ("Tab", 9)]);
+                self.key(end, 0)
                     .await;
             }
             "select" => {

@@ -25,6 +25,7 @@
  * @typedef {Readonly<{
  *   title?: string | null, origin?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
  *   links: readonly LinkEntry[], drivers: readonly Driver[], slides?: readonly Readonly<{ point: string, line: readonly string[] }>[],
+ *   tracers?: readonly Readonly<{ name: string, link: string, at: readonly [number, number] }>[],
  *   assembly?: number | null, band?: number | null,
  * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
  *
@@ -143,8 +144,8 @@ export function withMechanism(state, kind, document) {
  * @param {LinkageDocument} document
  * @returns {string[]} what can be plotted of a linkage
  */
-export function plotsOf({ links, points }) {
-  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...points.map(({ name }) => name)];
+export function plotsOf({ links, points, tracers = [] }) {
+  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...[...points, ...tracers].map(({ name }) => name)];
 }
 
 /**
