@@ -202,8 +202,7 @@ impl Hand<'_> {
                     .tool("Input.insertText", json!({ "text": text }))
                     .await;
                 let end = *self.dice.one(&[("Enter", 13), ("Tab", 9)]);
-                self.key(end, 0)
-                    .await;
+                self.key(end, 0).await;
             }
             "select" => {
                 let turn = self.dice.below(1000);
