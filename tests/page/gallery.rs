@@ -127,13 +127,7 @@ async fn mechanisms_of_the_gallery_open() {
     }
     // What belongs to the mixer alone is away, and comes back with it.
     let shown = async |id: &str| page.element(id).await.is_displayed().await.unwrap();
-    for id in [
-        "presets",
-        "tab-lesson",
-        "mesh-external",
-        "out-grashof",
-        "trace",
-    ] {
+    for id in ["presets", "tab-lesson", "mesh-external", "out-grashof"] {
         assert!(!shown(id).await, "{id}");
     }
     page.click("gallery").await;
@@ -143,13 +137,7 @@ async fn mechanisms_of_the_gallery_open() {
     .await;
     page.click("gallery-mixer").await;
     page.settle().await;
-    for id in [
-        "presets",
-        "tab-lesson",
-        "mesh-external",
-        "out-grashof",
-        "trace",
-    ] {
+    for id in ["presets", "tab-lesson", "mesh-external", "out-grashof"] {
         assert!(shown(id).await, "{id}");
     }
     assert!(!shown("driver").await && !shown("out-formula").await);
@@ -250,7 +238,7 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
     page.stop_at("33").await;
     page.until("the address to follow", async || {
         let address = page.address().await;
-        address.contains("lesson=linkage") && address.contains("v.phi_deg=33&")
+        address.contains("kind=linkage") && address.contains("v.phi_deg=33&")
     })
     .await;
     let link = page.address().await;

@@ -313,14 +313,15 @@ async fn a_link_opens_the_step() {
     open(&page).await;
     turn_to(&page, 3).await;
     page.until("the address to follow", async || {
-        page.address().await.contains("v.step=3")
+        page.address().await.contains("%22step%22%3A3")
     })
     .await;
     let link = page.address().await;
     page.anew(&link).await;
     loaded(&page).await;
     assert_eq!(page.text("lesson-title").await, "Limit positions");
-    page.anew(&link.replace("v.step=3", "v.step=200")).await;
+    page.anew(&link.replace("%22step%22%3A3", "%22step%22%3A200"))
+        .await;
     loaded(&page).await;
     assert!(page.text("lesson-progress").await.contains("Step 6 of 6"));
     page.click("lesson-back").await;

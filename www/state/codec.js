@@ -29,7 +29,8 @@ function unreadable() {
 export function toAddress(state) {
   const pairs = [`kind=${encode(state.kind)}`];
   for (const [prefix, part] of Object.entries(PARTS)) {
-    for (const [key, value] of Object.entries(state[part])) pairs.push(`${prefix}${encodeURIComponent(key)}=${encode(value)}`);
+    const entries = Object.entries(state[part]).filter(([, value]) => value !== null && value !== undefined);
+    for (const [key, value] of entries) pairs.push(`${prefix}${encodeURIComponent(key)}=${encode(value)}`);
   }
   return [VERSION, ...pairs].join("&");
 }

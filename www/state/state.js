@@ -13,7 +13,7 @@
  *
  * @typedef {Readonly<{
  *   phi_deg: number, s: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
- *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups?: boolean,
+ *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups: boolean,
  *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
  *   true_time: boolean, differenced: boolean,
  *   lesson: Readonly<{ id: string, step: number }> | null,
@@ -89,6 +89,7 @@ function completeView(view) {
     vectors: false,
     loop_vectors: false,
     transmission: false,
+    groups: false,
     plot: "angles",
     axes: "analogues",
     omega: 1,

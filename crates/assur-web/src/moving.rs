@@ -58,7 +58,7 @@ impl Here {
 
 impl Moving {
     /// What is shown of a linkage in motion by the view of a state, with the notes of its
-    /// document; `explain` finds the words for what has no pose.
+    /// document and the quantities that are read; `explain` says why there is no pose.
     ///
     /// # Errors
     /// Why there is no pose to draw it in.
@@ -66,6 +66,7 @@ impl Moving {
         view: &View,
         moved: Moved,
         annotations: Annotations,
+        quantities: Vec<Quantity>,
         explain: Explain,
     ) -> Result<Self, Vec<Problem>> {
         let Moved {
@@ -95,7 +96,7 @@ impl Moving {
         let points = mechanism.point_ids();
         Ok(Self {
             dyads: mechanism.rrr_dyads(),
-            quantities: told(&document, mechanism),
+            quantities,
             driven: Driven::of(&document, mechanism),
             handles: points.filter(|point| figure.is_drawn(*point)).collect(),
             chart: figure.chart(&plotted, settings(view)),
@@ -345,30 +346,6 @@ impl Moving {
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
         Ok(sides(self.mechanism(), &pose, order.min(2)))
     }
-}
-
-/// What is told of a linkage in numbers: all but the input itself, what stands still, and
-/// what turns as one with another link.
-fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
-    let driven = document
-        .drivers
-        .iter()
-        .filter_map(|driver| driver.crank.as_ref());
-    let driven: Vec<&String> = driven.collect();
-    let links = document.links.iter();
-    let idle = links.filter(|link| link.fixed_to.is_some() || driven.contains(&&link.name));
-    let still: Vec<String> = idle
-        .map(|link| format!("{}.angle", link.name))
-        .chain(
-            document
-                .frame
-                .iter()
-                .flat_map(|point| [format!("{point}.x"), format!("{point}.y")]),
-        )
-        .collect();
-    let mut quantities = Quantity::all(mechanism);
-    quantities.retain(|one| !still.contains(&one.name(mechanism, 0)));
-    quantities
 }
 
 /// What a view lays over the drawing.

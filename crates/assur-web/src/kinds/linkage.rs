@@ -1,6 +1,7 @@
 //! Any linkage on the page.
 
 use assur::Point;
+use assur::mechanism::Quantity;
 use assur_draw::{Annotations, List};
 use assur_file::{
     LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State, TracerDocument,
@@ -22,10 +23,12 @@ impl Linkage {
         let moved = state.moved()?;
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
+        let quantities = Quantity::all(moved.motion.mechanism());
         let moving = Moving::new(
             &state.view,
             moved,
             Annotations::default(),
+            quantities,
             Box::new(explain),
         )?;
         Ok(Self(moving))

@@ -1,11 +1,13 @@
 //! The mixer on the page: a linkage that its parameters describe.
 
 use assur::gears::GearPair;
-use assur::mechanism::{Mechanism, Unsolved};
+use assur::mechanism::{Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
 use assur_draw::{Annotations, List};
-use assur_file::{LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State};
+use assur_file::{
+    LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
+};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
@@ -72,7 +74,14 @@ impl Mixer {
             Ok(_) => LinkageProblem::unsolved(unsolved, mechanism).into(),
         };
         let annotations = Annotations::from(&parameters);
-        let moving = Moving::new(&state.view, moved, annotations, Box::new(explain))?;
+        let quantities = told(&moved.document, moved.motion.mechanism());
+        let moving = Moving::new(
+            &state.view,
+            moved,
+            annotations,
+            quantities,
+            Box::new(explain),
+        )?;
         Ok(Self { parameters, moving })
     }
 
@@ -82,6 +91,30 @@ impl Mixer {
         } = &self.parameters;
         Ok(linkage.pose(*assembly, input)?)
     }
+}
+
+/// What is read of it: all but the input itself, what stands still, and what turns as one
+/// with another link.
+fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
+    let driven = document
+        .drivers
+        .iter()
+        .filter_map(|driver| driver.crank.as_ref());
+    let driven: Vec<&String> = driven.collect();
+    let links = document.links.iter();
+    let idle = links.filter(|link| link.fixed_to.is_some() || driven.contains(&&link.name));
+    let still: Vec<String> = idle
+        .map(|link| format!("{}.angle", link.name))
+        .chain(
+            document
+                .frame
+                .iter()
+                .flat_map(|point| [format!("{point}.x"), format!("{point}.y")]),
+        )
+        .collect();
+    let mut quantities = Quantity::all(mechanism);
+    quantities.retain(|one| !still.contains(&one.name(mechanism, 0)));
+    quantities
 }
 
 impl Shown for Mixer {
