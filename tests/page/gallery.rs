@@ -77,19 +77,35 @@ pub(crate) async fn agrees(page: &Page, document: &LinkageDocument, name: &str) 
 
 /// How many pixels of the drawing have some colour of a link.
 async fn coloured(page: &Page) -> f64 {
+    pixels(page, "Math.max(r, g, b) - Math.min(r, g, b) > 90").await
+}
+
+/// The colours of the arrows on light paper.
+const VELOCITY: [u8; 3] = [0xc2, 0x38, 0x7f];
+const ACCELERATION: [u8; 3] = [0x4b, 0x4f, 0xc4];
+
+/// How many pixels of the drawing have just this colour.
+async fn of_colour(page: &Page, [red, green, blue]: [u8; 3]) -> f64 {
+    let near =
+        format!("Math.max(Math.abs(r - {red}), Math.abs(g - {green}), Math.abs(b - {blue})) < 8");
+    pixels(page, &near).await
+}
+
+/// How many pixels of the drawing there are of which something holds.
+async fn pixels(page: &Page, holds: &str) -> f64 {
     let count = page
-        .ask(
+        .ask(&format!(
             "const canvas = document.getElementById('mechanism');
-        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {{ willReadFrequently: true }});
         copy.drawImage(canvas, 0, 0);
-        const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+        const {{ data }} = copy.getImageData(0, 0, canvas.width, canvas.height);
         let count = 0;
-        for (let i = 0; i < data.length; i += 4) {
+        for (let i = 0; i < data.length; i += 4) {{
             const [r, g, b] = data.subarray(i, i + 3);
-            if (Math.max(r, g, b) - Math.min(r, g, b) > 90) count += 1;
-        }
-        return count;",
-        )
+            if ({holds}) count += 1;
+        }}
+        return count;"
+        ))
         .await;
     count.as_f64().unwrap()
 }
@@ -318,10 +334,16 @@ async fn points_of_a_linkage_are_dragged_and_undone() {
     page.settle().await;
     agrees(&page, &document, "G.x").await;
     // Arrows of velocity and acceleration are laid over it.
-    let plain = coloured(&page).await;
-    page.click("vectors").await;
-    page.settle().await;
-    assert!(coloured(&page).await > plain + 200.0);
+    for shown in [false, true] {
+        if shown {
+            page.click("vectors").await;
+            page.settle().await;
+        }
+        for colour in [VELOCITY, ACCELERATION] {
+            let count = of_colour(&page, colour).await;
+            assert_eq!(count > 30.0, shown, "{colour:?}: {count}");
+        }
+    }
     page.close().await;
 }
 

@@ -121,7 +121,7 @@ fn bounds(mixer: &Mixer) -> [f64; 4] {
         ..Drawing::default()
     };
     let motion = mixer.motion().unwrap();
-    let figure = Figure::new(&mixer.draft().unwrap(), &motion, &view);
+    let figure = Figure::new(&motion, &view);
     figure.unwrap().bounds()
 }
 

@@ -26,6 +26,7 @@ mod pixels;
 mod plots;
 mod pointer;
 mod random_user;
+mod readme;
 mod share;
 mod steps;
 mod touch;
