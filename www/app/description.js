@@ -140,7 +140,7 @@ function linkage({ readouts, phiDeg, words }, { formula, plotted }, key) {
  * @returns {string[]}
  */
 function positions(summary, crank, words) {
-  const limits = "ratios" in summary ? summary.outputs[0].limits : [];
+  const limits = summary.outputs[0]?.limits ?? [];
   const [limit, dead] = [limits, summary.dead_points].map((places) => places.map(({ input }) => input));
   /** @type {[string, number[]][]} */
   const kinds = [["limit", limit], ["dead", dead], ["change", summary.change_points]];

@@ -1,6 +1,6 @@
 // The status line: what kind of mechanism it is and what it does over a turn.
+import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
-import { byId, make, setData, write } from "assur/core/dom.js";
 import { LISTS, wheelLink } from "assur/state/state.js";
 
 /**
@@ -45,39 +45,18 @@ const ENTRIES = Object.freeze({
   "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
 });
 
-export class StatusLine {
-  #list = byId("status", HTMLElement);
-  /** @type {{ name: string, entry: HTMLElement, output: HTMLElement }[]} */
-  #entries = [];
-  #shown = "";
-
-  constructor() {
-    for (const name of Object.keys(ENTRIES)) {
-      const output = make("dd", { id: `out-${name}` });
-      const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
-      const title = make("dt", { "data-t": wheel ? "name.wheels.z" : `status.${name}`, "data-n": wheel ?? "" });
-      const entry = make("div", { class: name === "overlaps" ? "entry of-mixer warning" : "entry of-mixer" }, [title, " ", output, " "]);
-      this.#list.append(entry);
-      this.#entries.push({ name, entry, output });
-    }
-  }
-
-  /** @param {Snapshot} snapshot */
-  render({ summary, state, words, revision, stale }) {
-    setData(this.#list, "faded", String(stale));
-    // What is not the state's own mechanism keeps the words it had.
-    if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
-    const shown = `${revision} ${words.lang}`;
-    if (shown === this.#shown) return;
-    this.#shown = shown;
-    for (const { name, entry, output } of this.#entries) {
-      const said = ENTRIES[name](summary, words, state);
-      entry.hidden = said === null;
-      write(output, said?.text ?? "");
-      if (said?.value === undefined) output.removeAttribute("data-value");
-      else output.dataset.value = String(said.value);
-    }
-  }
+/** @returns {StatusLine<Snapshot>} */
+export function mixerStatus() {
+  return new StatusLine("of-mixer", Object.entries(ENTRIES).map(([name, say]) => {
+    const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
+    return {
+      name,
+      title: wheel ? "name.wheels.z" : `status.${name}`,
+      n: wheel,
+      class: name === "overlaps" ? "warning" : "",
+      say: ({ summary, words, state }) => say(summary, words, state),
+    };
+  }));
 }
 
 /**
