@@ -132,6 +132,85 @@ async fn its_lesson_is_answered() {
     page.close().await;
 }
 
+async fn open_lesson(page: &Page) {
+    open(page, "class4-dwell").await;
+    page.click("tab-lesson").await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+}
+
+/// "Show it" opens the whole document of the step: an assembly that the reader chose
+/// in the step before is not left over, and one undo brings it back.
+#[tokio::test]
+async fn a_step_shows_its_own_document() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    for _ in 1..3 {
+        page.click("lesson-on").await;
+    }
+    page.click("lesson-show").await;
+    page.click("tab-settings").await;
+    page.choose("linkage-assembly", "2").await;
+    assert!(page.text("out-formula").await.contains("II₂"));
+    page.click("tab-lesson").await;
+    page.click("lesson-on").await;
+    page.click("lesson-show").await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    assert!(page.text("out-formula").await.contains("IV₃"));
+    assert_eq!(dwell(&page).await, "184.289°");
+    page.click("undo").await;
+    assert!(page.text("out-formula").await.contains("II₂"));
+    page.click("tab-settings").await;
+    assert_eq!(page.written("linkage-assembly").await, "2");
+    page.close().await;
+}
+
+/// What was answered is still there when the page is opened again, in whatever lesson;
+/// the address does not tell it.
+#[tokio::test]
+async fn progress_outlives_the_page() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    page.click("lesson-show").await;
+    page.write("lesson-answer", "10").await;
+    page.press("lesson-check", Key::Enter).await;
+    page.click("lesson-on").await;
+    page.click("lesson-iii").await;
+    page.click("play").await;
+    page.until("the address to follow", async || {
+        page.address().await.contains("class4-dwell")
+    })
+    .await;
+    page.reload().await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    let progress = page.text("lesson-progress").await;
+    assert!(
+        progress.contains("Step 2") && progress.contains("1 right answer"),
+        "{progress}"
+    );
+    let chosen = page.element("lesson-iii").await;
+    assert!(chosen.is_selected().await.unwrap());
+    assert_eq!(
+        page.attribute("lesson-said", "data-verdict").await.as_deref(),
+        Some("")
+    );
+    page.click("lesson-back").await;
+    assert_eq!(page.written("lesson-answer").await, "10");
+    let address = page.address().await;
+    assert!(!address.contains("solved") && !address.contains("given"), "{address}");
+
+    // What somebody else wrote there is passed over.
+    page.ask("localStorage.setItem('assur.lesson.class4-dwell', '{\"given\":7,\"solved\":{}}')")
+        .await;
+    page.reload().await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    assert!(!page.text("lesson-progress").await.contains("answer"));
+    page.close().await;
+}
+
 /// What the drawing is as a picture for print.
 async fn drawing(page: &Page) -> String {
     open_dialog(page).await;

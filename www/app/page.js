@@ -12,6 +12,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, setData } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
 import { Lesson } from "assur/lesson/lesson.js";
+import { isAbout, opened } from "assur/lesson/offer.js";
 import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
@@ -120,18 +121,21 @@ export class Page {
   }
 
   /**
-   * Shows another mechanism.
+   * Shows another document instead of the one there is, in one step of undo. A lesson that is not about it closes.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
+   * if it takes it
    */
-  choose(kind, document) {
+  choose(kind, document, look = () => ({})) {
     const { store, model } = this;
     this.history.step(() => {
-      store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
+      store.update((state) => withView(closed(withMechanism(state, kind, document)), { plot: "angles" }));
       this.mechanism.fit();
       // The crank of another mechanism may not go where this one's stands.
       model.follow(store.get());
       if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+      store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
   }
 
@@ -157,4 +161,13 @@ export class Page {
     this.theme.project(state.view.projector);
     this.#views.render(this.model.snapshot(state, this.words, legible));
   }
+}
+
+/**
+ * @param {State} state
+ * @returns {State} without a lesson that is not about its document
+ */
+function closed(state) {
+  const lesson = opened(state);
+  return lesson && isAbout(lesson, state) ? state : withView(state, { lesson: null });
 }
