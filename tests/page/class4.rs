@@ -193,13 +193,18 @@ async fn progress_outlives_the_page() {
     let chosen = page.element("lesson-iii").await;
     assert!(chosen.is_selected().await.unwrap());
     assert_eq!(
-        page.attribute("lesson-said", "data-verdict").await.as_deref(),
+        page.attribute("lesson-said", "data-verdict")
+            .await
+            .as_deref(),
         Some("")
     );
     page.click("lesson-back").await;
     assert_eq!(page.written("lesson-answer").await, "10");
     let address = page.address().await;
-    assert!(!address.contains("solved") && !address.contains("given"), "{address}");
+    assert!(
+        !address.contains("solved") && !address.contains("given"),
+        "{address}"
+    );
 
     // What somebody else wrote there is passed over.
     page.ask("localStorage.setItem('assur.lesson.class4-dwell', '{\"given\":7,\"solved\":{}}')")

@@ -153,7 +153,11 @@ mod tests {
         ];
         for (number, (sentence, spoil)) in faults.into_iter().enumerate() {
             let lessons = Copy::of_the_lessons(&format!("fault-{number}"));
-            copy(&root().join("tests").join("data").join("lessons"), &lessons.0).unwrap();
+            copy(
+                &root().join("tests").join("data").join("lessons"),
+                &lessons.0,
+            )
+            .unwrap();
             spoil(&lessons.0.join("fixture")).unwrap();
             let error = format!("{:#}", list(&lessons.0).unwrap_err());
             assert!(error.contains(sentence), "{error}");
