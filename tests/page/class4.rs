@@ -158,10 +158,10 @@ async fn a_step_shows_its_own_document() {
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
     assert!(page.text("out-formula").await.contains("IV₃"));
+    page.click("tab-settings").await;
     assert_eq!(dwell(&page).await, "184.289°");
     page.click("undo").await;
     assert!(page.text("out-formula").await.contains("II₂"));
-    page.click("tab-settings").await;
     assert_eq!(page.written("linkage-assembly").await, "2");
     page.close().await;
 }
