@@ -166,6 +166,52 @@ async fn a_step_shows_its_own_document() {
     page.close().await;
 }
 
+/// A lesson may be open over a document of another kind: there is nothing to judge then,
+/// and "Show it" opens a document of the lesson's. It stays open, and over what undo brings.
+#[tokio::test]
+async fn a_step_opens_a_document_of_another_kind() {
+    let page = Page::open().await;
+    page.stop_at("60").await;
+    open_lesson(&page).await;
+    page.until("the address to follow", async || {
+        page.address()
+            .await
+            .contains("%22class4-dwell%22,%22step%22")
+    })
+    .await;
+    let link = page.address().await;
+    let other = link.replace("%22class4-dwell%22,%22step%22", "%22mixer%22,%22step%22");
+    page.anew(&other).await;
+    let titled = async || page.text("lesson-title").await == "The machine and its parts";
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    assert!(titled().await);
+    page.write("lesson-answer", "4").await;
+    let verdict = async || page.attribute("lesson-said", "data-verdict").await;
+    assert_eq!(verdict().await.as_deref(), Some("none"));
+    let kind = async || {
+        page.ask("return document.documentElement.dataset.kind")
+            .await
+    };
+    assert_eq!(kind().await, "linkage");
+    page.click("lesson-show").await;
+    assert_eq!(kind().await, "mixer");
+    assert!(titled().await);
+    page.write("lesson-answer", "4").await;
+    assert_eq!(verdict().await.as_deref(), Some("right"));
+    page.click("undo").await;
+    assert_eq!(kind().await, "linkage");
+    assert!(titled().await);
+    // Once closed, the lesson about the mechanism that is there is offered.
+    page.click("tab-settings").await;
+    page.click("tab-lesson").await;
+    page.until("the other lesson", async || !titled().await)
+        .await;
+    let progress = page.text("lesson-progress").await;
+    assert!(progress.contains("Step 1 of 7"), "{progress}");
+    page.close().await;
+}
+
 /// What was answered is still there when the page is opened again, in whatever lesson;
 /// the address does not tell it.
 #[tokio::test]

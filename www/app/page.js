@@ -12,7 +12,6 @@ import { degrees } from "assur/core/angles.js";
 import { byId, setData } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
 import { Lesson } from "assur/lesson/lesson.js";
-import { isAbout, opened } from "assur/lesson/offer.js";
 import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
@@ -121,7 +120,7 @@ export class Page {
   }
 
   /**
-   * Shows another document instead of the one there is, in one step of undo. A lesson that is not about it closes.
+   * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
    * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
@@ -130,7 +129,7 @@ export class Page {
   choose(kind, document, look = () => ({})) {
     const { store, model } = this;
     this.history.step(() => {
-      store.update((state) => withView(closed(withMechanism(state, kind, document)), { plot: "angles" }));
+      store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
       this.mechanism.fit();
       // The crank of another mechanism may not go where this one's stands.
       model.follow(store.get());
@@ -161,13 +160,4 @@ export class Page {
     this.theme.project(state.view.projector);
     this.#views.render(this.model.snapshot(state, this.words, legible));
   }
-}
-
-/**
- * @param {State} state
- * @returns {State} without a lesson that is not about its document
- */
-function closed(state) {
-  const lesson = opened(state);
-  return lesson && isAbout(lesson, state) ? state : withView(state, { lesson: null });
 }

@@ -23,14 +23,6 @@ export function offered(state) {
   return opened(state) ?? first(originOf(state)) ?? first(state.kind);
 }
 
-/**
- * @param {Entry} lesson
- * @param {State} state
- */
-export function isAbout({ about }, state) {
-  return about.includes(originOf(state)) || about.includes(state.kind);
-}
-
 /** @param {string} subject */
 function first(subject) {
   return LESSONS.find(({ about }) => about.includes(subject));

@@ -233,14 +233,13 @@ export class LessonPanel {
   #show({ kind = this.#kind }, { preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
     const whole = this.#presets[preset] ?? { kind, document: this.#page.engine.preset(kind, preset) };
     if (!whole.document) return;
-    const { lesson } = this.#page.store.get().view;
     const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
     /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
     const plots = { plot: "angles", axes: "analogues" };
     this.#page.choose(whole.kind, change(whole.document), (summary) => {
       const phi = summary ? at?.(summary) : undefined;
       const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
-      return { ...shown, ...plots, ...place, playing: play, lesson };
+      return { ...shown, ...plots, ...place, playing: play };
     });
   }
 

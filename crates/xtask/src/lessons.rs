@@ -79,6 +79,7 @@ mod tests {
     use super::*;
     use crate::scripts::{self, Sources};
     use crate::site::copy;
+    use std::io;
     use std::path::PathBuf;
 
     /// A copy of the lessons, in a folder that goes when the test is over.
@@ -135,9 +136,12 @@ mod tests {
         assert!(joined["lessons/fixture/lesson.js"].contains("as LESSON"));
     }
 
+    /// A change of a lesson's folder.
+    type Spoil = fn(&Path) -> io::Result<()>;
+
     #[test]
     fn what_is_no_lesson_is_a_sentence() {
-        let faults: [(&str, fn(&Path) -> std::io::Result<()>); 4] = [
+        let faults: [(&str, Spoil); 4] = [
             ("fixture has no lesson.js", |folder| {
                 fs::remove_file(folder.join("lesson.js"))
             }),
