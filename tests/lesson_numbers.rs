@@ -11,7 +11,7 @@ use assur::motion::{Dwell, Motion, OutputProfile};
 use assur_file::{LinkageDocument, from_catalogue};
 
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
-const SCRIPT: &str = "www/lessons/class4-dwell.js";
+const SCRIPT: &str = "www/lessons/class4-dwell/lesson.js";
 
 fn source(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
@@ -19,7 +19,7 @@ fn source(name: &str) -> String {
 }
 
 fn words(lang: &str) -> BTreeMap<String, String> {
-    let text = source(&format!("lang/lessons/class4-dwell.{lang}.json"));
+    let text = source(&format!("www/lessons/class4-dwell/words.{lang}.json"));
     serde_json::from_str(&text).unwrap()
 }
 

@@ -84,6 +84,19 @@ export class Engine {
     return this.gallery.find(({ id }) => id === linkage.origin);
   }
 
+  /**
+   * @template {Kind} K
+   * @param {K} kind
+   * @param {string} id
+   * @returns {import("assur/state/state.js").Documents[K] | undefined} a document that comes with the engine, nothing traced of it
+   */
+  preset(kind, id) {
+    const mixer = this.presets.map(({ id: own, document }) => ({ id: own, document: { ...document, tracers: [] } }));
+    /** @type {{ [J in Kind]: readonly { id: string, document: import("assur/state/state.js").Documents[J] }[] }} */
+    const presets = { mixer, linkage: this.gallery };
+    return presets[kind].find((one) => one.id === id)?.document;
+  }
+
   /** @returns {Promise<Engine>} */
   static async load() {
     await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });

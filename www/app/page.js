@@ -120,11 +120,13 @@ export class Page {
   }
 
   /**
-   * Shows another mechanism.
+   * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
+   * if it takes it
    */
-  choose(kind, document) {
+  choose(kind, document, look = () => ({})) {
     const { store, model } = this;
     this.history.step(() => {
       store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
@@ -132,6 +134,7 @@ export class Page {
       // The crank of another mechanism may not go where this one's stands.
       model.follow(store.get());
       if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+      store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
   }
 

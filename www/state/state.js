@@ -134,11 +134,9 @@ function stateOf(kind, document, view) {
  * @returns {State}
  */
 export function withMechanism(state, kind, document) {
-  const { plot, lesson } = state.view;
-  const other = state.kind !== kind;
-  const kept = "links" in document ? plotsOf(document).includes(plot) : !other;
-  const changed = stateOf(kind, document, state.view);
-  return withView(changed, { plot: kept ? plot : "angles", lesson: other ? null : lesson });
+  const { plot } = state.view;
+  const kept = "links" in document ? plotsOf(document).includes(plot) : state.kind === kind;
+  return withView(stateOf(kind, document, state.view), { plot: kept ? plot : "angles" });
 }
 
 /**

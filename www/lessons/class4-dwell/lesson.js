@@ -1,10 +1,9 @@
 // The steps of the lesson on the Class IV mechanism with dwell: what each shows, and what is asked of the mechanism as it then is.
-// Its words are in lang/lessons/class4-dwell.*.json, under the step's id.
+// Its words are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/engine.js").MotionSummary} Summary
- * @typedef {import("assur/lesson/panel.js").Step<"linkage">} Step
  * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  */
 
@@ -14,8 +13,8 @@ const REGULATED = 4.112;
 
 const CLASSES = Object.freeze({ II: "ii", III: "iii", IV: "iv" });
 
-/** @type {readonly Step[]} */
-export const STEPS = Object.freeze([
+/** @type {import("assur/lesson/panel.js").Lesson<"linkage">} */
+export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "structure",
     formula: "W = 3n − 2p₁",
@@ -50,7 +49,7 @@ export const STEPS = Object.freeze([
     id: "equations",
     formula: "(x_P − x_Q)² + (y_P − y_Q)² = l²_PQ\nx_PQ x′_PQ + y_PQ y′_PQ = 0\nx_PQ x″_PQ + y_PQ y″_PQ = −x′²_PQ − y′²_PQ",
     shows: [{ preset: PRESET, at: () => Math.PI / 3 }],
-    errata: PRESET,
+    errata: true,
     // Of hinges there are as many equations as coordinates of moving points, less the mobility.
     question: {
       whole: true, within: 0, answer: ({ equations }) => equations.length,
@@ -61,10 +60,10 @@ export const STEPS = Object.freeze([
     id: "derivatives",
     formula: "Φ(q, φ₁) = 0\nJ q′ = −∂Φ/∂φ₁",
     shows: [{ preset: PRESET, at: () => Math.PI / 3, overlays: ["traces", "vectors"] }],
-    errata: PRESET,
+    errata: true,
     question: { unit: "°", within: 0.05, answer: stroke },
   },
-]);
+] });
 
 /** @param {Summary} summary */
 function classOf({ class: highest }) {

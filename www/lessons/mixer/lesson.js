@@ -1,18 +1,17 @@
 // The steps of the mixer's lesson: what each shows, and what is asked of the mechanism as it then is.
-// Its words are in lang/lessons/mixer.*.json, under the step's id.
+// Its words are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/engine.js").Output["limits"][number]} Limit
  * @typedef {import("assur/engine.js").MixerSummary} Summary
- * @typedef {import("assur/lesson/panel.js").Step<"mixer">} Step
  */
 
 /** What differs between two cases is compared with the crank upright. */
 const COMPARED = Object.freeze({ at: () => Math.PI / 2, overlays: ["traces", "transmission"] });
 
-/** @type {readonly Step[]} */
-export const STEPS = Object.freeze([
+/** @type {import("assur/lesson/panel.js").Lesson<"mixer">} */
+export const LESSON = Object.freeze({ kind: "mixer", steps: [
   {
     id: "machine",
     formula: "W = 3n − 2p₁ − p₂",
@@ -49,7 +48,7 @@ export const STEPS = Object.freeze([
     shows: [{ name: "a", preset: "a", ...COMPARED }, { name: "b", preset: "b", ...COMPARED }],
     question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },
   },
-]);
+] });
 
 /**
  * @param {Summary} summary
