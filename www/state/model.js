@@ -71,6 +71,8 @@ export class Model {
   /** @type {State} */
   #good;
   #revision = 0;
+  /** Of which mechanism the last place is, by its revision. */
+  #placed = 0;
   /** @type {Drawn} */
   #drawn;
   /** @type {Float32Array} */
@@ -194,9 +196,11 @@ export class Model {
     this.#unread = here && !here.readouts ? this.#engine.why(phi) : [];
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
-    if (!here) return;
-    this.#here = here;
-    this.#frameDeg = phiDeg;
+    // Where there is none the last place stays, unless it is that of another mechanism.
+    if (!here && this.#placed === this.#revision) return;
+    this.#here = here ?? this.#engine.at(this.summary.home);
+    this.#frameDeg = here ? phiDeg : degrees(this.summary.home);
+    this.#placed = this.#revision;
   }
 }
 
