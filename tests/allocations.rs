@@ -11,15 +11,16 @@ use assur_file::from_catalogue;
 /// every place and angle, in a pose that was made before.
 fn allocated(name: &str) -> u64 {
     let mechanism = from_catalogue(name).unwrap().unwrap().mechanism().unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let [from, to] = motion.cycle().axis();
     let mut pose = mechanism.blank::<3>();
     let mut sample = |input: f64| {
         motion.place(input, &mut pose).unwrap();
-        for point in 0..mechanism.points().len() {
+        for point in mechanism.point_ids() {
             black_box(mechanism.place(&pose, point));
         }
-        for link in 0..mechanism.links().len() {
+        for link in mechanism.link_ids() {
             black_box(mechanism.angle(&pose, link));
         }
     };

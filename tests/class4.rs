@@ -1,8 +1,8 @@
 //! The Class IV mechanism with dwell against a table in 40-digit arithmetic.
 
 use assur::Point;
-use assur::mechanism::{Demand, Draft, Mechanism, Quantity};
-use assur::motion::{Course, Motion, PhaseKind};
+use assur::mechanism::{ConstraintKind, Draft, Mechanism, Quantity};
+use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -35,14 +35,12 @@ pub(crate) fn dwell() -> Draft {
 #[wasm_bindgen_test(unsupported = test)]
 fn golden_table() {
     let mechanism = Mechanism::new(&dwell()).unwrap();
-    let formula = mechanism
-        .structure()
-        .formula(|link| mechanism.body_name(link))
-        .to_string();
+    let formula = mechanism.formula().to_string();
     assert_eq!(formula, "I(frame,AB) → IV₃(BE,EGF,HGL,CLK,FK,CD)");
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full(), "{:?}", motion.dead_points());
-    let output = mechanism.links().position(|link| link == "CD").unwrap();
+    let output = mechanism.link("CD").unwrap();
     for row in Table::parse(include_str!("data/class4.csv")).rows() {
         let turn = row.get("turn_deg");
         let pose = motion.pose::<4>(row.get("phi_deg").to_radians());
@@ -65,7 +63,8 @@ fn golden_table() {
                 &format!("{column} at {turn}°"),
             );
         }
-        for (index, name) in mechanism.points().enumerate() {
+        for index in mechanism.point_ids() {
+            let name = mechanism.point_name(index);
             if !"EGFKLC".contains(name) {
                 continue;
             }
@@ -92,10 +91,12 @@ fn golden_table() {
 /// crank's own: both sides of each and of both derivatives are those of the table.
 #[wasm_bindgen_test(unsupported = test)]
 fn constraint_equations() {
-    let mechanism = Mechanism::new(&dwell()).unwrap();
-    let points: Vec<&str> = mechanism.points().collect();
-    let pairs = mechanism.constraints().iter().map(|one| match one.demand {
-        Demand::Distance { points: [p, q], .. } => [points[p], points[q]],
+    let motion = Motion::new(Mechanism::new(&dwell()).unwrap());
+    let mechanism = motion.mechanism();
+    let pairs = mechanism.constraints().iter().map(|one| match one.kind {
+        ConstraintKind::Distance { points: [p, q], .. } => {
+            [p, q].map(|point| mechanism.point_name(point))
+        }
         other => panic!("{other:?}"),
     });
     let pairs: Vec<[&str; 2]> = pairs.collect();
@@ -108,7 +109,6 @@ fn constraint_equations() {
             .join(" "),
         "AB BE EG EF GF HG HL GL CL CK LK FK DC"
     );
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
     let mut largest: f64 = 0.0;
     for row in Table::parse(include_str!("data/class4.csv")).rows() {
         let phi = row.get("phi_deg").to_radians();
@@ -156,12 +156,12 @@ fn with_fk(length: f64) -> Motion {
     let link = draft.links.iter_mut().find(|link| link.name == "FK");
     link.unwrap().shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
     let mechanism = Mechanism::new(&draft).unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
-fn output(motion: &Motion) -> Course<'_> {
+fn output(motion: &Motion) -> OutputProfile<'_> {
     let mechanism = motion.mechanism();
-    Course::new(motion, Quantity::named(mechanism, "CD.angle").unwrap())
+    OutputProfile::new(motion, Quantity::named(mechanism, "CD.angle").unwrap())
 }
 
 /// The table of the adjustable cyclogram: FK, the dwell within 0.1° and the stroke.
@@ -181,15 +181,15 @@ fn adjustable_dwell() {
             "{length}: {:?}",
             motion.dead_points()
         );
-        let course = output(&motion);
-        let found = course.dwell(0.1_f64.to_radians()).unwrap();
+        let profile = output(&motion);
+        let found = profile.dwell(0.1_f64.to_radians()).unwrap();
         let degrees = found.length().to_degrees();
         assert!((degrees - dwell).abs() < 0.02, "FK {length}: {degrees}");
         assert!(
             (found.residual().to_degrees() - 0.1).abs() < 1e-9,
             "FK {length}"
         );
-        let values = course
+        let values = profile
             .strokes()
             .into_iter()
             .flatten()
@@ -207,8 +207,8 @@ fn adjustable_dwell() {
 #[wasm_bindgen_test(unsupported = test)]
 fn dwell_and_cyclogram() {
     let motion = with_fk(4.011_645_547_652);
-    let course = output(&motion);
-    let found = course.dwell(0.01_f64.to_radians()).unwrap();
+    let profile = output(&motion);
+    let found = profile.dwell(0.01_f64.to_radians()).unwrap();
     assert!(
         (found.length().to_degrees() - 170.19).abs() < 0.01,
         "{found:?}"
@@ -227,7 +227,7 @@ fn dwell_and_cyclogram() {
     assert!((0..=10_000).all(|k| inside(found.arc[0] + found.length() * f64::from(k) / 1e4)));
     assert!(!inside(found.arc[0] - 1e-6) && !inside(found.arc[1] + 1e-6));
 
-    let phases = course.cyclogram(0.1_f64.to_radians());
+    let phases = profile.cyclogram(0.1_f64.to_radians());
     let turn: f64 = phases.iter().map(|phase| phase.arc[1] - phase.arc[0]).sum();
     assert!((turn - std::f64::consts::TAU).abs() < 1e-9, "{phases:?}");
     let kinds: Vec<PhaseKind> = phases.iter().map(|phase| phase.kind).collect();
@@ -249,19 +249,19 @@ fn dwell_and_cyclogram() {
 #[wasm_bindgen_test(unsupported = test)]
 fn dwells_at_the_bounds() {
     let motion = with_fk(4.011_645_547_652);
-    let crank = Course::new(
+    let crank = OutputProfile::new(
         &motion,
         Quantity::named(motion.mechanism(), "AB.angle").unwrap(),
     );
     assert!(crank.strokes().is_empty());
     assert_eq!(crank.cyclogram(0.1).len(), 1);
-    let course = output(&motion);
-    let whole = course.dwell(2.0).unwrap();
+    let profile = output(&motion);
+    let whole = profile.dwell(2.0).unwrap();
     assert!((whole.length() - std::f64::consts::TAU).abs() < 1e-12);
     assert!((whole.residual().to_degrees() - 43.2908).abs() < 2e-4);
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(
-            course.dwell(tolerance).is_none() && course.cyclogram(tolerance).is_empty()
+            profile.dwell(tolerance).is_none() && profile.cyclogram(tolerance).is_empty()
                 || tolerance.is_infinite()
         );
     }

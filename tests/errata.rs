@@ -1,9 +1,9 @@
 //! The misprints of the papers, listed in docs/errata.md: what is printed is
 //! wrong, what we use is right. One test for each, named after it.
 
-use assur::catalog::mixer::{Case, Mixer};
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, Mechanism};
+use assur::mixer::{Case, Mixer};
 use assur::motion::Motion;
 use assur::{Assembly, FourBar, Jet, Link, Offset, Pose, Vector};
 use assur_tests::{angle_between, assert_near};
@@ -105,7 +105,7 @@ fn mixer_26_sense_of_wheel_5() {
         (Mesh::Internal, 2.0),
         (Mesh::AsPrinted, 2.0),
     ] {
-        let dimensions = assur::catalog::mixer::Dimensions {
+        let dimensions = assur::mixer::Dimensions {
             mesh,
             ..Case::A.dimensions()
         };
@@ -173,7 +173,7 @@ impl Class4 {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(crank).unwrap();
         let joints = ["B", "E", "G", "F", "K", "L", "C", "H", "D"].map(|name| {
-            let index = mechanism.points().position(|point| point == name).unwrap();
+            let index = mechanism.point(name).unwrap();
             let place = mechanism.place(&pose, index);
             [0, 1, 2].map(|k| Vector::new(place.x.derivative(k), place.y.derivative(k)))
         });
@@ -308,7 +308,7 @@ fn class4() -> Motion {
         .bar("CD", &["D", "C"])
         .crank("AB");
     let mechanism = Mechanism::new(&draft).unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The expansions, corrected, give the same x′, y′, x″, y″ of G as the Jacobian.

@@ -1,7 +1,7 @@
 //! The engine against tables computed in 40-digit arithmetic, on both targets.
 
-use assur::catalog::mixer::{Case, Mixer};
-use assur::motion::sweep::sweep;
+use assur::mixer::{Case, Mixer};
+use assur::motion::Column;
 use assur::{Assembly, FourBar, JetPoint, Link, Offset};
 use assur_tests::{Row, Table, angle_between, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -25,7 +25,7 @@ fn mixer() {
     assert_eq!(rows, 2 * 2 * 72);
 }
 
-/// The table of the sweep has the same numbers.
+/// The table of its motion, as of any linkage, has the same numbers.
 #[wasm_bindgen_test(unsupported = test)]
 fn table_of_the_mixer() {
     let golden = Table::parse(include_str!("data/mixer.csv"));
@@ -33,13 +33,13 @@ fn table_of_the_mixer() {
         let (lengths, assembly) = linkage(&row);
         let mut dimensions = Case::A.dimensions();
         (dimensions.lengths, dimensions.assembly) = (lengths, assembly);
-        let mixer = Mixer::new(&dimensions).unwrap();
-        let columns = mixer.columns();
+        let motion = Mixer::new(&dimensions).unwrap().motion().unwrap();
+        let columns = Column::all(motion.mechanism());
         let degrees = row.get("phi1_deg");
-        let swept = &sweep(&mixer, &columns, 72)[degrees as usize / 5];
+        let swept = motion.row(&columns, degrees.to_radians());
         let mut compared = 0;
         for (column, value) in columns.iter().zip(&swept.values) {
-            let name = column.name();
+            let name = column.name(motion.mechanism());
             let Some(golden) = golden_name(&name) else {
                 continue;
             };
@@ -57,7 +57,7 @@ fn table_of_the_mixer() {
     }
 }
 
-/// What a column of the sweep is called in the golden table, if it is there.
+/// What a column of the table is called in the golden table, if it is there.
 fn golden_name(column: &str) -> Option<String> {
     let (of, what) = column.split_once('.')?;
     match of {

@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use assur::mechanism::Quantity;
-use assur::motion::{Course, Dwell, Motion};
+use assur::mechanism::{LinkId, Quantity};
+use assur::motion::{Dwell, Motion, OutputProfile};
 use assur_file::{LinkageDocument, from_catalogue};
 
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
-const SCRIPT: &str = "www/lessons/class4-dwell.js";
+const SCRIPT: &str = "www/lessons/class4-dwell/lesson.js";
 
 fn source(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
@@ -19,7 +19,7 @@ fn source(name: &str) -> String {
 }
 
 fn words(lang: &str) -> BTreeMap<String, String> {
-    let text = source(&format!("lang/lessons/class4-dwell.{lang}.json"));
+    let text = source(&format!("www/lessons/class4-dwell/words.{lang}.json"));
     serde_json::from_str(&text).unwrap()
 }
 
@@ -79,8 +79,8 @@ fn lengthened(by: f64) -> Motion {
 /// The longest dwell of CD within so many degrees.
 fn dwell(motion: &Motion, tolerance_deg: f64) -> Dwell {
     let output = Quantity::named(motion.mechanism(), "CD.angle").unwrap();
-    let course = Course::new(motion, output);
-    course.dwell(tolerance_deg.to_radians()).unwrap()
+    let profile = OutputProfile::new(motion, output);
+    profile.dwell(tolerance_deg.to_radians()).unwrap()
 }
 
 fn length_deg(motion: &Motion, tolerance_deg: f64) -> f64 {
@@ -89,7 +89,7 @@ fn length_deg(motion: &Motion, tolerance_deg: f64) -> f64 {
 
 fn stroke(motion: &Motion) -> f64 {
     let output = Quantity::named(motion.mechanism(), "CD.angle").unwrap();
-    Course::new(motion, output).stroke().unwrap()
+    OutputProfile::new(motion, output).stroke().unwrap()
 }
 
 /// The length that "Show it" gives to FK.
@@ -102,8 +102,8 @@ fn shown_fk() -> f64 {
 /// How the links move while the output dwells: by how much each angle varies, degrees.
 fn swings(motion: &Motion, arc: [f64; 2]) -> BTreeMap<String, f64> {
     let mechanism = motion.mechanism();
-    let links = mechanism.links().map(str::to_owned).enumerate();
-    let swing = |(link, name): (usize, String)| {
+    let swing = |link: LinkId| {
+        let name = mechanism.link_name(link).to_owned();
         let angles = (0..=2000).map(|k| {
             let input = arc[0] + (arc[1] - arc[0]) * f64::from(k) / 2000.0;
             mechanism
@@ -115,7 +115,7 @@ fn swings(motion: &Motion, arc: [f64; 2]) -> BTreeMap<String, f64> {
         });
         (name, (high - low).to_degrees())
     };
-    links.map(swing).collect()
+    mechanism.link_ids().map(swing).collect()
 }
 
 /// The output stands to within the band, BE, EGF and FK move by what is written, and
@@ -135,7 +135,7 @@ fn what_moves_while_the_output_dwells() {
 
     let mechanism = motion.mechanism();
     let place = |name: &str, input: f64| {
-        let index = mechanism.points().position(|point| point == name).unwrap();
+        let index = mechanism.point(name).unwrap();
         let place = mechanism.place(&motion.pose::<1>(input).unwrap(), index);
         [place.x.value(), place.y.value()]
     };
@@ -211,9 +211,9 @@ fn how_many_links_and_pairs() {
     );
     // AB's own hinge is the tenth.
     assert_eq!(pairs + 1, 10);
-    let triangles = mechanism.links().enumerate();
-    let triangles = triangles.filter(|(link, _)| mechanism.points_of(*link).len() == 3);
-    let triangles: Vec<&str> = triangles.map(|(_, name)| name).collect();
+    let triangles = mechanism.link_ids();
+    let triangles = triangles.filter(|link| mechanism.points_of(*link).len() == 3);
+    let triangles: Vec<&str> = triangles.map(|link| mechanism.link_name(link)).collect();
     assert_eq!(triangles, ["EGF", "HGL", "CLK"]);
     for (lang, [seven, ten, six, nine]) in [
         ("en", ["seven", "ten", "six", "nine"]),

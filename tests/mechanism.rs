@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::{Draft, Mechanism};
-use assur::motion::{DeadPointKind, Motion};
-use assur::{Assembly, FourBar, Vector};
+use assur::gears::Mesh;
+use assur::mechanism::{Defect, Draft, DraftGear, Mechanism, Quantity};
+use assur::motion::{DeadPointKind, Motion, OutputProfile};
+use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
     let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
@@ -28,19 +29,21 @@ fn four_bar_is_the_closed_form() {
         let lengths = [0.37, 0.85, 0.55, 0.85];
         let mechanism = Mechanism::new(&four_bar(lengths, 1.0, assembly)).unwrap();
         assert_eq!(mechanism.assemblies(), 2);
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
         assert!(motion.cycle().is_full());
         let linkage = FourBar::new(lengths).unwrap();
         for k in 0..=360 {
             let phi = TAU * f64::from(k) / 360.0;
             let pose = motion.pose::<4>(phi).unwrap();
             let exact = linkage.pose::<4>(assembly, phi).unwrap();
-            for (link, angle) in [(0, exact.crank), (1, exact.coupler), (2, exact.rocker)] {
+            let angles = [exact.crank, exact.coupler, exact.rocker];
+            for (link, angle) in mechanism.link_ids().zip(angles) {
                 for order in 0..4 {
                     let found = mechanism.angle(&pose, link).derivative(order);
                     assert!(
                         (found - angle.derivative(order)).abs() < 1e-10,
-                        "{k} {link} {order}"
+                        "{k} {link:?} {order}"
                     );
                 }
             }
@@ -64,12 +67,13 @@ fn slider_crank() {
         .slide("slider", "C", "frame", ["A", "G"])
         .crank("crank");
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full());
     for k in 0..=360 {
         let phi = TAU * f64::from(k) / 360.0;
         let pose = motion.pose::<3>(phi).unwrap();
-        let c = mechanism.place(&pose, 3);
+        let c = mechanism.place(&pose, mechanism.point("C").unwrap());
         let root = (l * l - (r * phi.sin()).powi(2)).sqrt();
         assert!((c.x.value() - (r * phi.cos() + root)).abs() < 1e-14);
         assert!((c.x.derivative(1) + r * phi.sin() * (1.0 + r * phi.cos() / root)).abs() < 1e-13);
@@ -84,7 +88,7 @@ fn swings_between_dead_points() {
     let linkage = FourBar::new(lengths).unwrap();
     let home = linkage.cycle().home();
     let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
-    let motion = Motion::new(&mechanism, 0);
+    let motion = Motion::new(mechanism.assembly(0).unwrap());
     assert!(!motion.cycle().is_full());
     let [from, to] = linkage.cycle().arcs()[0];
     let ends: Vec<f64> = motion.dead_points().iter().map(|end| end.input).collect();
@@ -133,9 +137,10 @@ fn the_search_for_assemblies_is_bounded() {
     }
     let mechanism = Mechanism::new(&draft).unwrap();
     assert!((1..=256).contains(&mechanism.assemblies()));
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(motion.home()).unwrap();
-    for (point, drawn) in draft.points.iter().enumerate() {
+    for (point, drawn) in mechanism.point_ids().zip(&draft.points) {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
     }
@@ -148,13 +153,17 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
     let lengths = [0.37, 0.85, 0.55, 0.85];
     let draft = four_bar(lengths, 1.0, Assembly::Second);
     let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(2.3).unwrap();
-    let [b, c, d] = [1, 2, 3].map(|point| mechanism.place(&pose, point).place());
+    let joints = ["B", "C", "D"].map(|name| mechanism.point(name).unwrap());
+    let moved = joints[1];
+    let [b, c, d] = joints.map(|point| mechanism.place(&pose, point).place());
     let to = c + Vector::new(0.05, -0.08);
-    let redrawn = draft.redrawn(&mechanism, &pose, 2, to);
+    let redrawn = mechanism.redrawn(&pose, moved, to);
     let mechanism = Mechanism::new(&redrawn).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
     let expected = FourBar::new([lengths[0], (to - b).norm(), (to - d).norm(), lengths[3]]);
     for input in [2.3, 2.6] {
         let pose = motion.pose::<3>(input).unwrap();
@@ -163,16 +172,288 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
             .unwrap()
             .pose::<3>(Assembly::Second, input);
         let exact = exact.unwrap();
-        for (link, angle) in [(1, exact.coupler), (2, exact.rocker)] {
+        let angles = [exact.coupler, exact.rocker];
+        for (link, angle) in mechanism.link_ids().skip(1).zip(angles) {
             for order in 0..3 {
                 let found = mechanism.angle(&pose, link).derivative(order);
                 assert!(
                     (found - angle.derivative(order)).abs() < 1e-10,
-                    "{link} {order}"
+                    "{link:?} {order}"
                 );
             }
         }
     }
     let there = motion.pose::<1>(2.3).unwrap();
-    assert!((mechanism.place(&there, 2).place() - to).norm() < 1e-12);
+    assert!((mechanism.place(&there, moved).place() - to).norm() < 1e-12);
+}
+
+/// Cranks of a five-bar drawn at 90° and 45°: as many drivers as freedoms, but the
+/// motion has one input, and the second crank must not be locked to it.
+#[test]
+fn a_second_driver_is_refused_by_name() {
+    let five_bar = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 2.0, 2.0)
+        .point("D", 3.0 + 0.5_f64.sqrt(), 0.5_f64.sqrt())
+        .point("E", 3.0, 0.0)
+        .fixed(&["A", "E"])
+        .bar("AB", &["A", "B"])
+        .bar("BC", &["B", "C"])
+        .bar("CD", &["C", "D"])
+        .bar("ED", &["E", "D"])
+        .crank("AB");
+    let underdriven = Mechanism::new(&five_bar).unwrap_err();
+    assert!(
+        matches!(&underdriven[..], [Defect::Underdriven { mobility: 2, .. }]),
+        "{underdriven:?}"
+    );
+    let defects = Mechanism::new(&five_bar.crank("ED")).unwrap_err();
+    let links = vec!["ED".to_owned()];
+    assert_eq!(defects, [Defect::FurtherDrivers { links }]);
+}
+
+/// A four-bar with lengths of its own, drawn in each of its assemblies; also where
+/// both meet in the drawn pose.
+#[test]
+fn each_assembly_is_a_drawing() {
+    for (lengths, at) in [
+        ([0.37, 0.85, 0.55, 0.85], 1.0),
+        // The pose at 0 is a change point: all links lie in line.
+        ([0.3, 0.5, 0.3, 0.5], 0.0),
+    ] {
+        let linkage = FourBar::new(lengths).unwrap();
+        let mut draft = four_bar(lengths, at, Assembly::First);
+        for (link, length) in draft.links.iter_mut().zip(lengths) {
+            link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+        }
+        let drawn = Mechanism::new(&draft).unwrap();
+        assert_eq!(drawn.assemblies(), 2);
+        assert!(drawn.assembly(2).is_none());
+        let mut found = Vec::new();
+        for number in [0, 1] {
+            let other = drawn.assembly(number).unwrap();
+            assert_eq!([other.assemblies(), other.drawn_assembly()], [2, number]);
+            let motion = Motion::new(other);
+            let pose = motion.pose::<1>(2.0).unwrap();
+            let c = motion.mechanism().point("C").unwrap();
+            let c = motion.mechanism().place(&pose, c).place();
+            let fits = |assembly: &Assembly| {
+                let exact = linkage.pose::<1>(*assembly, 2.0).unwrap();
+                (linkage.joints(&exact)[2].place() - c).norm() < 1e-9
+            };
+            found.push(Assembly::ALL.iter().position(fits).unwrap());
+        }
+        assert_ne!(found[0], found[1]);
+    }
+}
+
+/// A tracer is a point like any other, and changes nothing else: it follows its link through the
+/// motion and through a redraw, in the link's own coordinates.
+#[test]
+fn tracers_follow_their_links() {
+    let bare = four_bar([0.37, 0.85, 0.55, 0.85], 1.0, Assembly::First);
+    let draft = bare
+        .clone()
+        .tracer("T", "coupler", 0.3, -0.2)
+        .tracer("F", "frame", 0.1, 0.4);
+    let [plain, mechanism] = [&bare, &draft].map(|draft| Mechanism::new(draft).unwrap());
+    assert_eq!(mechanism.points().collect::<Vec<_>>()[4..], ["T", "F"]);
+    assert_eq!(mechanism.structure(), plain.structure());
+    assert_eq!(mechanism.assemblies(), plain.assemblies());
+    let [coupler, rocker] = ["coupler", "rocker"].map(|link| mechanism.link(link).unwrap());
+    let [b, c, t, f] = ["B", "C", "T", "F"].map(|point| mechanism.point(point).unwrap());
+    assert_eq!(mechanism.points_of(coupler), plain.points_of(coupler));
+    assert!(Quantity::named(&mechanism, "T.x").is_some());
+    let check = |mechanism: Mechanism, at: Vector| {
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
+        for input in [0.2, 1.0, 4.0] {
+            let pose = motion.pose::<3>(input).unwrap();
+            let [from, traced] = [b, t].map(|point| mechanism.place(&pose, point));
+            let expected = from.offset(mechanism.angle(&pose, coupler), at.x, at.y);
+            for order in 0..3 {
+                let off = traced.derivative(order) - expected.derivative(order);
+                assert!(off.norm() < 1e-13, "{input} {order}: {off}");
+            }
+            assert!(
+                (mechanism.place(&pose, f).place() - Vector::new(0.1, 0.4))
+                    .coords
+                    .norm()
+                    < 1e-15
+            );
+            assert_eq!(mechanism.carried(&pose, coupler, t), Some(traced));
+            assert_eq!(mechanism.carried(&pose, rocker, t), None);
+        }
+        motion
+    };
+    let at = Vector::new(0.3, -0.2);
+    let motion = check(mechanism, at);
+    let mechanism = motion.mechanism();
+    let pose = motion.pose::<1>(2.0).unwrap();
+    let to = mechanism.place(&pose, c).place() + Vector::new(0.02, 0.05);
+    let redrawn = mechanism.redrawn(&pose, c, to);
+    check(Mechanism::new(&redrawn).unwrap(), at);
+    // Drawn elsewhere itself, it has another place on its link.
+    let to = Point::new(0.9, 0.1);
+    let moved = Motion::new(Mechanism::new(&mechanism.redrawn(&pose, t, to)).unwrap());
+    let there = moved.pose::<1>(2.0).unwrap();
+    assert!((moved.mechanism().place(&there, t).place() - to).norm() < 1e-12);
+}
+
+/// On a part fixed to a link, and on a wheel, which turns the same with it and without.
+#[test]
+fn tracers_on_parts_and_wheels() {
+    let mut draft = four_bar([0.37, 0.85, 0.55, 0.85], 1.0, Assembly::First)
+        .point("E", 1.5, 0.0)
+        .fixed(&["E"])
+        .bar("wheel", &["E"])
+        .bar("part", &["C", "D"])
+        .tracer("T", "part", 0.1, 0.2)
+        .tracer("W", "wheel", 0.1, 0.2);
+    draft.links[4].fixed_to = Some("rocker".to_owned());
+    draft.gears.push(DraftGear {
+        links: ["rocker", "wheel"].map(str::to_owned),
+        carrier: "frame".to_owned(),
+        teeth: [30.0, 20.0],
+        mesh: Mesh::External,
+    });
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
+    let links = ["rocker", "wheel", "part"].map(|link| mechanism.link(link).unwrap());
+    let points = ["C", "E", "T", "W"].map(|point| mechanism.point(point).unwrap());
+    for input in [0.2, 1.0, 4.0] {
+        let pose = motion.pose::<3>(input).unwrap();
+        let [rocker, wheel, part] = links.map(|link| mechanism.angle(&pose, link));
+        assert_eq!(wheel, rocker * -1.5);
+        let [c, e, t, w] = points.map(|point| mechanism.place(&pose, point));
+        for (found, from, angle) in [(t, c, part), (w, e, wheel)] {
+            let expected = from.offset(angle, 0.1, 0.2);
+            for order in 0..3 {
+                let off = found.derivative(order) - expected.derivative(order);
+                assert!(off.norm() < 1e-13, "{input} {order}: {off}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bad_tracers_are_named() {
+    let draft = four_bar([0.37, 0.85, 0.55, 0.85], 1.0, Assembly::First)
+        .tracer("T", "coupler", f64::NAN, 0.0)
+        .tracer("T", "shaft", 0.0, 0.0)
+        .tracer("A", "crank", 0.0, 1e10);
+    let name = |name: &str| name.to_owned();
+    assert_eq!(
+        Mechanism::new(&draft).unwrap_err(),
+        [
+            Defect::NotFinite(name("T")),
+            Defect::Twice(name("T")),
+            Defect::Unknown(name("shaft")),
+            Defect::Twice(name("A")),
+            Defect::NotFinite(name("A")),
+        ]
+    );
+    // A link cannot be hinged at one.
+    let hinged = four_bar([0.37, 0.85, 0.55, 0.85], 1.0, Assembly::First)
+        .tracer("T", "coupler", 0.1, 0.0)
+        .bar("bar", &["T", "A"]);
+    assert_eq!(
+        Mechanism::new(&hinged).unwrap_err(),
+        [Defect::Unknown(name("T"))]
+    );
+}
+
+/// Driven over wheels a four-bar is solved as a dyad, and followed: what is read off its motion
+/// is what the closed form says.
+#[test]
+fn readings_of_a_four_bar_that_is_followed() {
+    for lengths in [
+        [0.37, 0.85, 0.55, 0.85],
+        [0.37, 0.85, 1.0, 0.85],
+        [1.0, 0.9, 1.1, 0.5],
+        [0.6, 0.85, 0.3, 0.85],
+        [3.0, 2.0, 3.0, 4.0],
+    ] {
+        let linkage = FourBar::new(lengths).unwrap();
+        let cycle = linkage.cycle();
+        let home = if cycle.is_full() {
+            1.0
+        } else {
+            cycle.home() + 0.1
+        };
+        let mut draft = four_bar(lengths, home, Assembly::First)
+            .point("G", -1.0, 0.0)
+            .point("H", -1.0 + home.cos(), home.sin())
+            .fixed(&["G"])
+            .bar("drive", &["G", "H"]);
+        draft.drivers.clear();
+        draft = draft.crank("drive");
+        draft.gears.push(DraftGear {
+            links: ["drive", "crank"].map(str::to_owned),
+            carrier: "frame".to_owned(),
+            teeth: [20.0, 20.0],
+            mesh: Mesh::AsPrinted,
+        });
+        let motion = Motion::new(Mechanism::new(&draft).unwrap());
+        let mechanism = motion.mechanism();
+        let [found] = mechanism.four_bars()[..] else {
+            panic!("one four-bar")
+        };
+        for (a, b) in found.linkage.lengths().iter().zip(lengths) {
+            assert!((a - b).abs() < 1e-14, "{found:?}");
+        }
+        assert_eq!(found.grashof(), linkage.grashof());
+        let [dyad] = mechanism.rrr_dyads()[..] else {
+            panic!("one dyad")
+        };
+        let least = motion.least_transmission(&dyad).unwrap();
+        let (worst, _) = linkage.worst_transmission();
+        assert!(
+            (least.angle - worst).abs() < 1e-6,
+            "{lengths:?}: {least:?} {worst}"
+        );
+        for [from, to] in motion.cycle().arcs() {
+            let input = 0.3 * from + 0.7 * to;
+            let pose = motion.pose::<1>(input).unwrap();
+            let expected = linkage.transmission_angle(input).unwrap();
+            let found = mechanism.transmission_angle(&pose, &dyad);
+            assert!(
+                (found - expected).abs() < 1e-12,
+                "{lengths:?}: {found} {expected}"
+            );
+        }
+        let rocker = Quantity::named(mechanism, "rocker.angle").unwrap();
+        let profile = OutputProfile::new(&motion, rocker);
+        // Of two arcs it is followed over the drawn one.
+        let mut limits = linkage.limits(Assembly::First);
+        limits.retain(|limit| motion.cycle().contains(limit.crank));
+        assert_eq!(profile.limits().len(), limits.len());
+        for (found, limit) in profile.limits().iter().zip(limits) {
+            assert!(
+                (found.input - limit.crank).abs() < 1e-9,
+                "{lengths:?}: {found:?} {limit:?}"
+            );
+        }
+        for (found, expected) in profile
+            .travels()
+            .iter()
+            .zip(linkage.travels(Assembly::First))
+        {
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{lengths:?}: {found} {expected}"
+            );
+        }
+        let strokes = [profile.swings(), linkage.swings(Assembly::First)].map(|s| s[0].stroke());
+        match strokes {
+            [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-6),
+            strokes => assert_eq!(strokes, [None, None]),
+        }
+        let ratios = [profile.time_ratio(), linkage.time_ratio(Assembly::First)];
+        match ratios {
+            [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-8),
+            ratios => assert_eq!(ratios, [None, None]),
+        }
+    }
 }

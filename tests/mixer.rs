@@ -1,9 +1,10 @@
 //! The mixer's numbers that the paper's conclusions rest on, to the digits of
 //! 40-digit arithmetic, and extrema and classes of known linkages.
 
-use assur::catalog::mixer::{Case, Mixer};
 use assur::gears::Mesh;
-use assur::motion::{Features, Input, Kind, extrema, features};
+use assur::mechanism::Quantity;
+use assur::mixer::{Case, Mixer};
+use assur::motion::{Features, Input, Kind, features};
 use assur::{Assembly, Dimension, Fault, FourBar, Grashof, Swing};
 use assur_tests::assert_near;
 
@@ -103,14 +104,14 @@ fn extrema_of_fig_4() {
         (Kind::Max, 0.526_743_422_148_419_1, 1.099_739_614_320_205),
         (Kind::Min, 5.876_699_685_802_616, -0.794_199_269_901_119_7),
     ];
-    for (case, derivative, expected) in [
-        (Case::A, 0, first),
-        (Case::A, 1, second),
-        (Case::B, 0, first_b),
-        (Case::B, 1, second_b),
+    for (case, order, expected) in [
+        (Case::A, 1, first),
+        (Case::A, 2, second),
+        (Case::B, 1, first_b),
+        (Case::B, 2, second_b),
     ] {
-        let linkage = mixer(case).linkage;
-        let found = &extrema(&linkage, Assembly::First, |pose| pose.rocker)[derivative];
+        let features = found(&mixer(case), "rocker.angle", Input::ANALOGUES);
+        let found = &features[order].extrema;
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (extremum, (kind, crank, value)) in found.iter().zip(expected) {
             assert_eq!(extremum.kind, *kind);
@@ -122,10 +123,9 @@ fn extrema_of_fig_4() {
 
 /// Features of a mixer's quantity of this name, for the value and both rates.
 fn found(mixer: &Mixer, name: &str, input: Input) -> [Features; 3] {
-    let mut quantities = mixer.quantities();
-    quantities.retain(|quantity| quantity.name() == name);
-    let motion = |crank: f64| mixer.jets(&quantities, crank).ok();
-    let found = features(&mixer.linkage.cycle(), &motion, &[1.0], input);
+    let motion = mixer.motion().unwrap();
+    let quantity = Quantity::named(motion.mechanism(), name).unwrap();
+    let found = motion.features(&[quantity], input);
     found.into_iter().next().unwrap()
 }
 

@@ -19,13 +19,16 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 25] = [
+const BUILT: [(&str, &[&str]); 26] = [
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     (
         "field.",
         &[
+            "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/problem.rs",
+            "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/state.rs",
+            "crates/assur-file/src/view.rs",
             "www/kinds/mixer/rail.js",
             "www/kinds/mixer/lists.js",
             "www/kinds/linkage/rail.js",
@@ -34,11 +37,11 @@ const BUILT: [(&str, &[&str]); 25] = [
         ],
     ),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
-    ("dead.", &["crates/assur/src/motion/trace.rs"]),
+    ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (
         "dwell.",
         &[
-            "crates/assur-web/src/course.rs",
+            "crates/assur-web/src/profile.rs",
             "www/kinds/linkage/course.js",
         ],
     ),
@@ -46,6 +49,8 @@ const BUILT: [(&str, &[&str]); 25] = [
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),
     ("lang.", &["www/core/words.js"]),
+    // Verdicts of answers.
+    ("lesson.", &["www/lesson/panel.js"]),
     ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
         "name.",
@@ -69,8 +74,9 @@ const BUILT: [(&str, &[&str]); 25] = [
     (
         "problem.",
         &[
-            "crates/assur-file/src/linkage/problem.rs",
+            "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
+            "www/app/notices.js",
             "www/state/codec.js",
             "www/engine.js",
             "www/state/model.js",
@@ -93,13 +99,8 @@ const BUILT: [(&str, &[&str]); 25] = [
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
 
-/// The tables of all that the page says, and of what it says of linkages besides.
+/// The tables of all that the page says.
 const PAGE: &str = "lang/*.json";
-const LINKAGES: &str = "lang/linkages/*.json";
-/// Those of the panel that every lesson is shown in.
-const PANEL: &str = "lang/lessons/panel.*.json";
-/// Those of the misprints that lessons are about.
-const ERRATA: &str = "lang/errata/class4-dwell.*.json";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -124,13 +125,26 @@ fn scripts(folder: &str) -> BTreeMap<String, String> {
     found
 }
 
-/// The steps of each lesson, by the place of their words.
-fn lessons() -> BTreeMap<String, String> {
-    let lessons = scripts("www/lessons").into_iter();
-    let place = |path: String| path.replace("www/", "lang/").replace(".js", ".*.json");
-    lessons
-        .map(|(path, script)| (place(path), script))
-        .collect()
+/// The folders of the lessons.
+fn lessons() -> Vec<String> {
+    let entries = fs::read_dir(root().join("www/lessons")).unwrap();
+    let folders = entries.map(|entry| entry.unwrap().path());
+    let names = folders.filter(|path| path.is_dir()).map(|path| {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        format!("www/lessons/{name}")
+    });
+    let mut found: Vec<String> = names.collect();
+    found.sort_unstable();
+    assert!(found.len() > 1, "{found:?}");
+    found
+}
+
+/// The places of the misprints of the papers that lessons are about.
+fn errata() -> impl Iterator<Item = String> {
+    let places = lessons()
+        .into_iter()
+        .map(|lesson| format!("{lesson}/errata.*.json"));
+    places.filter(|place| root().join(place.replace('*', "en")).exists())
 }
 
 /// The tables of all languages; in `place` the language stands for `*`.
@@ -142,19 +156,9 @@ fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
     LANGUAGES.into_iter().map(table).collect()
 }
 
-/// The tables of a lesson's panel and of all lessons.
-fn lesson_tables() -> Vec<String> {
-    let panel = std::iter::once(PANEL.to_owned());
-    panel.chain(lessons().into_keys()).collect()
-}
-
 /// Every word the page ever says outside its lessons, in the first language.
 fn page_words() -> Words {
-    let tables = [PAGE, LINKAGES].map(|place| tables(place).swap_remove(0).2);
-    let count: usize = tables.iter().map(Words::len).sum();
-    let all: Words = tables.into_iter().flatten().collect();
-    assert_eq!(all.len(), count, "a key stands in both tables");
-    all
+    tables(PAGE).swap_remove(0).2
 }
 
 /// A key without the form of the noun, and the form.
@@ -215,10 +219,10 @@ fn pascal(code: &str) -> String {
 
 #[test]
 fn every_language_says_everything() {
-    let all = lesson_tables()
+    let steps = lessons()
         .into_iter()
-        .chain([PAGE, LINKAGES, ERRATA].map(str::to_owned));
-    for place in all {
+        .map(|lesson| format!("{lesson}/words.*.json"));
+    for place in steps.chain(errata()).chain([PAGE.to_owned()]) {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
         for (lang, forms, words) in &tables {
@@ -289,9 +293,7 @@ fn no_key_is_missing() {
         let known = keys.contains(key) || ["version", "languages"].contains(&key);
         assert!(known, "index.html: {key}");
     }
-    let page_scripts = scripts("www").into_iter();
-    let page_scripts = page_scripts.filter(|(name, _)| !name.starts_with("www/lesson"));
-    for (name, script) in page_scripts {
+    for (name, script) in scripts("www") {
         for key in quoted(&script, '"').into_iter().filter(is_key) {
             let mut parts = BUILT.iter().map(|(start, _)| format!("{start}{key}"));
             let known = keys.contains(key) || parts.any(|key| keys.contains(key.as_str()));
@@ -308,25 +310,12 @@ fn no_key_is_missing() {
     }
 }
 
-/// What every step of a lesson says, its choices and what it shows; and what the
-/// panel itself says.
+/// What every step of a lesson says, its choices and what it shows.
 #[test]
 fn lessons_have_their_words_and_no_more() {
-    let panel = source("www/lesson/panel.js");
-    let words = &tables(PANEL)[0].2;
-    let named = quoted(&panel, '"');
-    assert!(
-        asked(words).is_subset(&named),
-        "{PANEL}: a key is left over"
-    );
-    for call in ["text(\"", "counted(\""] {
-        for part in panel.split(call).skip(1) {
-            let key = part.split('"').next().unwrap();
-            assert!(asked(words).contains(key), "the panel asks for {key}");
-        }
-    }
-    for (name, script) in lessons() {
-        let words = &tables(&name)[0].2;
+    for name in lessons() {
+        let script = source(&format!("{name}/lesson.js"));
+        let words = &tables(&format!("{name}/words.*.json"))[0].2;
         let mut expected = BTreeSet::new();
         for step in script.split("    id: \"").skip(1) {
             let id = step.split('"').next().unwrap();
@@ -358,35 +347,62 @@ fn lessons_have_their_words_and_no_more() {
     }
 }
 
-/// The misprints that the page tells are those of docs/errata.md, word by word; in the
-/// other languages formulas are the same.
+/// The sections of docs/errata.md: of each the rows of its table.
+fn errata_of_the_document(document: &str) -> Vec<Vec<[&str; 3]>> {
+    fn cells(row: &str) -> [&str; 3] {
+        let cells: Vec<&str> = row.split('|').skip(1).map(str::trim).collect();
+        [cells[0], cells[1], cells[2]]
+    }
+    fn rows(section: &str) -> Vec<[&str; 3]> {
+        let lines = section.lines().filter(|line| line.starts_with('|'));
+        lines.skip(2).map(cells).collect()
+    }
+    document.split("\n## ").skip(1).map(rows).collect()
+}
+
+/// The misprints that a lesson tells are those of a section of docs/errata.md, word by
+/// word; in the other languages formulas are the same.
 #[test]
 fn errata_are_those_of_the_document() {
     let document = source("docs/errata.md");
-    let (_, section) = document.split_once("## Class IV mechanism").unwrap();
-    let rows = section.lines().filter(|line| line.starts_with('|')).skip(2);
-    let rows: Vec<[&str; 3]> = rows
-        .map(|row| {
-            let cells: Vec<&str> = row.split('|').skip(1).map(str::trim).collect();
-            [cells[0], cells[1], cells[2]]
-        })
-        .collect();
-    assert!(rows.len() > 10);
+    let sections = errata_of_the_document(&document);
+    let mut told = 0;
     let columns = ["equation", "printed", "right"];
     let word = |cell: &str| {
         let mut words = cell.split(|c: char| !c.is_alphabetic() && c != '′');
         words.any(|word| word.len() > 2 && word.chars().all(|c| c.is_ascii_lowercase()))
     };
-    for (lang, _, words) in tables(ERRATA) {
-        assert_eq!(words.len(), 2 + 3 + 3 * rows.len(), "{lang}");
-        for (number, row) in (1..).zip(&rows) {
-            for (column, cell) in columns.into_iter().zip(row) {
-                let said = &words[&format!("{number}.{column}")];
-                let alike = lang == "en" || !word(cell) || cell.contains("det");
-                assert_eq!(said == cell, alike, "{lang} {number}.{column}: {said}");
+    for place in errata() {
+        let tables = tables(&place);
+        let english = &tables[0].2;
+        let of_this = |rows: &&Vec<[&str; 3]>| {
+            let mut equations = (1..).zip(rows.iter().map(|row| row[0]));
+            equations.all(|(number, row)| {
+                english
+                    .get(&format!("{number}.equation"))
+                    .is_some_and(|said| said == row)
+            })
+        };
+        let rows = sections.iter().find(of_this);
+        let rows = rows.unwrap_or_else(|| panic!("{place}: no section has these equations"));
+        assert!(!rows.is_empty());
+        for (lang, _, words) in &tables {
+            assert_eq!(words.len(), 2 + 3 + 3 * rows.len(), "{place} {lang}");
+            for (number, row) in (1..).zip(rows) {
+                for (column, cell) in columns.into_iter().zip(row) {
+                    let said = &words[&format!("{number}.{column}")];
+                    let alike = *lang == "en" || !word(cell) || cell.contains("det");
+                    assert_eq!(
+                        said == cell,
+                        alike,
+                        "{place} {lang} {number}.{column}: {said}"
+                    );
+                }
             }
         }
+        told += rows.len();
     }
+    assert!(told > 10);
 }
 
 /// Codes and fields as `assur-file` writes them; those of linkages in their own tables.
@@ -436,6 +452,7 @@ fn every_problem_has_words() {
         "loose",
         "underdriven",
         "locked",
+        "further_drivers",
         "parallel_guides",
         "unsupported",
         "open",
@@ -493,7 +510,7 @@ fn every_problem_has_words() {
             );
         }
     }
-    for (lang, _, words) in tables(LINKAGES) {
+    for (lang, _, words) in tables(PAGE) {
         for code in of_linkages {
             let key = format!("problem.{code}");
             assert!(words.contains_key(&key), "{lang}: {code}");

@@ -1,6 +1,6 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { Refusal } from "assur/core/problem.js";
-import init, * as mixer from "assur/pkg/assur_web.js";
+import init, * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
@@ -9,42 +9,36 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
  * @typedef {{ min: number, max: number, stroke: number }} Swing
- * @typedef {{ ratio: number, swing: (Swing | null)[], turns: number[] }} WheelSummary
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
+ * @typedef {{ name: string, swing: (Swing | null)[], turns: number[], limits: { input: number, value: number }[], time_ratio: number | null }} Output
+ * What an output of the document does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
  * @typedef {{
+ *   moves: "angle" | "length", cycle: Cycle, home: number, bounds: [number, number, number, number],
  *   counts: { links: number, lower: number, higher: number, mobility: number },
- *   grashof: string,
- *   cycle: Cycle,
- *   home: number,
- *   swing: (Swing | null)[],
- *   wheels: WheelSummary[],
- *   overlaps: [number, number][],
- *   free_direction: number,
- *   limits: { phi: number, rocker: number }[],
- *   time_ratio: number | null,
- *   transmission: { min: number, phi: number },
- *   dead_points: number[],
- *   change_points: number[],
- *   bounds: [number, number, number, number],
- * }} MixerSummary
- * @typedef {{
- *   cycle: Cycle, home: number, bounds: [number, number, number, number],
- *   counts: { links: number, pairs: number }, mobility: number, class: string, order: number, formula: string, assembly: number, assemblies: number,
+ *   class: string, order: number, formula: string, assembly: number, assemblies: number,
  *   groups: { term: string, role: string }[], equations: import("assur/kinds/linkage/equations.js").Equation[],
- *   dead_points: { phi: number, kind: string, links: string[] }[], change_points: number[],
+ *   dead_points: { input: number, kind: string, links: string[] }[], change_points: number[],
+ *   four_bars: { links: string[], grashof: string }[],
+ *   transmissions: { joint: string, links: [string, string], min: number, input: number }[],
+ *   outputs: Output[],
  *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
- *   course: Course | null,
- * }} LinkageSummary
- * @typedef {{ mixer: MixerSummary, linkage: LinkageSummary }} Summaries
+ *   profile: Profile | null,
+ * }} MotionSummary
+ * What the engine says of a motion as a whole; inputs are radians, or of a driven slide in the unit of the lengths.
+ * @typedef {MotionSummary & { ratios: number[], overlaps: [number, number][], free_direction: number }} MixerSummary
+ * @typedef {{ mixer: MixerSummary, linkage: MotionSummary }} Summaries
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{
  *   width: number, stroke: number | null,
  *   dwell: { arc: [number, number], band: [number, number] } | null,
  *   phases: { kind: "rise" | "dwell" | "return", arc: [number, number] }[],
- * }} Course
+ * }} Profile
  * What the first plotted output does: its stroke; the longest arc on which it stays within a band, `width` (degrees, or in the
  * unit of lengths) wide, with the values it has there; its phases.
+ * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
+ * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
+ * of each series of the plots the value and both derivatives; the last two are null where derivatives are unbounded.
  * @typedef {{
  *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
  *   left: number, top: number, width: number, height: number,
@@ -54,25 +48,27 @@ import init, * as mixer from "assur/pkg/assur_web.js";
  * }} Panel
  * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number, whole: boolean }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
- * @typedef {{ columns: string[], rows: { phi_deg: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
+ * @typedef {{ columns: string[], rows: { input: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
  */
 
+/** How many lists a place of the motion has. */
+const LISTS = 4;
+
 export class Engine {
-  #module = mixer;
-  #simulator = new mixer.Simulator();
+  #simulator = new module.Simulator();
   /** @type {State | null} the last state the simulator took */
   #good = null;
 
   /** Whether it broke down since it last took a state. */
   trapped = false;
   /** @type {readonly string[]} */
-  roles = mixer.roleNames();
+  roles = module.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
   /** @type {readonly { id: string, document: import("assur/state/state.js").Presets["mixer"] }[]} */
-  presets = mixer.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
-  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue, once they can be shown */
-  gallery = [];
+  presets = module.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
+  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue */
+  gallery = module.gallery();
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} the points whose coordinates can be plotted */
@@ -85,36 +81,26 @@ export class Engine {
    * @returns {{ id: string, document: LinkageDocument } | undefined} the one of the catalogue that was changed into it
    */
   original(linkage) {
-    return this.gallery.find(({ document }) => document.title === linkage.title);
+    return this.gallery.find(({ id }) => id === linkage.origin);
   }
 
-  /** @returns {readonly string[]} the tables of words for all that it knows */
-  get tables() {
-    return this.#module === mixer ? ["*"] : ["*", "linkages/*"];
+  /**
+   * @template {Kind} K
+   * @param {K} kind
+   * @param {string} id
+   * @returns {import("assur/state/state.js").Documents[K] | undefined} a document that comes with the engine, nothing traced of it
+   */
+  preset(kind, id) {
+    const mixer = this.presets.map(({ id: own, document }) => ({ id: own, document: { ...document, tracers: [] } }));
+    /** @type {{ [J in Kind]: readonly { id: string, document: import("assur/state/state.js").Documents[J] }[] }} */
+    const presets = { mixer, linkage: this.gallery };
+    return presets[kind].find((one) => one.id === id)?.document;
   }
 
   /** @returns {Promise<Engine>} */
   static async load() {
     await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });
     return new Engine();
-  }
-
-  /**
-   * Brings what knows any linkage, and writes tables: larger than what the first view needs, it comes when asked for.
-   * @returns {Promise<void>} refused where it does not arrive
-   */
-  async grow() {
-    if (this.#module !== mixer) return;
-    try {
-      const grown = await import("assur/pkg/linkages/assur_web.js");
-      await grown.default({ module_or_path: fetch(import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm")) });
-      this.#module = grown;
-      this.gallery = grown.gallery();
-      this.#recover();
-    } catch (thrown) {
-      console.error(thrown);
-      throw new Refusal([{ code: "not_arrived" }]);
-    }
   }
 
   /**
@@ -140,7 +126,7 @@ export class Engine {
    * @returns {State} the same, read and checked
    */
   read(value) {
-    return this.ask(() => this.#module.readState(value));
+    return this.ask(() => module.readState(value));
   }
 
   /** @returns {Float32Array} display list of all that is rigid */
@@ -149,72 +135,66 @@ export class Engine {
   }
 
   /**
-   * @param {number} phi
-   * @returns {Float32Array} where the bodies are, and a display list of what is not rigid
+   * Everything at a place of the motion, from one pose.
+   * @param {number} input
+   * @returns {Here}
    */
-  frame(phi) {
-    return this.ask((simulator) => simulator.frame(phi));
+  at(input) {
+    const flat = this.ask((simulator) => simulator.at(input));
+    let end = LISTS;
+    const list = (/** @type {number} */ index) => flat.subarray(end, (end += flat[index]));
+    const [frame, handles, readouts, plotted] = [list(0), list(1), list(2), list(3)];
+    const read = readouts.length > 0;
+    return { frame, handles, readouts: read ? this.#named(readouts) : null, plotted: read ? plotted : null };
   }
 
   /**
-   * @param {number} phi
-   * @returns {Float64Array} x and y of the joints A, B, C, D and of the traced points
+   * @param {number} input
+   * @returns {readonly Problem[]} why there is no pose, or none of its derivatives
    */
-  joints(phi) {
-    return this.ask((simulator) => simulator.joints(phi));
+  why(input) {
+    return this.ask((simulator) => simulator.why(input));
+  }
+
+  /**
+   * @param {number} input
+   * @returns {Float64Array} of each series of the plots the value and both derivatives
+   */
+  plotted(input) {
+    return this.ask((simulator) => simulator.plotted(input));
   }
 
   /**
    * What dragging a joint or a traced point to a place changes.
-   * @param {string} joint
-   * @param {number} phi where the crank is
+   * @param {string} point
+   * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ phi: number, document?: undefined } | { phi?: undefined, document: import("assur/state/state.js").Change }}
+   * @returns {{ input: number, document?: undefined } | { input?: undefined, document: import("assur/state/state.js").Change }}
    */
-  drag(joint, phi, x, y) {
-    return this.ask((simulator) => simulator.drag(joint, phi, x, y));
+  drag(point, input, x, y) {
+    return this.ask((simulator) => simulator.drag(point, input, x, y));
   }
 
   /**
    * What tracing the point at a place changes.
-   * @param {number} phi where the crank is
+   * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ document: { tracers: import("assur/state/state.js").Tracer[] } }}
+   * @returns {{ document: { tracers: { name?: string, link: string }[] } & import("assur/state/state.js").Change }}
    */
-  trace(phi, x, y) {
-    return this.ask((simulator) => simulator.trace(phi, x, y));
+  trace(input, x, y) {
+    return this.ask((simulator) => simulator.trace(input, x, y));
   }
 
   /**
-   * @param {number} phi
-   * @returns {Readouts} values by name; ′ and ″ are derivatives of the axes
-   */
-  readouts(phi) {
-    const values = this.ask((simulator) => simulator.readouts(phi));
-    /** @type {Record<string, number>} */
-    const named = {};
-    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
-    return named;
-  }
-
-  /**
-   * @param {number} phi
-   * @returns {Float64Array} of each series of the plots the value and both derivatives
-   */
-  plotted(phi) {
-    return this.ask((simulator) => simulator.plotted(phi));
-  }
-
-  /**
-   * @param {number} phi
+   * @param {number} input
    * @param {number} delta
-   * @returns {{ phi: number, sign: number }} sign −1: it turned back at the end of the range
+   * @returns {{ input: number, sign: number }} sign −1: it turned back at the end of the range
    */
-  advance(phi, delta) {
-    const [next, sign] = this.ask((simulator) => simulator.advance(phi, delta));
-    return { phi: next, sign };
+  advance(input, delta) {
+    const [next, sign] = this.ask((simulator) => simulator.advance(input, delta));
+    return { input: next, sign };
   }
 
   /**
@@ -229,7 +209,7 @@ export class Engine {
   /**
    * Puts a question to the simulator: a part that is loaded later puts its own.
    * @template T
-   * @param {(simulator: mixer.Simulator) => T} question
+   * @param {(simulator: module.Simulator) => T} question
    * @returns {T}
    */
   ask(question) {
@@ -244,6 +224,17 @@ export class Engine {
     }
   }
 
+  /**
+   * @param {Float64Array} values
+   * @returns {Readouts} ′ and ″ are derivatives of the axes
+   */
+  #named(values) {
+    /** @type {Record<string, number>} */
+    const named = {};
+    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
+    return named;
+  }
+
   /** @param {readonly string[]} names of the read-outs */
   #name(names) {
     if (names.join() === this.#names.join()) return;
@@ -255,7 +246,7 @@ export class Engine {
 
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
   #recover() {
-    this.#simulator = new this.#module.Simulator();
+    this.#simulator = new module.Simulator();
     if (this.#good) this.#simulator.set(this.#good);
   }
 }

@@ -61,11 +61,7 @@ fn higher_groups_after_a_quarter_turn() {
         let motion = moved(name);
         let pose = motion.pose::<1>(PI / 2.0).unwrap();
         for (point, x, y) in places {
-            let index = motion
-                .mechanism()
-                .points()
-                .position(|one| one == *point)
-                .unwrap();
+            let index = motion.mechanism().point(point).unwrap();
             let off = motion.mechanism().place(&pose, index).place() - Point::new(*x, *y);
             assert!(off.norm() < 1e-12, "{name} {point}: {off:?}");
         }

@@ -6,8 +6,8 @@ mod groups;
 mod numbers;
 
 use assur::JetPoint;
-use assur::mechanism::{Demand, Quantity};
-use assur::motion::{Course, Motion};
+use assur::mechanism::{ConstraintKind, PointId, Quantity};
+use assur::motion::{Motion, OutputProfile};
 use assur_file::{catalogue, from_catalogue};
 
 /// Name, structural formula, and whether its crank turns fully.
@@ -99,7 +99,7 @@ fn moved(name: &str) -> Motion {
     let mechanism = document
         .mechanism()
         .unwrap_or_else(|e| panic!("{name}: {e:?}"));
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 fn quantity(motion: &Motion, name: &str) -> Quantity {
@@ -115,7 +115,7 @@ fn at(motion: &Motion, name: &str, degrees: f64) -> [f64; 4] {
 
 /// Inputs and values between which a quantity goes to and fro.
 fn strokes(motion: &Motion, name: &str) -> Vec<[[f64; 2]; 2]> {
-    Course::new(motion, quantity(motion, name)).strokes()
+    OutputProfile::new(motion, quantity(motion, name)).strokes()
 }
 
 /// The whole stroke of a quantity.
@@ -166,9 +166,7 @@ fn structures() {
     for (name, expected, _) in GALLERY {
         let motion = moved(name);
         let mechanism = motion.mechanism();
-        let formula = mechanism
-            .structure()
-            .formula(|link| mechanism.body_name(link).to_owned());
+        let formula = mechanism.formula();
         assert_eq!(formula, expected, "{name}");
     }
 }
@@ -197,7 +195,7 @@ fn all_move_and_close() {
             let pose = motion
                 .pose::<1>(input)
                 .unwrap_or_else(|e| panic!("{name}: {e}"));
-            for link in 0..mechanism.links().len() {
+            for link in mechanism.link_ids() {
                 for point in mechanism.points_of(link) {
                     let [here, there]: [JetPoint<1>; 2] = [
                         mechanism.carried(&pose, link, *point).unwrap(),
@@ -228,21 +226,24 @@ fn all_fulfil_their_equations() {
         let constraints = mechanism.constraints();
         let document = from_catalogue(name).unwrap().unwrap();
         if document.slides.is_empty() && document.gears.is_empty() {
-            let moving = mechanism.points().enumerate();
-            let moving = moving.filter(|(_, point)| !document.frame.iter().any(|of| of == point));
-            let joints = moving.filter(|(point, _)| {
-                let links = 0..mechanism.links().len();
+            let fixed = |point: &PointId| {
+                let name = mechanism.point_name(*point);
+                document.frame.iter().any(|of| of == name)
+            };
+            let moving = mechanism.point_ids().filter(|point| !fixed(point));
+            let joints = moving.filter(|point| {
+                let links = mechanism.link_ids();
                 let mut links = links.filter(|link| mechanism.points_of(*link).contains(point));
                 links.nth(1).is_some()
             });
             assert_eq!(constraints.len(), 2 * joints.count() - 1, "{name}");
         }
         for constraint in constraints {
-            kinds[match constraint.demand {
-                Demand::Distance { .. } => 0,
-                Demand::Offset { .. } => 1,
-                Demand::Direction { .. } => 2,
-                Demand::Mesh { .. } => 3,
+            kinds[match constraint.kind {
+                ConstraintKind::Distance { .. } => 0,
+                ConstraintKind::Offset { .. } => 1,
+                ConstraintKind::Direction { .. } => 2,
+                ConstraintKind::Mesh { .. } => 3,
             }] += 1;
         }
         let [from, to] = motion.cycle().arcs()[0];
@@ -263,4 +264,23 @@ fn all_fulfil_their_equations() {
         }
     }
     assert!(kinds.iter().all(|count| *count > 0), "{kinds:?}");
+}
+
+/// Every assembly that is counted is drawn as such: what an old link numbers opens.
+#[test]
+fn every_assembly_of_the_gallery_is_a_drawing() {
+    let mut drawn = 0;
+    for (name, ..) in GALLERY {
+        let motion = moved(name);
+        let mechanism = motion.mechanism();
+        for number in 0..mechanism.assemblies() {
+            let other = mechanism.assembly(number);
+            let other = other.unwrap_or_else(|| panic!("{name} {number}"));
+            let counted = [other.assemblies(), other.drawn_assembly()];
+            assert_eq!(counted, [mechanism.assemblies(), number], "{name}");
+            assert_eq!(other.turns(), mechanism.turns());
+            drawn += 1;
+        }
+    }
+    assert!(drawn > GALLERY.len(), "{drawn}");
 }

@@ -4,8 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::motion::DeadPointKind;
 use assur::{Assembly, FourBar};
-use assur_draw::Figure;
-use assur_file::from_catalogue;
+use assur_draw::{Figure, Overlays, View};
 use assur_tests::{angle_between, assert_near};
 
 use super::{at, moved, quantity, range, stroke, strokes, time_ratio};
@@ -192,9 +191,16 @@ fn peaucellier() {
     }
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
     // As drawn it is straight to its very ends, where B and D fall into one.
-    let draft = from_catalogue("peaucellier").unwrap().unwrap().draft();
-    let e = draft.points.iter().position(|point| point.name == "E");
-    let figure = Figure::new(&draft, &motion, &[e.unwrap()]).unwrap();
+    let e = motion.mechanism().point("E");
+    let view = View {
+        overlays: Overlays {
+            traces: true,
+            ..Overlays::default()
+        },
+        traced: vec![e.unwrap()],
+        ..View::default()
+    };
+    let figure = Figure::new(&motion, &view).unwrap();
     let [kind, _, _, count, path @ ..] = figure.rigid().numbers() else {
         panic!("an empty drawing");
     };

@@ -1,7 +1,7 @@
 //! For who does not see the page, or not well: what axe finds, what is said of
 //! drawing and plots at rest, projector mode, reduced motion.
 
-use assur::catalog::mixer::Case;
+use assur::mixer::Case;
 use assur::{Assembly, FourBar};
 use serde_json::json;
 

@@ -132,6 +132,136 @@ async fn its_lesson_is_answered() {
     page.close().await;
 }
 
+async fn open_lesson(page: &Page) {
+    open(page, "class4-dwell").await;
+    page.click("tab-lesson").await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+}
+
+/// "Show it" opens the whole document of the step: an assembly that the reader chose
+/// in the step before is not left over, and one undo brings it back.
+#[tokio::test]
+async fn a_step_shows_its_own_document() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    for _ in 1..3 {
+        page.click("lesson-on").await;
+    }
+    page.click("lesson-show").await;
+    page.click("tab-settings").await;
+    page.choose("linkage-assembly", "2").await;
+    assert!(page.text("out-formula").await.contains("II₂"));
+    page.click("tab-lesson").await;
+    page.click("lesson-on").await;
+    page.click("lesson-show").await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    assert!(page.text("out-formula").await.contains("IV₃"));
+    page.click("tab-settings").await;
+    assert_eq!(dwell(&page).await, "184.289°");
+    page.click("undo").await;
+    assert!(page.text("out-formula").await.contains("II₂"));
+    assert_eq!(page.written("linkage-assembly").await, "2");
+    page.close().await;
+}
+
+/// A lesson may be open over a document of another kind: there is nothing to judge then,
+/// and "Show it" opens a document of the lesson's. It stays open, and over what undo brings.
+#[tokio::test]
+async fn a_step_opens_a_document_of_another_kind() {
+    let page = Page::open().await;
+    page.stop_at("60").await;
+    open_lesson(&page).await;
+    page.until("the address to follow", async || {
+        page.address()
+            .await
+            .contains("%22class4-dwell%22,%22step%22")
+    })
+    .await;
+    let link = page.address().await;
+    let other = link.replace("%22class4-dwell%22,%22step%22", "%22mixer%22,%22step%22");
+    page.anew(&other).await;
+    let titled = async || page.text("lesson-title").await == "The machine and its parts";
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    assert!(titled().await);
+    page.write("lesson-answer", "4").await;
+    let verdict = async || page.attribute("lesson-said", "data-verdict").await;
+    assert_eq!(verdict().await.as_deref(), Some("none"));
+    let kind = async || {
+        page.ask("return document.documentElement.dataset.kind")
+            .await
+    };
+    assert_eq!(kind().await, "linkage");
+    page.click("lesson-show").await;
+    assert_eq!(kind().await, "mixer");
+    assert!(titled().await);
+    page.write("lesson-answer", "4").await;
+    assert_eq!(verdict().await.as_deref(), Some("right"));
+    page.click("undo").await;
+    assert_eq!(kind().await, "linkage");
+    assert!(titled().await);
+    // Once closed, the lesson about the mechanism that is there is offered.
+    page.click("tab-settings").await;
+    page.click("tab-lesson").await;
+    page.until("the other lesson", async || !titled().await)
+        .await;
+    let progress = page.text("lesson-progress").await;
+    assert!(progress.contains("Step 1 of 7"), "{progress}");
+    page.close().await;
+}
+
+/// What was answered is still there when the page is opened again, in whatever lesson;
+/// the address does not tell it.
+#[tokio::test]
+async fn progress_outlives_the_page() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    page.click("lesson-show").await;
+    page.write("lesson-answer", "10").await;
+    page.press("lesson-check", Key::Enter).await;
+    page.click("lesson-on").await;
+    page.click("lesson-iii").await;
+    page.click("play").await;
+    page.until("the address to follow", async || {
+        page.address().await.contains("class4-dwell")
+    })
+    .await;
+    page.reload().await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    let progress = page.text("lesson-progress").await;
+    assert!(
+        progress.contains("Step 2") && progress.contains("1 right answer"),
+        "{progress}"
+    );
+    let chosen = page.element("lesson-iii").await;
+    assert!(chosen.is_selected().await.unwrap());
+    assert_eq!(
+        page.attribute("lesson-said", "data-verdict")
+            .await
+            .as_deref(),
+        Some("")
+    );
+    page.click("lesson-back").await;
+    assert_eq!(page.written("lesson-answer").await, "10");
+    let address = page.address().await;
+    assert!(
+        !address.contains("solved") && !address.contains("given"),
+        "{address}"
+    );
+
+    // What somebody else wrote there is passed over.
+    page.ask("localStorage.setItem('assur.lesson.class4-dwell', '{\"given\":7,\"solved\":{}}')")
+        .await;
+    page.reload().await;
+    page.until("the lesson", async || page.count("#lesson-title").await > 0)
+        .await;
+    assert!(!page.text("lesson-progress").await.contains("answer"));
+    page.close().await;
+}
+
 /// What the drawing is as a picture for print.
 async fn drawing(page: &Page) -> String {
     open_dialog(page).await;
@@ -318,7 +448,8 @@ async fn every_joint_has_its_vectors() {
         });
         let ends: Vec<[Point; 2]> = ends.collect();
         assert_eq!(ends.len(), 7);
-        for (index, name) in mechanism.points().enumerate() {
+        for index in mechanism.point_ids() {
+            let name = mechanism.point_name(index);
             if "AHD".contains(name) {
                 continue;
             }

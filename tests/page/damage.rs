@@ -6,6 +6,7 @@ use assur_file::{Document, Problem, State};
 use serde_json::{Value, json};
 
 use crate::browser::{Page, setting};
+use crate::dice::Dice;
 
 /// What is on the screen. The damaged ones come of another state, so that none taken
 /// for sound goes unseen.
@@ -87,25 +88,7 @@ const JUNK: &[&str] = &[
     "<", "\"", "'", "%", "%E0%A4%A", "%C0%80", "%u0041", "&", "=", "{", "]", "\\", "\u{0}", "💥",
 ];
 
-/// Numbers that look thrown, the same in every run (xorshift).
-struct Dice(u64);
-
 impl Dice {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
-    }
-
-    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
-        &of[self.below(of.len())]
-    }
-
-    fn text(&mut self, of: &[&'static str]) -> &'static str {
-        of[self.below(of.len())]
-    }
-
     /// A part of a text, at least one letter and not all of it.
     fn part(&mut self, text: &str) -> (usize, usize) {
         let starts: Vec<usize> = text.char_indices().map(|(at, _)| at).skip(1).collect();
@@ -285,7 +268,7 @@ fn judged(held: Option<Value>, length: usize) -> Result<State, Vec<Problem>> {
     let fits = |value: &Value| length <= LONGEST && depth(value) <= DEEPEST;
     let value = held.filter(fits).ok_or_else(Vec::new)?;
     let state = State::read(|| &value).map_err(|problem| vec![problem])?;
-    state.mixer()?;
+    state.moved()?;
     Ok(state)
 }
 

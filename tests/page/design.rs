@@ -1,7 +1,7 @@
 //! "Design your dwell" on the page: a search in a worker, each better mechanism
 //! drawn, one step to undo; stopped by hand; wishes that cannot be are said.
 
-use assur::synthesis::dwell::{Freedom, Movable, Search, Wish};
+use assur::synthesis::dwell::{DesignVariable, Dimension, Search, Target};
 use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
@@ -28,18 +28,18 @@ async fn lengthened(page: &Page) {
 async fn at_first(stroke: f64) -> f64 {
     let mut start = document("class4-dwell");
     start.links[FK].length = Some(LENGTH);
-    let wish = Wish {
+    let target = Target {
         tolerance: 0.1_f64.to_radians(),
         arc: ARC.to_radians(),
         stroke: stroke.to_radians(),
     };
     let link = "FK".to_owned();
-    let freedom = Freedom {
-        dimension: Movable::Length { link },
+    let variable = DesignVariable {
+        dimension: Dimension::Length { link },
         range: [0.95 * LENGTH, 1.05 * LENGTH],
     };
-    let search = Search::new(&start.draft(), "CD.angle", wish, &[freedom]);
-    search.unwrap().progress().reached.residual
+    let search = Search::new(&start.draft(), "CD.angle", target, &[variable]);
+    search.unwrap().progress().evaluation.residual
 }
 
 /// Waits until a search is over.

@@ -1,7 +1,7 @@
 //! The constraint equations of a linkage on the page, and the misprints of the paper
 //! that they are about.
 
-use assur::mechanism::Demand;
+use assur::mechanism::ConstraintKind;
 use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
@@ -106,7 +106,7 @@ async fn equations_of_slides_and_wheels() {
     agree(&page, "whitworth", 0).await;
     let kinds = document("whitworth").motion().unwrap();
     let slides = kinds.mechanism().constraints().iter();
-    let slides = slides.filter(|one| matches!(one.demand, Demand::Offset { .. }));
+    let slides = slides.filter(|one| matches!(one.kind, ConstraintKind::Offset { .. }));
     let texts = page.text("equations").await;
     assert_eq!(texts.matches("= h·l").count(), slides.count());
     open(&page, "geared-five-bar").await;

@@ -1,7 +1,8 @@
 //! Hands on plots and drawing: what a mouse and fingers do there.
 
-use assur::catalog::mixer::{Case, Dimensions, Mixer};
+use assur::mixer::{Case, Dimensions, Mixer};
 use assur::{Assembly, FourBar, Point};
+use assur_draw::{Annotations, Figure, View as Drawing};
 use assur_tests::assert_near;
 
 use crate::browser::Page;
@@ -115,7 +116,13 @@ impl View {
 }
 
 fn bounds(mixer: &Mixer) -> [f64; 4] {
-    assur_draw::Scene::new(mixer, assur_draw::Overlays::default()).bounds()
+    let view = Drawing {
+        annotations: Annotations::from(mixer),
+        ..Drawing::default()
+    };
+    let motion = mixer.motion().unwrap();
+    let figure = Figure::new(&motion, &view);
+    figure.unwrap().bounds()
 }
 
 pub(crate) fn joints(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> [Point; 4] {

@@ -1,8 +1,8 @@
 //! The mixer lesson: plays, scrubs, presets, assembly, mesh, fields; read-outs
 //! against the engine run natively.
 
-use assur::catalog::mixer::Case;
 use assur::gears::Mesh;
+use assur::mixer::Case;
 use assur::{Assembly, FourBar, Pose};
 use assur_tests::{angle_between, assert_near};
 use thirtyfour::prelude::*;

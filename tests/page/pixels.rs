@@ -1,7 +1,7 @@
 //! What is drawn stands where the engine says: bars to scale, wheels in place,
 //! curves on their axes.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::mixer::{Case, Mixer};
 use assur::{Assembly, Link, Offset, Point, Pose};
 
 use crate::browser::Page;

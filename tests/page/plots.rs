@@ -1,7 +1,8 @@
 //! What is plotted and by what: chosen by mouse, by keys and by touch, read
 //! against the engine; the marks and the proof by differences.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::mechanism::Quantity;
+use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
@@ -14,11 +15,11 @@ const INK: [u8; 3] = [0x1B, 0x1F, 0x24];
 
 /// A quantity of case a and its two derivatives by the crank angle.
 fn jet(name: &str, degrees: f64) -> [f64; 3] {
-    let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
-    let mut quantities = mixer.quantities();
-    quantities.retain(|quantity| quantity.name() == name);
-    let jets = mixer.jets::<3>(&quantities, degrees.to_radians()).unwrap();
-    [0, 1, 2].map(|order| jets[0].derivative(order))
+    let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+    let quantity = Quantity::named(motion.mechanism(), name).unwrap();
+    let pose = motion.pose::<3>(degrees.to_radians()).unwrap();
+    let jet = quantity.of(motion.mechanism(), &pose);
+    [0, 1, 2].map(|order| jet.derivative(order))
 }
 
 /// The read-outs of the point that is plotted, against the engine.

@@ -192,8 +192,8 @@ fn damaged(good: &str) -> Vec<String> {
         ("d.l4=0.85", "d.l4=2"),
         ("v.phi_deg=75", "v.phi_deg=1e300"),
         ("v.speed=1", "v.speed=1e300"),
-        ("1&", "2&"),
-        ("1&", "<script>window.hurt=1</script>&"),
+        ("2&", "7&"),
+        ("2&", "<script>window.hurt=1</script>&"),
     ] {
         assert!(good.contains(from), "{from} in {good}");
         all.push(good.replacen(from, to, 1));

@@ -1,7 +1,7 @@
 //! Everything by touch, on a phone: taps, drags of joints, two fingers, slides over
 //! sliders and plots; a swipe still scrolls the page.
 
-use assur::catalog::mixer::Case;
+use assur::mixer::Case;
 use assur::{Assembly, Point, Vector};
 use assur_tests::assert_near;
 use serde_json::json;

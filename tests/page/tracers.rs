@@ -1,7 +1,7 @@
 //! Traced points: put on a link by hand or by numbers, dragged on it, taken away.
 
 use assur::Point;
-use assur::catalog::mixer::{Carrier, Case, Dimensions, Mixer, Tracer};
+use assur::mixer::{Carrier, Case, Dimensions, Mixer, Tracer};
 use thirtyfour::prelude::*;
 
 use crate::browser::Page;

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use assur::Point;
-use assur::catalog::mixer::{Case, Dimensions, Mixer};
 use assur::gears::Mate;
+use assur::mixer::{Case, Dimensions, Mixer};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
@@ -178,5 +178,24 @@ async fn wheels_travel_by_link() {
     page.anew(&format!("{}{older}", setting("ASSUR_URL"))).await;
     assert_eq!(page.text("notice-text").await, "");
     check(&page, &[(24.0, 10.0)]).await;
+    page.close().await;
+}
+
+/// Where the crank stands at an angle without a pose, a wheel is added all the same: the new
+/// mechanism is drawn in a place of its own.
+#[tokio::test]
+async fn a_wheel_is_added_where_there_is_no_pose() {
+    let page = Page::open().await;
+    page.stop_at("170").await;
+    page.write("field-l1", "1.3").await;
+    assert_ne!(page.text("problem").await, "");
+    page.click("wheels-add").await;
+    page.settle().await;
+    assert!(page.element("field-z6").await.is_displayed().await.unwrap());
+    page.click("wheels-remove-6").await;
+    page.settle().await;
+    page.click("undo").await;
+    page.settle().await;
+    // Nothing has been said on the console.
     page.close().await;
 }

@@ -158,7 +158,7 @@ impl Chain {
 fn moving(seed: u64) -> Option<(Draft, Motion)> {
     let draft = Chain::new(seed).draft;
     let mechanism = Mechanism::new(&draft).ok()?;
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
     Some((draft, motion))
 }
 

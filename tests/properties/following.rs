@@ -37,7 +37,7 @@ pub(crate) fn inputs(motion: &Motion, random: &mut Random) -> Vec<f64> {
     (0..8).map(|_| inside(random)).collect()
 }
 
-/// By how much a moving point differs from another, each derivative beside the
+/// By how much a moving point differs from another, each derivative relative to the
 /// size that derivatives of this order have.
 pub(crate) fn worst<const N: usize>(a: &JetPoint<N>, b: &JetPoint<N>, size: f64, rate: f64) -> f64 {
     (0..N)
@@ -50,14 +50,18 @@ pub(crate) fn worst<const N: usize>(a: &JetPoint<N>, b: &JetPoint<N>, size: f64,
 
 /// The size of the mechanism in a pose: between guides nearly parallel links go far.
 pub(crate) fn size_at(mechanism: &Mechanism, pose: &Pose<1>) -> f64 {
-    let places = (0..mechanism.points().len()).map(|point| mechanism.place(pose, point).place());
+    let places = mechanism
+        .point_ids()
+        .map(|point| mechanism.place(pose, point).place());
     places.fold(mechanism.size(), |size, at| size.max(at.coords.norm()))
 }
 
 /// How fast the pose changes: the scale of its derivatives. Near a dead point
 /// they grow without bound, and their errors with them.
 pub(crate) fn rate(mechanism: &Mechanism, pose: &Pose<4>) -> f64 {
-    let points = (0..mechanism.points().len()).map(|point| mechanism.place(pose, point));
+    let points = mechanism
+        .point_ids()
+        .map(|point| mechanism.place(pose, point));
     let rates = points.flat_map(|point| {
         (1..4).map(move |order| {
             (point.derivative(order).norm() / mechanism.size()).powf(1.0 / order as f64)
@@ -83,14 +87,14 @@ pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) 
         };
         checked += 1;
         let rate = rate(mechanism, &pose);
-        for (link, named) in draft.links.iter().enumerate() {
+        for (link, named) in mechanism.link_ids().zip(&draft.links) {
             for point in mechanism.points_of(link) {
                 let here = mechanism.carried(&pose, link, *point).unwrap();
                 let off = worst(&here, &mechanism.place(&pose, *point), size, rate);
                 assert!(
                     off < 1e-9,
                     "{seed} at {input}: {} of {} is off by {off:e}",
-                    draft.points[*point].name,
+                    mechanism.point_name(*point),
                     named.name
                 );
                 let [here, there] = [
@@ -101,7 +105,8 @@ pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) 
                 assert!(off < 1e-12, "{seed} at {input}: closure {off:e}");
             }
             if let [first, second, ..] = mechanism.points_of(link)[..] {
-                let length = (draft.points[second].at - draft.points[first].at).norm();
+                let [a, b] = [first, second].map(|point| draft.points[point.index()].at);
+                let length = (b - a).norm();
                 let end =
                     mechanism
                         .place(&pose, first)
@@ -115,13 +120,7 @@ pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) 
             }
         }
         for slide in &draft.slides {
-            let index = |name: &String| {
-                draft
-                    .points
-                    .iter()
-                    .position(|point| point.name == *name)
-                    .unwrap()
-            };
+            let index = |name: &String| mechanism.point(name).unwrap();
             let [a, b] = slide
                 .line
                 .each_ref()
@@ -129,7 +128,7 @@ pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) 
             let at = mechanism.place(&position, index(&slide.point)).place();
             let heading = (b - a).normalize();
             let [da, db, dp] = [&slide.line[0], &slide.line[1], &slide.point]
-                .map(|name| draft.points[index(name)].at);
+                .map(|name| draft.points[index(name).index()].at);
             let drawn = (db - da).normalize();
             let [now, then] = [heading.perp(&(at - a)), drawn.perp(&(dp - da))];
             assert!(
@@ -155,11 +154,12 @@ pub(crate) fn leads_to_itself(seed: u64, draft: &Draft, motion: &Motion, inputs:
         return 0;
     }
     let mut redrawn = draft.clone();
-    for (point, place) in redrawn.points.iter_mut().enumerate() {
+    for (point, place) in mechanism.point_ids().zip(&mut redrawn.points) {
         place.at = mechanism.place(&there, point).place();
     }
     let other = Mechanism::new(&redrawn).unwrap_or_else(|e| panic!("{seed}: {e:?}"));
-    let again = Motion::new(&other, other.drawn_assembly());
+    let again = Motion::new(other);
+    let other = again.mechanism();
     for input in &inputs[1..] {
         let Ok(pose) = motion.pose::<4>(*input) else {
             continue;
@@ -176,12 +176,12 @@ pub(crate) fn leads_to_itself(seed: u64, draft: &Draft, motion: &Motion, inputs:
                 again.cycle()
             )
         });
-        for point in 0..mechanism.points().len() {
+        for point in mechanism.point_ids() {
             let off =
                 (mechanism.place(&pose, point).place() - other.place(&same, point).place()).norm();
             assert!(
                 off < 1e-8 * mechanism.size(),
-                "{seed}: drawn at {}, at {input} {point} is off by {off:e}",
+                "{seed}: drawn at {}, at {input} {point:?} is off by {off:e}",
                 inputs[0]
             );
         }
@@ -205,13 +205,13 @@ pub(crate) fn does_not_jump(seed: u64, motion: &Motion) {
             if let (Some(a), Some(b)) = (&before, &here)
                 && rate(mechanism, a).max(rate(mechanism, b)) * width < 0.1
             {
-                for link in 0..mechanism.links().len() {
+                for link in mechanism.link_ids() {
                     let [p, q] = [a, b].map(|pose| mechanism.angle(pose, link));
                     let promised =
                         p.value() + width * (p.derivative(1) + 0.5 * width * p.derivative(2));
                     assert!(
                         (q.value() - promised).abs() < 0.05,
-                        "{seed}: link {link} jumps at {k}: {} {}",
+                        "{seed}: link {link:?} jumps at {k}: {} {}",
                         q.value(),
                         promised
                     );

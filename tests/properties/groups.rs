@@ -115,7 +115,7 @@ fn drawn(kind: Kind, seed: u64) -> Draft {
 fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
     let draft = drawn(kind, seed);
     let mechanism = Mechanism::new(&draft).unwrap_or_else(|e| panic!("{kind:?} {seed}: {e:?}"));
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(mechanism);
     (draft, motion)
 }
 
@@ -194,12 +194,12 @@ fn small_steps_lead_the_same_way() {
                     if rate(mechanism, &pose) > 1e3 {
                         return;
                     }
-                    for point in 0..draft.points.len() {
-                        let off = (mechanism.place(&pose, point).place() - place(point)).norm();
+                    for (index, point) in mechanism.point_ids().enumerate() {
+                        let off = (mechanism.place(&pose, point).place() - place(index)).norm();
                         assert!(
                             off < 1e-8 * mechanism.size(),
                             "{kind:?} {seed} at {input}: {} is off by {off:e}",
-                            draft.points[point].name
+                            draft.points[index].name
                         );
                     }
                     compared += 1;
@@ -230,7 +230,8 @@ fn dead_points_to_ten_digits() {
                 let Ok(pose) = motion.pose::<1>(inside) else {
                     continue;
                 };
-                let near: Vec<Point> = (0..draft.points.len())
+                let points = motion.mechanism().point_ids();
+                let near: Vec<Point> = points
                     .map(|point| motion.mechanism().place(&pose, point).place())
                     .collect();
                 let Some(exact) = Closure::new(&draft).dead_point(&near, inside) else {

@@ -7,6 +7,7 @@ mod draw;
 mod dyads;
 mod following;
 mod groups;
+mod mixers;
 mod motion;
 mod poses;
 mod structure;

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::draw::{config, lengths, posed};
 
 /// How far the first two derivatives of l₁e₁ + l₂e₂ − l₃e₃ − l₄ are from zero,
-/// beside the longest link times the largest rate.
+/// relative to the longest link times the largest rate.
 fn closure_rates(linkage: &FourBar, pose: &Pose<3>) -> [f64; 2] {
     let [l1, l2, l3, l4] = linkage.lengths();
     let terms = [(l1, pose.crank), (l2, pose.coupler), (-l3, pose.rocker)];
@@ -51,7 +51,7 @@ proptest! {
     #![proptest_config(config(60_000))]
 
     /// The loop closes to 1e-13 of the longest link, and so do its derivatives
-    /// beside the size of their terms; whatever is solved is finite.
+    /// relative to the size of their terms; whatever is solved is finite.
     #[test]
     fn closes((linkage, assembly, crank) in posed()) {
         let longest = linkage.lengths().into_iter().fold(0.0, f64::max);

@@ -33,15 +33,13 @@ function fileCommands(page) {
     save: () => saveFile(model.good),
     copy: () => copyLink(model.good, () => notices.tell(["copied"])),
     export: async () => {
-      // The table comes of the larger engine.
-      const [part] = await Promise.all([import("assur/export/dialog.js"), engine.grow()]).catch(() => []);
+      const part = await import("assur/export/dialog.js").catch(() => null);
       if (part) part.openExport(page);
       else notices.tell(LOST);
     },
     gallery: async () => {
       const part = await import("assur/kinds/linkage/gallery.js").catch(() => null);
-      const grown = part && (await engine.grow().then(() => page.learn()).then(() => true, () => false));
-      if (grown) part.openGallery(page);
+      if (part) part.openGallery(page);
       else notices.tell(LOST);
     },
   };
@@ -74,8 +72,8 @@ function motionCommands({ store, model, drafts, history, engine }) {
 
   // The preset that the mechanism was last; of an opened one that was none, the first.
   let preset = presets[0].document;
-  const note = (/** @type {State} */ { lesson, document }) => {
-    if (lesson !== "mixer") return;
+  const note = (/** @type {State} */ { kind, document }) => {
+    if (kind !== "mixer") return;
     preset = presets.find((one) => contains(document, one.document))?.document ?? preset;
   };
   note(store.get());
@@ -102,9 +100,9 @@ function motionCommands({ store, model, drafts, history, engine }) {
     redo: () => history.redo(),
     reset: () => {
       history.step(() => store.update((state) => {
-        if (state.lesson === "mixer") return withDocument(state, { ...preset, tracers: [] });
+        if (state.kind === "mixer") return withDocument(state, { ...preset, tracers: [] });
         const original = engine.original(state.document);
-        return original ? withMechanism(state, state.lesson, original.document) : state;
+        return original ? withMechanism(state, state.kind, original.document) : state;
       }));
     },
   };

@@ -9,7 +9,7 @@ import { wheelLink } from "assur/state/state.js";
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
  * @typedef {import("assur/engine.js").Panel} Panel
- * @typedef {import("assur/engine.js").LinkageSummary} LinkageSummary
+ * @typedef {import("assur/engine.js").MotionSummary} MotionSummary
  * @typedef {import("assur/engine.js").MixerSummary} MixerSummary
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -84,7 +84,7 @@ function angleText(angle, words) {
 /** @param {Snapshot} snapshot */
 function pose(snapshot) {
   const { summary, words } = snapshot;
-  return "wheels" in summary ? words.text("told.now", angles(snapshot, summary)) : linkage(snapshot, summary, "told.linkage_now");
+  return "ratios" in summary ? words.text("told.now", angles(snapshot, summary)) : linkage(snapshot, summary, "told.linkage_now");
 }
 
 /**
@@ -94,7 +94,7 @@ function pose(snapshot) {
  */
 function angles({ readouts, phiDeg, words }, summary) {
   const text = (/** @type {string} */ name) => (readouts ? angleText(readouts[name], words) : "");
-  const wheels = summary.wheels.map((_, index) => {
+  const wheels = summary.ratios.map((_, index) => {
     const link = wheelLink(index);
     return `${linkName(link, words)} ${text(`${link}.angle`)}`;
   });
@@ -103,24 +103,24 @@ function angles({ readouts, phiDeg, words }, summary) {
     coupler: text("coupler.angle"),
     rocker: text("rocker.angle"),
     wheels: wheels.join(", "),
-    transmission: text("transmission"),
+    transmission: text("C.transmission"),
   };
 }
 
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
   const { summary, state, words } = snapshot;
-  if (!("wheels" in summary)) return linkage(snapshot, summary, "told.linkage");
+  if (!("ratios" in summary)) return linkage(snapshot, summary, "told.linkage");
   return words.text("told.drawing", {
     ...angles(snapshot, summary),
-    type: words.text(`grashof.${summary.grashof}`),
+    type: words.text(`grashof.${summary.four_bars[0].grashof}`),
     assembly: words.numbers.exact(state.document.assembly ?? 1),
   });
 }
 
 /**
  * @param {Snapshot} snapshot
- * @param {LinkageSummary} summary
+ * @param {MotionSummary} summary
  * @param {string} key
  */
 function linkage({ readouts, phiDeg, words }, { formula, plotted }, key) {
@@ -140,10 +140,10 @@ function linkage({ readouts, phiDeg, words }, { formula, plotted }, key) {
  * @returns {string[]}
  */
 function positions(summary, crank, words) {
-  const limits = "limits" in summary ? summary.limits : [];
-  const dead = summary.dead_points.map((one) => (typeof one === "number" ? one : one.phi));
+  const limits = summary.outputs[0]?.limits ?? [];
+  const [limit, dead] = [limits, summary.dead_points].map((places) => places.map(({ input }) => input));
   /** @type {[string, number[]][]} */
-  const kinds = [["limit", limits.map(({ phi }) => phi)], ["dead", dead], ["change", summary.change_points]];
+  const kinds = [["limit", limit], ["dead", dead], ["change", summary.change_points]];
   return kinds.flatMap(([kind, places]) => {
     const phi = places.find((place) => Math.abs(Math.sin((place - crank) / 2)) < NEAR / 2);
     return phi === undefined ? [] : [words.text(`told.${kind}`, { angle: angleText(phi, words) })];

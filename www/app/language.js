@@ -9,7 +9,7 @@ import { withView } from "assur/state/state.js";
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {
-  const { store, engine } = page;
+  const { store } = page;
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
@@ -17,7 +17,7 @@ export function chooseLanguage(page) {
   store.subscribe(async ({ view: { lang } }, previous) => {
     if (lang === previous.view.lang) return;
     select.value = lang;
-    const words = await Words.load(lang, engine.tables).catch(() => null);
+    const words = await Words.load(lang).catch(() => null);
     // Another choice may have been made while these words were on their way.
     if (store.get().view.lang !== lang) return;
     if (words) page.hear(words);

@@ -11,7 +11,7 @@ async function start() {
   // Most often these words are those of the state, too.
   const [engine] = await Promise.all([Engine.load(), Words.load(lang)]);
   const opening = await open(engine, habits);
-  const words = await Words.load(opening.state.view.lang, engine.tables);
+  const words = await Words.load(opening.state.view.lang);
   new Page(engine, habits, words, opening).show();
 }
 

@@ -1,5 +1,5 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file.
-import { Refusal, attempt } from "assur/core/problem.js";
+import { attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
 import { initialState } from "assur/state/state.js";
@@ -27,27 +27,11 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   let { problems } = unwrapped;
   /** @type {State | null} */
   let value = null;
-  if (problems.length === 0) ({ value, problems } = await read(unwrapped.value, engine));
+  if (problems.length === 0) ({ value, problems } = attempt(() => engine.read(unwrapped.value)));
   if (!value) return { state: null, failure: { kind, problems } };
-  const { lesson, document, view } = value;
+  const { kind: of, document, view } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(lesson, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
-}
-
-/**
- * Has the engine read a state; one with a linkage first brings what knows linkages.
- * @param {unknown} value from outside
- * @param {Engine} engine
- * @returns {Promise<{ value: State | null, problems: readonly Problem[] }>}
- */
-export async function read(value, engine) {
-  try {
-    if (/** @type {{ lesson?: unknown } | null} */ (value)?.lesson === "linkage") await engine.grow();
-  } catch (thrown) {
-    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
-    throw thrown;
-  }
-  return attempt(() => engine.read(value));
+  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
 }
 
 /**

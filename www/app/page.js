@@ -73,7 +73,7 @@ export class Page {
       trace: () => pointer.trace(),
       lesson: () => {
         lesson.toggle();
-        header.fold(this.store.get().view.step > 0);
+        header.fold(this.store.get().view.lesson !== null);
       },
       settings: () => byId("settings", HTMLButtonElement).click(),
       help: () => help.showModal(),
@@ -114,33 +114,28 @@ export class Page {
   async take(coming) {
     const taken = await coming;
     if (!taken) return;
-    await this.learn();
     this.notices.tell(taken.failure ? [taken.failure] : []);
     const { state } = taken;
     if (state) this.history.step(() => this.store.update(() => state));
   }
 
   /**
-   * Shows another mechanism.
-   * @param {State["lesson"]} lesson
+   * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
+   * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
+   * if it takes it
    */
-  choose(lesson, document) {
+  choose(kind, document, look = () => ({})) {
     const { store, model } = this;
     this.history.step(() => {
-      store.update((state) => withView(withMechanism(state, lesson, document), { plot: "angles" }));
+      store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
       this.mechanism.fit();
       // The crank of another mechanism may not go where this one's stands.
       model.follow(store.get());
       if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+      store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
-  }
-
-  /** With linkages come their words. */
-  async learn() {
-    const { lang } = this.words;
-    const more = await Words.load(lang, this.engine.tables);
-    if (lang === this.words.lang) this.hear(more);
   }
 
   /** @param {Words} words the language from now on */

@@ -29,7 +29,7 @@ export async function copyLink(state, copied) {
 
 /** @param {State} state */
 export function saveFile(state) {
-  download(new Blob([toFile(state)], { type: "application/json" }), `${state.lesson}.assur.json`);
+  download(new Blob([toFile(state)], { type: "application/json" }), `${state.kind}.assur.json`);
 }
 
 /**

@@ -46,13 +46,13 @@ export class Views {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, lesson } = snapshot;
+    const { state, kind } = snapshot;
     if (!state.view.playing && !this.#described) this.#describe();
-    setData(document.documentElement, "lesson", lesson);
+    setData(document.documentElement, "kind", kind);
     for (const view of this.#views) view.render(snapshot);
-    if (state.lesson !== lesson) return;
-    const own = this.#own.get(lesson);
-    if (!own) this.#bring(lesson);
+    if (state.kind !== kind) return;
+    const own = this.#own.get(kind);
+    if (!own) this.#bring(kind);
     for (const view of own ?? []) view.render(snapshot);
   }
 

@@ -1,7 +1,8 @@
 // Reads the flat display lists of the engine into things a canvas can paint.
 
 /**
- * @typedef {{ record: Float32Array, role: string, look: number, path: Path2D, loops?: Float32Array[] }} Shape
+ * @typedef {Float32Array | Float64Array} List of numbers, as the engine hands it over
+ * @typedef {{ record: List, role: string, look: number, path: Path2D, loops?: List[] }} Shape
  * Where it stands in the list; of polygons also the corners of each.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
@@ -14,7 +15,7 @@ const CIRCLE = 3;
 const TEXT = 4;
 
 /**
- * @param {Float32Array} list
+ * @param {List} list
  * @param {number} start where the list begins in the array
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
@@ -54,8 +55,8 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 }
 
 /**
- * @param {Float32Array} record records tell their own length: one that begins alike is the same
- * @param {Float32Array} list
+ * @param {List} record records tell their own length: one that begins alike is the same
+ * @param {List} list
  * @param {number} at
  * @returns {boolean} whether the record stands there, too
  */
@@ -64,7 +65,7 @@ function stands(record, list, at) {
 }
 
 /**
- * @param {Float32Array} list
+ * @param {List} list
  * @param {number} at
  * @param {readonly string[]} roles
  * @param {() => Path2D} newPath
@@ -87,7 +88,7 @@ function readShape(list, at, roles, newPath) {
 
 /**
  * @param {Shape} shape
- * @param {Float32Array} list
+ * @param {List} list
  * @param {number} at
  * @returns {number} where the next record begins
  */
@@ -106,7 +107,7 @@ function addPolygons(shape, list, at) {
 
 /**
  * @param {Path2D} path
- * @param {Float32Array} list
+ * @param {List} list
  * @param {number} at
  * @returns {number}
  */

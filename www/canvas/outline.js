@@ -6,7 +6,7 @@ const SHARPEST = 0.3;
 
 /**
  * The band between the polygons moved outwards and inwards by half the width.
- * @param {readonly Float32Array[]} loops x and y of the corners of closed polygons
+ * @param {readonly import("assur/canvas/display-list.js").List[]} loops x and y of the corners of closed polygons
  * @param {number} width in the unit of the corners
  * @returns {Path2D} to be filled by the non-zero rule
  */
@@ -22,7 +22,7 @@ export function outlined(loops, width) {
 }
 
 /**
- * @param {Float32Array} loop
+ * @param {import("assur/canvas/display-list.js").List} loop
  * @returns {[number, number][]} its corners, without those that repeat the one before
  */
 function distinct(loop) {

@@ -152,7 +152,7 @@ export class Painter {
 
   /**
    * @param {Shape} shape
-   * @param {readonly Float32Array[]} loops
+   * @param {readonly import("assur/canvas/display-list.js").List[]} loops
    * @param {number} width
    * @returns {Path2D}
    */

@@ -1,4 +1,4 @@
-// Every word of the page comes from lang/*.json; this file only looks them up.
+// Every word of the page comes from lang/*.json, those of a lesson from its folder; this file only looks them up.
 import { Numbers } from "assur/core/numbers.js";
 
 /** The languages there are string tables for. */
@@ -24,10 +24,10 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [places] of the tables, the language standing for *
+   * @param {readonly string[]} [places] of the tables in the page, the language standing for *; what a later one says goes before
    * @returns {Promise<Words>}
    */
-  static async load(lang, places = ["*"]) {
+  static async load(lang, places = ["lang/*"]) {
     const names = places.map((place) => place.replace("*", lang));
     const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
     return new Words(lang, new Map(entries));
@@ -93,7 +93,7 @@ function table(name) {
  * @returns {Promise<ReadonlyMap<string, string>>}
  */
 async function fetchTable(name) {
-  const response = await fetch(import.meta.resolve(`assur/lang/${name}.json`));
+  const response = await fetch(import.meta.resolve(`assur/${name}.json`));
   if (!response.ok) throw new Error(`${response.status} ${name}.json`);
   return new Map(Object.entries(await response.json()));
 }

@@ -2,7 +2,7 @@
 
 /** @param {import("assur/engine.js").SweepTable} table */
 export function toCsv({ columns, rows }) {
-  const lines = rows.map(({ phi_deg, values, reason }) => [phi_deg, ...values.map((value) => value ?? ""), reason?.code ?? ""]);
+  const lines = rows.map(({ input, values, reason }) => [input, ...values.map((value) => value ?? ""), reason?.code ?? ""]);
   const text = [["phi_deg", ...columns, "reason"], ...lines].map((cells) => `${cells.join(",")}\n`);
   return new Blob(text, { type: "text/csv" });
 }

@@ -77,8 +77,8 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
  * @param {import("assur/state/model.js").Model} model
  * @returns {string} `assur-mixer-a`, of a mechanism that is none of the presets `assur-mixer`; `assur-jansen` or `assur-linkage`
  */
-function fileName(engine, { good: { lesson, document } }) {
-  if (lesson !== "mixer") return `assur-${engine.original(document)?.id ?? lesson}`;
+function fileName(engine, { good: { kind, document } }) {
+  if (kind !== "mixer") return `assur-${engine.original(document)?.id ?? kind}`;
   const preset = engine.presets.find((one) => contains(document, one.document));
-  return ["assur", lesson, ...(preset ? [preset.id] : [])].join("-");
+  return ["assur", kind, ...(preset ? [preset.id] : [])].join("-");
 }

@@ -11,7 +11,7 @@ const COLUMNS = Object.freeze(["equation", "printed", "right"]);
  * @param {string} lang
  */
 export async function openErrata(lesson, lang) {
-  const words = await Words.load(lang, ["*", `errata/${lesson}.*`]);
+  const words = await Words.load(lang, ["lang/*", `lessons/${lesson}/errata.*`]);
   document.getElementById("errata-dialog")?.remove();
   const row = (/** @type {string} */ of) => COLUMNS.map((column) => words.text(of + column));
   const rows = [];

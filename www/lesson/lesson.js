@@ -1,31 +1,30 @@
-// The lesson beside the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
+// The lesson, in the place of the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
+import { offered, opened } from "assur/lesson/offer.js";
 import { withView } from "assur/state/state.js";
 
 /**
+ * @typedef {import("assur/lesson/offer.js").Entry} Entry
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  */
-
-/** The linkages of the gallery that have a lesson. */
-const LINKAGES = Object.freeze(["class4-dwell"]);
 
 export class Lesson {
   #settings = byId("rail", HTMLElement);
   #place = byId("lesson", HTMLElement);
   #tabs = [byId("tab-settings", HTMLButtonElement), byId("tab-lesson", HTMLButtonElement)];
   #page;
-  /** @type {import("assur/lesson/panel.js").LessonPanel<import("assur/state/state.js").Kind> | null} */
+  /** @type {import("assur/lesson/panel.js").LessonPanel | null} */
   #panel = null;
   /** Lesson and language it has, or is waiting for. */
   #wanted = "";
   /** The lesson of the panel. */
   #shown = "";
   #open = false;
-  /** The step to come back to. */
-  #last = 1;
-  /** Whether the focus is to follow into it. */
-  #called = false;
+  /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to come back to */
+  #last = null;
+  /** Whether the reader has just opened it, and is to see it: by a key or not. */
+  #called = { seen: false, focused: false };
 
   /**
    * @param {import("assur/app/page.js").Page} page
@@ -37,7 +36,7 @@ export class Lesson {
 
   /** Opens it and takes the focus there, or closes it. */
   toggle() {
-    this.#called = !this.#open;
+    this.#called.focused = !this.#open;
     if (this.#open && this.#place.contains(document.activeElement)) this.#tabs[1].focus();
     this.#turn(!this.#open);
   }
@@ -45,33 +44,29 @@ export class Lesson {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, words } = snapshot;
-    const lesson = this.#of(state);
-    setData(document.documentElement, "taught", String(lesson !== ""));
-    const open = state.view.step > 0 && lesson !== "";
+    setData(document.documentElement, "taught", String(offered(state) !== undefined));
+    const lesson = opened(state);
+    const open = lesson !== undefined;
     if (open !== this.#open) this.#reveal(open);
     if (!open) return;
-    this.#last = state.view.step;
-    if (this.#wanted !== `${lesson} ${words.lang}`) this.#load(lesson, words);
-    this.#panel?.render(snapshot);
-    if (this.#panel && this.#called) {
-      this.#called = false;
-      this.#panel.focus();
-    }
-  }
-
-  /**
-   * @param {import("assur/state/state.js").State} state
-   * @returns {string} the lesson about its mechanism; empty where there is none
-   */
-  #of(state) {
-    if (state.lesson === "mixer") return "mixer";
-    const id = this.#page.engine.original(state.document)?.id ?? "";
-    return LINKAGES.includes(id) ? id : "";
+    this.#last = state.view.lesson;
+    if (this.#wanted !== `${lesson.id} ${words.lang}`) this.#load(lesson, words);
+    if (!this.#panel || this.#shown !== lesson.id) return;
+    this.#panel.render(snapshot);
+    if (this.#called.seen) this.#place.scrollIntoView({ block: "nearest" });
+    if (this.#called.focused) this.#panel.focus();
+    this.#called = { seen: false, focused: false };
   }
 
   /** @param {boolean} open */
   #turn(open) {
-    this.#page.store.update((state) => withView(state, { step: open && this.#of(state) ? state.view.step || this.#last : 0 }));
+    this.#called.seen = open;
+    this.#page.store.update((state) => {
+      const id = offered(state)?.id;
+      if (!open || id === undefined) return withView(state, { lesson: null });
+      if (opened(state)) return state;
+      return withView(state, { lesson: this.#last?.id === id ? this.#last : { id, step: 1 } });
+    });
   }
 
   /** @param {boolean} open */
@@ -85,30 +80,42 @@ export class Lesson {
   }
 
   /**
-   * @param {string} lesson
+   * @param {Entry} lesson
    * @param {Words} words of the page, in the language that is wanted
    */
-  async #load(lesson, words) {
+  async #load({ id, presets }, words) {
     const { lang } = words;
-    const wanted = `${lesson} ${lang}`;
+    const wanted = `${id} ${lang}`;
     this.#wanted = wanted;
     try {
-      const [{ LessonPanel }, { STEPS }, text] = await Promise.all([
+      const [{ LessonPanel }, { LESSON }, own, text] = await Promise.all([
         import("assur/lesson/panel.js"),
-        import(`assur/lessons/${lesson}.js`),
-        Words.load(lang, ["lessons/panel.*", `lessons/${lesson}.*`]),
+        import(`assur/lessons/${id}/lesson.js`),
+        presets ? ownPresets(id) : {},
+        Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
       ]);
       if (this.#wanted !== wanted) return;
-      if (this.#shown !== lesson) {
-        this.#shown = lesson;
-        const { store, model, history, engine } = this.#page;
-        const presets = lesson === "mixer" ? engine.presets : engine.gallery;
-        this.#panel = new LessonPanel(this.#place, STEPS, { store, model, history, presets }, text);
+      if (this.#shown !== id) {
+        this.#shown = id;
+        this.#panel = new LessonPanel(this.#place, this.#page, id, LESSON, own, text);
       }
       this.#panel?.speak(text);
       this.#page.redraw();
     } catch {
-      if (!this.#panel) write(this.#place, words.text("lesson.failed"));
+      if (this.#wanted !== wanted) return;
+      this.#panel = null;
+      this.#shown = "";
+      write(this.#place, words.text("lesson.failed"));
     }
   }
+}
+
+/**
+ * @param {string} lesson
+ * @returns {Promise<import("assur/lesson/panel.js").OwnPresets>}
+ */
+async function ownPresets(lesson) {
+  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/presets.json`));
+  if (!response.ok) throw new Error(`${response.status} ${lesson}`);
+  return response.json();
 }

@@ -3,88 +3,82 @@ import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { withSubscripts } from "assur/core/subscripts.js";
-import { SWITCHES, withDocument, withView } from "assur/state/state.js";
+import { Progress } from "assur/lesson/progress.js";
+import { SWITCHES, withView } from "assur/state/state.js";
 
 /**
+ * @typedef {import("assur/state/state.js").Documents} Documents
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/engine.js").Summaries} Summaries
+ * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /**
- * @template {Kind} K
- * @typedef {import("assur/state/state.js").Presets[K]} Preset
- */
-
-/**
- * @template {Kind} K
- * @typedef {import("assur/engine.js").Summaries[K]} Summary
- */
-
-/**
- * @template {Kind} K
+ * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   name?: string, preset: string, change?: (document: Preset<K>) => Preset<K>, play?: boolean, overlays?: readonly string[],
- *   at?: (summary: Summary<K>) => number | undefined,
+ *   name?: string, preset: string, change?: (document: Documents[K]) => Documents[K], play?: boolean, overlays?: readonly string[],
+ *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * What a button sets: a preset, or a change of it, the crank's angle in it or its motion, and what is laid over the drawing. The words of the
- * button are `ID.show.NAME`, or "Show it".
+ * What a button opens instead of the document there is: a preset, or a change of it, the crank's angle in it or its motion, and what is
+ * laid over the drawing. The words of the button are `ID.show.NAME`, or "Show it".
  */
 
 /**
- * @template {Kind} K
+ * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   answer: (summary: Summary<K>) => number | string | undefined,
+ *   answer: (summary: Summaries[K]) => number | string | undefined,
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
- *   places?: (summary: Summary<K>) => Readonly<Record<string, number>>,
+ *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>,
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
  */
 
 /**
- * @template {Kind} K
+ * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: string,
+ *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean,
  * }>} Step
- * `formula`: one with a number in it is written with the reader's decimal sign; `errata`: the lesson whose paper's misprints concern the step.
+ * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
+ * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step.
  */
 
 /**
- * @template {Kind} K
- * @typedef {Readonly<{
- *   store: import("assur/state/store.js").Store<State>,
- *   model: import("assur/state/model.js").Model,
- *   history: import("assur/state/history.js").History,
- *   presets: readonly Readonly<{ id: string, document: Preset<K> }>[],
- * }>} Parts
+ * @template {Kind} [K=Kind]
+ * @typedef {Readonly<{ kind: K, steps: readonly (Step<K> | { [J in Kind]: Step<J> & { kind: J } }[Kind])[] }>} Lesson
+ * What `lesson.js` of a lesson's folder exports as `LESSON`. Steps are told apart by their ids, which progress is kept by.
  */
 
 /**
+ * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: Documents[K] }> }[Kind]} Whole
+ * @typedef {Readonly<Record<string, Whole>>} OwnPresets what `presets.json` of a lesson's folder holds, by name
+ *
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
- * @typedef {{ given: string, verdict: Verdict | null, document: State["document"] | null }} Answer
+ * @typedef {{ verdict: Verdict, document: State["document"] }} Judged the document that the verdict was given of
  */
 
-/** @template {Kind} K of mechanism the lesson is about */
 export class LessonPanel {
+  #page;
+  #id;
+  #kind;
   #steps;
-  #parts;
+  #presets;
+  #progress;
   /** @type {Words} */
   #words;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Map<Step<K>, Answer>} what was answered, and the mechanism it was said of */
-  #answers = new Map();
-  /** @type {Set<Step<K>>} */
-  #solved = new Set();
+  /** @type {Map<Step, Judged>} */
+  #judged = new Map();
   /** @type {readonly unknown[]} step and words that are shown */
   #shown = [];
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button" }, ["‹"]);
   #on = make("button", { id: "lesson-on", class: "control icon", type: "button" }, ["›"]);
-  #progress = make("p", { id: "lesson-progress", role: "status" });
+  #walked = make("p", { id: "lesson-progress", role: "status" });
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
   #text = make("div", { class: "lesson-text" });
   #shows = make("div", { class: "segments" });
@@ -96,13 +90,19 @@ export class LessonPanel {
 
   /**
    * @param {HTMLElement} place
-   * @param {readonly Step<K>[]} steps
-   * @param {Parts<K>} parts
-   * @param {Words} words those of the panel and of the lesson
+   * @param {import("assur/app/page.js").Page} page
+   * @param {string} id of the lesson
+   * @param {{ kind: Kind, steps: readonly Step[] }} lesson
+   * @param {OwnPresets} presets
+   * @param {Words} words of the page, and those of the lesson
    */
-  constructor(place, steps, parts, words) {
+  constructor(place, page, id, { kind, steps }, presets, words) {
+    this.#page = page;
+    this.#id = id;
+    this.#kind = kind;
     this.#steps = steps;
-    this.#parts = parts;
+    this.#presets = presets;
+    this.#progress = new Progress(id, steps);
     this.#words = words;
     const form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), this.#check, this.#said]);
     form.addEventListener("submit", (event) => {
@@ -113,9 +113,9 @@ export class LessonPanel {
     this.#on.addEventListener("click", () => this.#go(1));
     this.#errata.addEventListener("click", async () => {
       const { openErrata } = await import("assur/lesson/errata.js");
-      await openErrata(this.#step.errata ?? "", this.#words.lang);
+      await openErrata(this.#id, this.#words.lang);
     });
-    const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#progress, this.#on]);
+    const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     place.replaceChildren(walk, this.#title, this.#text, this.#shows, this.#errata, form);
   }
 
@@ -139,9 +139,10 @@ export class LessonPanel {
       this.#write(number);
     }
     // What was said of another mechanism no longer holds.
-    const answer = this.#answers.get(this.#steps[number - 1]);
-    if (answer?.verdict && answer.document !== snapshot.state.document) {
-      answer.verdict = null;
+    const step = this.#steps[number - 1];
+    const judged = this.#judged.get(step);
+    if (judged && judged.document !== snapshot.state.document) {
+      this.#judged.delete(step);
       this.#say();
     }
   }
@@ -151,24 +152,28 @@ export class LessonPanel {
    * @param {State} state
    */
   #number({ view }) {
-    return Math.min(view.step, this.#steps.length);
+    return Math.min(view.lesson?.step ?? 1, this.#steps.length);
   }
 
   get #step() {
-    return this.#steps[this.#number(this.#parts.store.get()) - 1];
+    return this.#steps[this.#number(this.#page.store.get()) - 1];
   }
 
   /** @param {number} by */
   #go(by) {
-    this.#parts.store.update((state) => withView(state, { step: this.#number(state) + by }));
+    this.#page.store.update((state) => {
+      const { lesson } = state.view;
+      return lesson ? withView(state, { lesson: { ...lesson, step: this.#number(state) + by } }) : state;
+    });
   }
 
   /** @param {number} number */
   #write(number) {
     const words = this.#words;
-    const { id, formula, shows, question, errata } = this.#steps[number - 1];
-    this.#back.ariaLabel = this.#back.title = words.text("back");
-    this.#on.ariaLabel = this.#on.title = words.text("on");
+    const step = this.#steps[number - 1];
+    const { id, formula, shows, question, errata } = step;
+    this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
+    this.#on.ariaLabel = this.#on.title = words.text("lesson.on");
     // A button that leads no farther gives the focus to its twin, else it would be lost.
     const focused = document.activeElement;
     this.#back.disabled = number === 1;
@@ -180,17 +185,17 @@ export class LessonPanel {
     const paragraphs = words.text(`${id}.text`).split("\n").map((text) => make("p", {}, withSubscripts(text)));
     this.#text.replaceChildren(...paragraphs, make("p", { class: "formula" }, withSubscripts(typeof formula === "string" ? formula : formula(words.numbers))));
     this.#shows.replaceChildren(...shows.map((show) => {
-      const text = words.text(show.name ? `${id}.show.${show.name}` : "show");
+      const text = words.text(show.name ? `${id}.show.${show.name}` : "lesson.show");
       const button = make("button", { id: `lesson-show${show.name ? `-${show.name}` : ""}`, class: "segment", type: "button" }, [text]);
-      button.addEventListener("click", () => this.#show(show));
+      button.addEventListener("click", () => this.#show(step, show));
       return button;
     }));
-    write(this.#errata, words.text("errata"));
+    write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;
-    const within = question.within ? ` ${words.text("within", { value: words.numbers.upTo(question.within, 3) + (question.unit ?? "") })}` : "";
+    const within = question.within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(question.within, 3) + (question.unit ?? "") })}` : "";
     write(this.#legend, words.text(`${id}.question`) + within);
     this.#fields.replaceChildren(...this.#inputs());
-    write(this.#check, words.text("check"));
+    write(this.#check, words.text("lesson.check"));
     this.#say();
   }
 
@@ -198,9 +203,10 @@ export class LessonPanel {
   #inputs() {
     const step = this.#step;
     const { choices, unit } = step.question;
-    const given = this.#answers.get(step)?.given ?? "";
+    const given = this.#progress.given(step.id);
     const note = (/** @type {HTMLInputElement} */ input) => {
-      this.#answers.set(step, { given: input.value, verdict: null, document: null });
+      this.#progress.give(step.id, input.value);
+      this.#judged.delete(step);
       this.#say();
     };
     if (!choices) {
@@ -220,32 +226,31 @@ export class LessonPanel {
     });
   }
 
-  /** @param {Show<K>} show */
-  #show({ preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
-    const { store, model, history, presets } = this.#parts;
-    const document = presets.find(({ id }) => id === preset)?.document;
-    if (!document) return;
+  /**
+   * @param {Step} step
+   * @param {Show} show
+   */
+  #show({ kind = this.#kind }, { preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
+    const whole = this.#presets[preset] ?? { kind, document: this.#page.engine.preset(kind, preset) };
+    if (!whole.document) return;
     const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
     /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
     const plots = { plot: "angles", axes: "analogues" };
-    history.step(() => {
-      store.update((state) => withDocument(state, change(document)));
-      // Where the crank goes is known once the engine has taken the mechanism.
-      model.follow(store.get());
-      const phi = at?.(/** @type {Summary<K>} */ (model.summary));
+    this.#page.choose(whole.kind, change(whole.document), (summary) => {
+      const phi = summary ? at?.(summary) : undefined;
       const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
-      store.update((state) => withView(state, { ...shown, ...plots, ...place, playing: play }));
+      return { ...shown, ...plots, ...place, playing: play };
     });
   }
 
   #answer() {
     const step = this.#step;
     if (!this.#snapshot) return;
-    const given = this.#answers.get(step)?.given ?? "";
-    const verdict = judge(step.question, given, this.#snapshot);
-    this.#answers.set(step, { given, verdict, document: this.#snapshot.state.document });
-    if (verdict === "right") this.#solved.add(step);
+    const verdict = judge(step.question, this.#progress.given(step.id), this.#snapshot, step.kind ?? this.#kind);
+    this.#judged.set(step, { verdict, document: this.#snapshot.state.document });
+    if (verdict === "right") this.#progress.solve(step.id);
     this.#say();
+    this.#said.scrollIntoView({ block: "nearest" });
   }
 
   /** Writes progress and what is said of the answer. */
@@ -253,22 +258,23 @@ export class LessonPanel {
     const words = this.#words;
     const step = this.#step;
     const [number, count] = [this.#steps.indexOf(step) + 1, this.#steps.length].map((one) => words.numbers.exact(one));
-    const solved = this.#solved.size > 0 ? `, ${words.counted("solved", this.#solved.size)}` : "";
-    write(this.#progress, words.text("progress", { number, count }) + solved);
-    const verdict = this.#answers.get(step)?.verdict ?? null;
+    const { solved } = this.#progress;
+    const done = solved > 0 ? `, ${words.counted("lesson.solved", solved)}` : "";
+    write(this.#walked, words.text("lesson.progress", { number, count }) + done);
+    const verdict = this.#judged.get(step)?.verdict ?? null;
     this.#said.dataset.verdict = verdict ?? "";
-    write(this.#said, verdict ? [words.text(verdict), this.#reason(step, verdict)].join(" ") : "");
+    write(this.#said, verdict ? [words.text(`lesson.${verdict}`), this.#reason(step, verdict)].join(" ") : "");
   }
 
   /**
-   * @param {Step<K>} step
+   * @param {Step} step
    * @param {Verdict} verdict
    */
   #reason({ id, question }, verdict) {
     const words = this.#words;
     if (verdict === "not_yet") return words.text(`${id}.hint`);
     if (verdict !== "right" || !this.#snapshot) return "";
-    const summary = /** @type {Summary<K>} */ (this.#snapshot.summary);
+    const { summary } = this.#snapshot;
     const exact = question.answer(summary);
     if (typeof exact !== "number") return words.text(`${id}.right`);
     const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
@@ -278,15 +284,15 @@ export class LessonPanel {
 }
 
 /**
- * @template {Kind} K
- * @param {Question<K>} question
+ * @param {Question} question
  * @param {string} given
  * @param {Snapshot} snapshot
+ * @param {Kind} asked the kind of document that the question is about
  * @returns {Verdict}
  */
-function judge({ answer, choices, within = 0, round = false }, given, { summary, stale }) {
+function judge({ answer, choices, within = 0, round = false }, given, { summary, stale, kind }, asked) {
   if (stale) return "stale";
-  const exact = answer(/** @type {Summary<K>} */ (summary));
+  const exact = kind === asked ? answer(summary) : undefined;
   if (exact === undefined) return "none";
   if (typeof exact === "string") {
     if (!choices?.includes(given)) return "unanswered";

@@ -51,13 +51,13 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, lesson, words, problems }) {
+  render({ state: { view }, kind, words, problems }) {
     const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words, lesson);
+    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words, kind);
     this.#shown = shown;
     this.#plot.value = plot;
     this.#axes.value = axes;
@@ -71,11 +71,11 @@ export class PlotBar {
   /**
    * @param {readonly string[]} points
    * @param {Words} words
-   * @param {string} lesson
+   * @param {string} shown the kind of what is
    */
-  #offer(points, words, lesson) {
+  #offer(points, words, shown) {
     this.#points = points;
-    if (lesson !== "mixer") {
+    if (shown !== "mixer") {
       const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
         make("option", { value }, [words.text(key, { name })]);
       this.#plot.replaceChildren(

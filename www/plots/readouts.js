@@ -11,22 +11,22 @@ import { LISTS, wheelLink } from "assur/state/state.js";
 
 /** @type {readonly Readonly<{ name: string, role: string, symbol: string, value: string, curve?: boolean }>[]} */
 const ROWS = Object.freeze([
-  { name: "crank", role: "crank", symbol: "φ₁", value: "phi1" },
+  { name: "crank", role: "crank", symbol: "φ₁", value: "input" },
   { name: "coupler", role: "coupler", symbol: "φ₂", value: "coupler.angle" },
   { name: "rocker", role: "rocker", symbol: "φ₃", value: "rocker.angle", curve: true },
   ...[...Array(LISTS.wheels.most).keys()].map(wheelLink).map((name) => (
     { name, role: name, symbol: `φ${subscript(name.slice(5))}`, value: `${name}.angle`, curve: true }
   )),
-  { name: "transmission", role: "secondary", symbol: "μ", value: "transmission" },
+  { name: "transmission", role: "secondary", symbol: "μ", value: "C.transmission" },
 ]);
 
 /** Both coordinates of the point that is plotted, if one is. */
 const AXES = Object.freeze(/** @type {const} */ (["x", "y"]));
 
 /** What has no derivatives to be read. */
-const BARE = Object.freeze(["phi1", "transmission"]);
+const BARE = Object.freeze(["input", "C.transmission"]);
 /** @type {Readonly<Record<string, string>>} */
-const IDS = Object.freeze({ phi1: "phi1", transmission: "mu" });
+const IDS = Object.freeze({ input: "phi1", "C.transmission": "mu" });
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
@@ -70,21 +70,21 @@ export class ReadoutTable {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state, lesson, summary, readouts, phiDeg, words, stale, legible }) {
+  render({ state, kind, summary, readouts, phiDeg, words, stale, legible }) {
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
     const { plot, axes } = state.view;
-    const mixer = lesson === "mixer";
-    const plotted = "plotted" in summary ? summary.plotted : [];
+    const mixer = kind === "mixer";
+    const plotted = mixer ? [] : summary.plotted;
     const ofPoint = mixer && plot !== "angles";
-    if ("plotted" in summary) this.#name(plotted, summary.roles);
+    if (!mixer) this.#name(plotted, summary.roles);
     this.#heads.forEach((head, order) => {
       const lengths = plotted.some((name) => !name.endsWith(".angle"));
       const shown = ofPoint ? ["rocker.angle", "C1.x"] : [lengths ? "C1.x" : "rocker.angle"];
       const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
       write(head, symbols.join(", "));
     });
-    if ("wheels" in summary) for (const [index, row] of this.#wheels.entries()) row.hidden = index >= summary.wheels.length;
+    if ("ratios" in summary) for (const [index, row] of this.#wheels.entries()) row.hidden = index >= summary.ratios.length;
     for (const swatch of this.#swatches) swatch.classList.toggle("curve", !ofPoint);
     for (const { row, point } of this.#coordinates) {
       row.hidden = !ofPoint;
@@ -96,7 +96,7 @@ export class ReadoutTable {
       const key = (point ? `${plot}.${name}` : name) + STROKES[order];
       const angle = !point && order === 0 && !/\.[xy]$/.test(name);
       const read = readouts?.[key];
-      const value = key === "phi1" ? phiDeg : angle && read !== undefined ? degrees(read) : read;
+      const value = key === "input" ? phiDeg : angle && read !== undefined ? degrees(read) : read;
       if (value === undefined) {
         write(output, NONE);
         output.removeAttribute("data-value");

@@ -101,7 +101,7 @@ export class Figure {
   }
 
   /**
-   * @param {Float32Array} list
+   * @param {import("assur/canvas/display-list.js").List} list
    * @param {number} start
    * @param {readonly Layer[]} [before]
    */
@@ -111,7 +111,7 @@ export class Figure {
 }
 
 /**
- * @param {Float32Array} frame
+ * @param {Float64Array} frame
  * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; where the list after them begins
  */
 function readPoses(frame) {
@@ -122,14 +122,14 @@ function readPoses(frame) {
 }
 
 /**
- * @param {string} label
+ * @param {string} label a name, or a symbol and the read-out it is written with: `μ=C.transmission`
  * @param {Snapshot} snapshot
  */
-function labelText(label, { lesson, frameDeg, readouts, words }) {
-  if (lesson !== "mixer") return low(label);
-  if (label === "phi1") return `φ₁ = ${words.numbers.fixed(frameDeg, 1)}°`;
-  if (label === "mu") return readouts ? `μ = ${words.numbers.fixed(degrees(readouts.transmission), 1)}°` : "μ";
-  return low(label);
+function labelText(label, { frameDeg, readouts, words }) {
+  const [symbol, readout] = label.split("=");
+  if (readout === undefined) return low(label);
+  const angle = readout === "input" ? frameDeg : readouts && degrees(readouts[readout]);
+  return angle === null ? symbol : `${symbol} = ${words.numbers.fixed(angle, 1)}°`;
 }
 
 /** @param {string} label */

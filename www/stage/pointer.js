@@ -78,7 +78,7 @@ export class MechanismPointer {
 
   /** @param {{ state: State }} snapshot */
   render({ state }) {
-    const full = state.lesson !== "mixer" || state.document.tracers.length >= LISTS.tracers.most;
+    const full = (state.document.tracers ?? []).length >= LISTS.tracers.most;
     if (this.#trace.disabled !== full) this.#trace.disabled = full;
   }
 
@@ -145,7 +145,8 @@ export class MechanismPointer {
     this.#store.update((state) => withDocument(state, put.document));
     this.trace(false);
     const { tracers } = put.document;
-    return { name: `P${tracers.length}`, role: tracers[tracers.length - 1].link, x, y };
+    const { name = `P${tracers.length}`, link } = tracers[tracers.length - 1];
+    return { name, role: this.#model.summary.roles[link] ?? "ink", x, y };
   }
 
   /**
@@ -157,13 +158,13 @@ export class MechanismPointer {
     const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
     const change = attempt(() => this.#engine.drag(name, radians(phiDeg), x, y)).value;
     if (!change) return;
-    const { document, phi } = change;
+    const { document, input } = change;
     if (document) {
       this.#drafts.dropAll(Object.keys(document));
       this.#store.update((state) => withDocument(state, document));
     } else {
       this.#drafts.drop("phi_deg");
-      this.#store.update((state) => placed(state, degrees(phi), this.#model));
+      this.#store.update((state) => placed(state, degrees(input), this.#model));
     }
   }
 

@@ -1,9 +1,7 @@
 // The drawing of the mechanism on its canvas.
 import { Surface } from "assur/canvas/surface.js";
 import { Transform, Zoom } from "assur/canvas/transform.js";
-import { radians } from "assur/core/angles.js";
 import { setData } from "assur/core/dom.js";
-import { attempt } from "assur/core/problem.js";
 import { Figure } from "assur/stage/figure.js";
 import { Backdrop } from "assur/stage/paper.js";
 
@@ -64,20 +62,8 @@ export class MechanismView {
   joints() {
     const snapshot = this.#snapshot;
     if (!snapshot) return [];
-    const places = attempt(() => this.#engine.joints(radians(snapshot.frameDeg))).value;
-    if (!places) return [];
-    if (snapshot.lesson === "linkage") {
-      return snapshot.summary.handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
-    }
-    if (snapshot.state.lesson !== "mixer") return [];
-    const [, , bx, by, cx, cy, dx, dy, ...traced] = places;
-    const { tracers } = snapshot.state.document;
-    return [
-      { name: "B", role: "crank", x: bx, y: by },
-      { name: "C", role: "rocker", x: cx, y: cy },
-      { name: "D", role: "ink", x: dx, y: dy },
-      ...tracers.flatMap(({ link }, i) => (2 * i < traced.length ? { name: `P${i + 1}`, role: link, x: traced[2 * i], y: traced[2 * i + 1] } : [])),
-    ];
+    const { summary: { handles }, handles: places } = snapshot;
+    return handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
   }
 
   /** @returns {Transform} from the model to the pixels of the canvas */

@@ -6,10 +6,11 @@ import { Refusal } from "assur/core/problem.js";
  */
 
 /**
- * The version of the address: `#1&lesson=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Old versions are
- * read for ever; tests/links.txt holds one link of each kind.
+ * The version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Older versions, by
+ * the name that the kind had in them, are read for ever; tests/links.txt holds links of each.
  */
-const VERSION = "1";
+const VERSION = "2";
+const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
 const PARTS = /** @type {const} */ ({ "d.": "document", "v.": "view" });
 
 /** Longer and deeper ones are none of ours. */
@@ -26,9 +27,10 @@ function unreadable() {
  * @returns {string} what follows the # of an address
  */
 export function toAddress(state) {
-  const pairs = [`lesson=${encode(state.lesson)}`];
+  const pairs = [`kind=${encode(state.kind)}`];
   for (const [prefix, part] of Object.entries(PARTS)) {
-    for (const [key, value] of Object.entries(state[part])) pairs.push(`${prefix}${encodeURIComponent(key)}=${encode(value)}`);
+    const entries = Object.entries(state[part]).filter(([, value]) => value !== null && value !== undefined);
+    for (const [key, value] of entries) pairs.push(`${prefix}${encodeURIComponent(key)}=${encode(value)}`);
   }
   return [VERSION, ...pairs].join("&");
 }
@@ -40,7 +42,8 @@ export function toAddress(state) {
 export function fromAddress(hash) {
   if (hash.length > LONGEST) throw unreadable();
   const [version, ...pairs] = hash.split("&");
-  if (version !== VERSION) throw unreadable();
+  const kind = Object.hasOwn(KINDS, version) ? KINDS[version] : undefined;
+  if (kind === undefined) throw unreadable();
   const entries = pairs.map((pair) => {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
@@ -50,8 +53,8 @@ export function fromAddress(hash) {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
   };
-  const { lesson } = Object.fromEntries(entries.filter(([key]) => key === "lesson"));
-  return shallow({ format: 1, lesson, document: part("d."), view: part("v.") });
+  const named = Object.fromEntries(entries.filter(([key]) => key === kind));
+  return shallow({ format: Number(version), ...named, document: part("d."), view: part("v.") });
 }
 
 /**

@@ -3,7 +3,7 @@ import { OVERLAYS, withDocument, withMechanism, withView } from "assur/state/sta
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ lesson: State["lesson"], document: State["document"], shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], shown: Partial<State["view"]> }>} Moment
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
@@ -105,8 +105,8 @@ export class History {
     this.#walking = true;
     try {
       this.#store.update((now) => {
-        const mixer = now.lesson === "mixer" && next.lesson === "mixer";
-        const changed = mixer ? withDocument(now, next.document) : withMechanism(now, next.lesson, next.document);
+        const mixer = now.kind === "mixer" && next.kind === "mixer";
+        const changed = mixer ? withDocument(now, next.document) : withMechanism(now, next.kind, next.document);
         return withView(changed, next.shown);
       });
     } finally {
@@ -119,8 +119,8 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ lesson, document, view }) {
-  return { lesson, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+function moment({ kind, document, view }) {
+  return { kind, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
 }
 
 /**

@@ -23,7 +23,8 @@ import { DRAWN } from "assur/state/state.js";
  *   words: Words,
  *   scene: Float32Array,
  *   revision: number,
- *   frame: Float32Array,
+ *   frame: Float64Array,
+ *   handles: Float64Array,
  *   frameDeg: number,
  *   readouts: Readouts | null,
  *   plotted: Float64Array | null,
@@ -33,7 +34,7 @@ import { DRAWN } from "assur/state/state.js";
  *   legible: boolean,
  * }} Shown
  * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
- * of the last drawing; `readouts` and `plotted` are null where there are none at this
+ * of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
  */
@@ -41,7 +42,7 @@ import { DRAWN } from "assur/state/state.js";
 /**
  * The mechanism that is drawn: its kind, and what the engine says of its motion.
  * @template {Kind} [K=Kind]
- * @typedef {K extends Kind ? { lesson: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
+ * @typedef {K extends Kind ? { kind: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
  */
 
 /**
@@ -70,12 +71,14 @@ export class Model {
   /** @type {State} */
   #good;
   #revision = 0;
+  /** Of which mechanism the last place is, by its revision. */
+  #placed = 0;
   /** @type {Drawn} */
   #drawn;
   /** @type {Float32Array} */
   #scene;
-  /** @type {Float32Array} */
-  #frame;
+  /** @type {import("assur/engine.js").Here} the last place that could be drawn */
+  #here;
   #frameDeg;
   /** @type {Readouts | null} */
   #readouts = null;
@@ -98,7 +101,7 @@ export class Model {
     this.#drafts = drafts;
     this.#drawn = drawn(engine, state);
     this.#scene = engine.scene();
-    this.#frame = engine.frame(this.summary.home);
+    this.#here = engine.at(this.summary.home);
     this.#frameDeg = degrees(this.summary.home);
     this.#revision = 1;
     this.#asked = state;
@@ -162,7 +165,8 @@ export class Model {
       words,
       scene: this.#scene,
       revision: this.#revision,
-      frame: this.#frame,
+      frame: this.#here.frame,
+      handles: this.#here.handles,
       frameDeg: this.#frameDeg,
       readouts: this.#readouts,
       plotted: this.#plotted,
@@ -187,16 +191,16 @@ export class Model {
   #place(state) {
     const phiDeg = ontoAxis(state.view.phi_deg, this.summary.cycle);
     const phi = radians(phiDeg);
-    const placed = attempt(() => this.#engine.frame(phi));
-    this.#unplaced = placed.problems;
-    if (placed.value) {
-      this.#frame = placed.value;
-      this.#frameDeg = phiDeg;
-    }
-    const read = attempt(() => ({ readouts: this.#engine.readouts(phi), plotted: this.#engine.plotted(phi) }));
-    this.#unread = read.problems;
-    this.#readouts = read.value?.readouts ?? null;
-    this.#plotted = read.value?.plotted ?? null;
+    const { value: here, problems } = attempt(() => this.#engine.at(phi));
+    this.#unplaced = problems;
+    this.#unread = here && !here.readouts ? this.#engine.why(phi) : [];
+    this.#readouts = here?.readouts ?? null;
+    this.#plotted = here?.plotted ?? null;
+    // Where there is none the last place stays, unless it is that of another mechanism.
+    if (!here && this.#placed === this.#revision) return;
+    this.#here = here ?? this.#engine.at(this.summary.home);
+    this.#frameDeg = here ? phiDeg : degrees(this.summary.home);
+    this.#placed = this.#revision;
   }
 }
 
@@ -206,5 +210,5 @@ export class Model {
  * @returns {Drawn}
  */
 function drawn(engine, state) {
-  return /** @type {Drawn} */ ({ lesson: state.lesson, summary: engine.set(state) });
+  return /** @type {Drawn} */ ({ kind: state.kind, summary: engine.set(state) });
 }

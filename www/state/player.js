@@ -30,7 +30,7 @@ export function played(state, dt, engine, model) {
   const moved = attempt(() => engine.advance(from, view.direction * speed * dt));
   if (!moved.value) return withView(state, { playing: false });
   const direction = moved.value.sign < 0 ? turned(view.direction) : view.direction;
-  return withView(state, { phi_deg: degrees(moved.value.phi), direction });
+  return withView(state, { phi_deg: degrees(moved.value.input), direction });
 }
 
 /**

@@ -12,31 +12,32 @@
  * }>} MixerDocument
  *
  * @typedef {Readonly<{
- *   phi_deg: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
- *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups?: boolean,
+ *   phi_deg: number, s: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
+ *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups: boolean,
  *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
  *   true_time: boolean, differenced: boolean,
- *   step: number,
+ *   lesson: Readonly<{ id: string, step: number }> | null,
  *   projector: boolean,
  * }>} View
  *
  * @typedef {Readonly<{ crank?: string, base?: string, slide?: number, range?: readonly number[] }>} Driver
  * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: readonly (readonly [number, number])[] | null, fixed_to?: string | null }>} LinkEntry
  * @typedef {Readonly<{
- *   title?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
+ *   title?: string | null, origin?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
  *   links: readonly LinkEntry[], drivers: readonly Driver[], slides?: readonly Readonly<{ point: string, line: readonly string[] }>[],
+ *   tracers?: readonly Readonly<{ name: string, link: string, at: readonly [number, number] }>[],
  *   assembly?: number | null, band?: number | null,
  * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
  *
  * @typedef {{ mixer: MixerDocument, linkage: LinkageDocument }} Documents
- * @typedef {keyof Documents} Kind of mechanism, which the state calls its lesson
+ * @typedef {keyof Documents} Kind of document
  * @typedef {{ mixer: Omit<MixerDocument, "tracers">, linkage: LinkageDocument }} Presets what each sets: what is traced of a mixer stays
  * @typedef {Partial<MixerDocument> | Partial<LinkageDocument>} Change of a document
  */
 
 /**
  * @template {Kind} [K=Kind]
- * @typedef {K extends Kind ? Readonly<{ format: 1, lesson: K, document: Documents[K], view: View }> : never} State
+ * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View }> : never} State
  */
 
 /** What can be laid over the drawing. */
@@ -79,6 +80,7 @@ export function wheelLink(index) {
 function completeView(view) {
   return Object.freeze({
     phi_deg: 62,
+    s: 0,
     playing: true,
     direction: 1,
     speed: 1,
@@ -87,6 +89,7 @@ function completeView(view) {
     vectors: false,
     loop_vectors: false,
     transmission: false,
+    groups: false,
     plot: "angles",
     axes: "analogues",
     omega: 1,
@@ -94,7 +97,7 @@ function completeView(view) {
     epsilon: 0,
     true_time: false,
     differenced: false,
-    step: 0,
+    lesson: null,
     projector: false,
     lang: "en",
     ...view,
@@ -103,47 +106,45 @@ function completeView(view) {
 
 /**
  * @template {Kind} K
- * @param {K} lesson
+ * @param {K} kind
  * @param {Documents[K]} document
  * @param {Partial<View>} view
  * @returns {State}
  */
-export function initialState(lesson, document, view) {
-  return stateOf(lesson, document, completeView(view));
+export function initialState(kind, document, view) {
+  return stateOf(kind, document, completeView(view));
 }
 
 /**
  * @template {Kind} K
- * @param {K} lesson
+ * @param {K} kind
  * @param {Documents[K]} document
  * @param {View} view
  */
-function stateOf(lesson, document, view) {
-  return /** @type {State} */ (Object.freeze({ format: 1, lesson, document, view }));
+function stateOf(kind, document, view) {
+  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view }));
 }
 
 /**
  * Another mechanism instead of the one there is, in one state: drawing, plots, saving and undo go on alike.
  * @template {Kind} K
  * @param {State} state
- * @param {K} lesson
+ * @param {K} kind
  * @param {Documents[K]} document
  * @returns {State}
  */
-export function withMechanism(state, lesson, document) {
-  const { plot, step } = state.view;
-  const other = state.lesson !== lesson;
-  const kept = "links" in document ? plotsOf(document).includes(plot) : !other;
-  const changed = stateOf(lesson, document, state.view);
-  return withView(changed, { plot: kept ? plot : "angles", step: other ? 0 : step });
+export function withMechanism(state, kind, document) {
+  const { plot } = state.view;
+  const kept = "links" in document ? plotsOf(document).includes(plot) : state.kind === kind;
+  return withView(stateOf(kind, document, state.view), { plot: kept ? plot : "angles" });
 }
 
 /**
  * @param {LinkageDocument} document
  * @returns {string[]} what can be plotted of a linkage
  */
-export function plotsOf({ links, points }) {
-  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...points.map(({ name }) => name)];
+export function plotsOf({ links, points, tracers = [] }) {
+  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...[...points, ...tracers].map(({ name }) => name)];
 }
 
 /**
@@ -172,7 +173,7 @@ export function withDocument(state, change) {
  * @returns {State}
  */
 export function edited(state, kind, change) {
-  return state.lesson === kind ? withDocument(state, change(/** @type {Documents[K]} */ (state.document))) : state;
+  return state.kind === kind ? withDocument(state, change(/** @type {Documents[K]} */ (state.document))) : state;
 }
 
 /**

@@ -25,6 +25,22 @@ export function stored() {
   return guarded(() => localStorage.getItem(KEY));
 }
 
+/**
+ * @param {string} name of something small that is no part of the state
+ * @returns {string | null} what was kept of it last
+ */
+export function kept(name) {
+  return guarded(() => localStorage.getItem(`assur.${name}`));
+}
+
+/**
+ * @param {string} name
+ * @param {string} text
+ */
+export function keep(name, text) {
+  guarded(() => localStorage.setItem(`assur.${name}`, text));
+}
+
 /** @param {string} text */
 export function putAside(text) {
   guarded(() => localStorage.setItem(ASIDE, text));

@@ -2,9 +2,9 @@
 
 use assur::mechanism::Quantity;
 use assur::motion::Input;
-use assur_draw::Figure;
 use assur_draw::chart::Settings;
-use assur_draw::svg::Svg;
+use assur_draw::svg::{Drawing, Svg};
+use assur_draw::{Figure, Overlays, View};
 use assur_file::LinkageProblem;
 
 use crate::Failure;
@@ -25,25 +25,35 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let unsolved = |reason: assur::mechanism::Unsolved| {
         refused(name, &[LinkageProblem::unsolved(&reason, mechanism).into()])
     };
-    let point = |name: &String| mechanism.points().position(|point| point == name);
-    let traces: Vec<usize> = document.traces.iter().filter_map(point).collect();
-    let figure = Figure::new(&document.draft(), motion, &traces).map_err(unsolved)?;
-    let frame = figure.frame(motion.home()).map_err(unsolved)?;
+    let point = |name: &String| mechanism.point(name);
+    let view = View {
+        overlays: Overlays {
+            traces: true,
+            ..Overlays::default()
+        },
+        traced: document.traces.iter().filter_map(point).collect(),
+        ..View::default()
+    };
+    let figure = Figure::new(motion, &view).map_err(unsolved)?;
+    let home = motion.pose::<1>(motion.home()).map_err(unsolved)?;
 
     let mut sheet = Svg::new(WIDTH);
     sheet.drawing(
         DRAWING,
-        figure.bounds(),
-        figure.rigid(),
-        &frame,
-        figure.names(),
+        &Drawing {
+            bounds: figure.bounds(),
+            rigid: figure.rigid(),
+            frame: &figure.frame(&home),
+            names: figure.names(),
+            values: &|_| None,
+        },
     );
     let named = document.plots.iter();
     let mut plotted: Vec<Quantity> = named
         .filter_map(|name| Quantity::named(mechanism, name))
         .collect();
     if plotted.is_empty() {
-        plotted.extend(mechanism.links().len().checked_sub(1).map(Quantity::Angle));
+        plotted.extend(mechanism.link_ids().next_back().map(Quantity::Angle));
     }
     let (angles, lengths) = plotted
         .into_iter()

@@ -25,6 +25,8 @@ pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failur
     let mut document = document(name)?;
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
     if let Some(number) = assembly {
+        // Counted from the drawing, whichever the document names.
+        document.assembly = None;
         let count = document.mechanism().map_err(refuse)?.assemblies();
         if !(1..=count).contains(&number) {
             let said = format!("{name}: there is no assembly {number}, only 1 to {count}");

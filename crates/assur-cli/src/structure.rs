@@ -59,7 +59,8 @@ fn described(motion: &Motion) -> Value {
     let names = |links: &[usize]| -> Vec<String> {
         links
             .iter()
-            .map(|link| mechanism.body_name(*link).to_owned())
+            .filter_map(|link| mechanism.body_names().nth(*link))
+            .map(str::to_owned)
             .collect()
     };
     let drivers = structure.steps.iter();
@@ -94,7 +95,7 @@ fn described(motion: &Motion) -> Value {
         // Of a mechanism there are as many drivers as freedoms.
         "mobility": drivers,
         "class": roman(structure.class()),
-        "formula": structure.formula(|link| mechanism.body_name(link).to_owned()),
+        "formula": mechanism.formula(),
         "assemblies": mechanism.assemblies(),
         "drawn_assembly": mechanism.drawn_assembly() + 1,
         "steps": steps.collect::<Vec<_>>(),

@@ -29,18 +29,9 @@ pub(crate) fn sentence(problem: &Problem) -> String {
     sentence + rest + &detail
 }
 
-/// What the page says, and what it says of linkages besides. Tests of the workspace
-/// check both.
+/// What the page says. Tests of the workspace check it.
 fn table() -> BTreeMap<String, String> {
-    let texts = [
-        include_str!("../../../lang/en.json"),
-        include_str!("../../../lang/linkages/en.json"),
-    ];
-    let tables = texts.map(|text| serde_json::from_str(text).unwrap_or_default());
-    tables
-        .into_iter()
-        .flat_map(|one: BTreeMap<_, _>| one)
-        .collect()
+    serde_json::from_str(include_str!("../../../lang/en.json")).unwrap_or_default()
 }
 
 /// What stands in a place of a sentence.

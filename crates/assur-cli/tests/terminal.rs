@@ -477,6 +477,22 @@ fn bad_linkages_are_refused() {
             "There are too many pairs or drivers (W = 1)",
         ),
         (
+            "two cranks",
+            json!({
+                "points": [
+                    {"name": "A", "at": [0, 0]}, {"name": "B", "at": [0, 1]}, {"name": "C", "at": [2, 2]},
+                    {"name": "D", "at": [3.7, 0.7]}, {"name": "E", "at": [3, 0]},
+                ],
+                "frame": ["A", "E"],
+                "links": [
+                    {"name": "first", "points": ["A", "B"]}, {"name": "BC", "points": ["B", "C"]},
+                    {"name": "CD", "points": ["C", "D"]}, {"name": "second", "points": ["E", "D"]},
+                ],
+                "drivers": [{"crank": "first"}, {"crank": "second"}],
+            }),
+            "Only one link can be driven, and another one is already; take the driver from: second",
+        ),
+        (
             "undriven",
             changed("/drivers", json!([])),
             "No driver is given",
@@ -523,7 +539,7 @@ fn bad_linkages_are_refused() {
         ),
         (
             "version",
-            json!({"format": 2, "lesson": "linkage", "document": four_bar()}),
+            json!({"format": 3, "kind": "linkage", "document": four_bar()}),
             "Format: there is no such choice",
         ),
         (

@@ -1,138 +1,174 @@
-//! Any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths.
+//! Any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths,
+//! and what is laid over it.
 
+mod bounds;
 mod layout;
+mod names;
+mod nearest;
+mod overlaid;
+mod paths;
 mod plots;
+mod roles;
 mod slides;
 mod wheels;
 
-use std::f64::consts::PI;
-
-use assur::mechanism::{Draft, Mechanism, Pose, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Unsolved};
 use assur::motion::Motion;
-use assur::{JetPoint, Point, Vector};
+use assur::{Point, Vector};
 
+use crate::annotations::{Annotations, Tag};
 use crate::list::{List, Look, Role};
-use crate::overlays::Scales;
-use crate::{overlays, parts};
+use crate::overlays::{self, Overlays};
+use crate::parts;
 use layout::Layout;
+use names::Names;
+use overlaid::Overlaid;
+use paths::Path;
 use slides::Guide;
 use wheels::Gearing;
 
-/// Samples of an arc of the motion.
-const SAMPLES: usize = 360;
-/// Samples of an arc for the lengths of vectors.
-const VECTORS: u32 = 180;
 /// Half the width of a link's bar, in units.
 const BAR: f64 = 1.15;
-/// By so much of an arc what is drawn keeps off its ends: where points fall into one
-/// there, rounding alone decides how links turn about it.
-const OFF: f64 = 1e-9;
-/// Room around the drawing, beside its size.
-const ROOM: f64 = 0.07;
+/// A name beyond a link's end stands at least this angle off the other links there.
+const ASIDE: f64 = 0.7;
+
+/// What is shown of a linkage besides its links.
+#[derive(Clone, Debug, Default)]
+pub struct View {
+    /// What is laid over it.
+    pub overlays: Overlays,
+    /// The points asked for, besides tracers: their paths are drawn with
+    /// [`Overlays::traces`], their derivatives with [`Overlays::vectors`].
+    pub traced: Vec<PointId>,
+    /// What the document notes.
+    pub annotations: Annotations,
+}
+
+impl View {
+    /// The symbol of a vector of a loop; where none is noted, its points.
+    fn symbol(&self, ends: &[String; 2]) -> String {
+        let [from, to] = ends;
+        let mut noted = self.annotations.loop_vectors.iter();
+        let same = |[a, b]: &[String; 2]| (a, b) == (from, to) || (a, b) == (to, from);
+        let noted = noted.find(|(points, _)| same(points));
+        noted.map_or_else(|| ends.concat(), |(_, symbol)| symbol.clone())
+    }
+}
+
+/// A direction turned so far that nothing is within [`ASIDE`] of it.
+fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
+    let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
+    let nearest = others
+        .filter(|other| other.norm() > 0.0)
+        .map(angle)
+        .reduce(|a, b| if b.abs() < a.abs() { b } else { a });
+    let by = nearest.map_or(0.0, |off| (ASIDE - off.abs()).max(0.0).copysign(off));
+    layout::turned(direction, by)
+}
+
+/// A point and its path.
+type Ways = (PointId, Vec<Path>);
 
 /// A linkage as a drawing: what is rigid, drawn once in the coordinates of its
-/// bodies, and the bodies' poses at any input. Body 0 is the frame, then come the
+/// bodies, and the bodies' poses in any pose. Body 0 is the frame, then come the
 /// links, each with its first point as origin and its angle, then idlers.
 #[derive(Clone, Debug)]
 pub struct Figure {
     motion: Motion,
     layout: Layout,
     gearing: Gearing,
-    names: Vec<String>,
+    names: Names,
+    overlaid: Overlaid,
+    /// Numbers of wheels: each where it stands in a pose, and its name.
+    tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
+    /// The unit of symbols, a hundredth of the drawing's size.
     unit: f64,
     rigid: List,
-    vectors: Option<Scales>,
 }
 
 impl Figure {
-    /// The drawing of the mechanism of a draft in one of its motions, with the
-    /// paths of these points.
+    /// The drawing of a mechanism in its motion.
     ///
     /// # Errors
     /// Why there is no pose to draw it in.
-    pub fn new(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
-        Self::drawn(draft, motion, traces, false)
-    }
-
-    /// The same drawing with each link in the colour of its Assur group.
-    ///
-    /// # Errors
-    /// As of [`Self::new`].
-    pub fn in_groups(draft: &Draft, motion: &Motion, traces: &[usize]) -> Result<Self, Unsolved> {
-        Self::drawn(draft, motion, traces, true)
-    }
-
-    fn drawn(
-        draft: &Draft,
-        motion: &Motion,
-        traces: &[usize],
-        in_groups: bool,
-    ) -> Result<Self, Unsolved> {
+    pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.home())?;
-        let layout = Layout::new(draft, mechanism, &home, in_groups);
-        let gearing = Gearing::new(draft, &layout, mechanism, &home);
-        let samples = sampled(motion);
-        let guides = slides::guides(draft, &layout, mechanism, &home, &samples);
-        let drawn = (0..mechanism.points().len()).filter(|point| layout.is_drawn(*point));
-        let places = drawn.flat_map(|point| {
-            let paths = samples.iter().flatten();
-            paths.map(move |pose| mechanism.place(pose, point).place())
+        let layout = Layout::new(mechanism, &home, view);
+        let gearing = Gearing::new(&layout, mechanism, &home, view);
+        let mut names = Names::new(mechanism);
+        let tags = view.annotations.tags.iter().filter_map(|tag| {
+            let link = mechanism.link(&tag.link)?;
+            Some((link, tag.clone(), names.add(tag.text.clone())))
         });
-        let places = places
-            .chain(gearing.reach(mechanism, &samples))
-            .chain(guides.iter().flat_map(Guide::on_frame));
-        let bounds = around(places);
-        let [left, bottom, right, top] = bounds;
+        let tags = tags.collect();
+        let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
+
+        let runs = paths::sampled(motion);
+        let guides = slides::guides(&layout, mechanism, &home, &runs);
+        let path = |point: PointId| (point, paths::path(motion, &layout, &runs, point));
+        let points = mechanism.point_ids();
+        let (tracers, listed): (Vec<PointId>, Vec<PointId>) =
+            points.partition(|point| layout.is_tracer(*point));
+        let (moving, fixed): (Vec<PointId>, Vec<PointId>) =
+            listed.iter().partition(|point| layout.moves(**point));
+        let drawn = moving.iter().filter(|point| layout.is_drawn(**point));
+        let ways: Vec<Ways> = drawn.copied().map(path).collect();
+        let tracers = tracers.into_iter().filter(|point| layout.moves(*point));
+        let traced: Vec<Ways> = tracers.map(path).collect();
+
+        let joints = ways
+            .iter()
+            .flat_map(|(_, paths)| paths)
+            .flat_map(Path::reach);
+        let fixed = fixed.into_iter();
+        let fixed: Vec<PointId> = fixed.filter(|point| layout.is_drawn(*point)).collect();
+        let place = |point: &PointId| mechanism.place(&home, *point).place();
+        let poses = runs.iter().flatten();
+        let wheels = poses.flat_map(|(_, pose)| gearing.reach(mechanism, pose));
+        let rails = guides.iter().flat_map(Guide::on_frame);
+        let base = bounds::around(
+            joints
+                .chain(wheels)
+                .chain(rails)
+                .chain(fixed.iter().map(place)),
+        );
+        let size = bounds::size(base);
+        let unit = size / 100.0;
+        let supports = fixed.iter().filter(|point| layout.is_support(**point));
+        let symbols = supports.flat_map(|point| parts::support_reach(place(point), 1.5 * unit));
+        let base = bounds::grown(base, symbols, size);
+        let curves = traced
+            .iter()
+            .flat_map(|(_, paths)| paths)
+            .flat_map(Path::reach);
+        let tips = overlaid.scale(motion, size);
         let mut figure = Self {
             motion: motion.clone(),
-            names: mechanism.points().map(str::to_owned).collect(),
-            unit: (right - left).hypot(top - bottom) / 100.0,
-            bounds,
+            bounds: bounds::grown(base, curves.chain(tips), size),
+            unit,
             layout,
             gearing,
+            names,
+            overlaid,
+            tags,
             rigid: List::default(),
-            vectors: None,
         };
-        figure.draw(&home, &guides, &figure.paths(&samples, traces));
+        let asked = |point: &PointId| view.overlays.traces && view.traced.contains(point);
+        let asked = moving.into_iter().filter(asked);
+        let seen: Vec<Ways> = asked
+            .map(|point| (point, paths::path(motion, &figure.layout, &runs, point)))
+            .chain(traced)
+            .collect();
+        figure.draw(&home, &guides, &seen, view);
         Ok(figure)
     }
 
-    /// With the first and second derivatives of every moving point as arrows, and
-    /// room for them.
-    #[must_use]
-    pub fn with_vectors(mut self) -> Self {
-        let [left, bottom, right, top] = self.bounds;
-        let size = (right - left).hypot(top - bottom);
-        let cycle = self.motion.cycle();
-        let inputs = cycle.arcs().iter().flat_map(|[from, to]| {
-            (0..VECTORS)
-                .map(move |i| from + (to - from) * (f64::from(i) + 0.5) / f64::from(VECTORS))
-        });
-        let poses = inputs.filter_map(|input| self.motion.pose::<3>(input).ok());
-        let points: Vec<JetPoint<3>> = poses.flat_map(|pose| self.moving(&pose)).collect();
-        let scales = Scales::of(&points, f64::MIN_POSITIVE, size);
-        let corners = [Point::new(left, bottom), Point::new(right, top)];
-        let tips = scales.tips(&points, size).into_iter();
-        self.bounds = within(corners.into_iter().chain(tips));
-        self.vectors = Some(scales);
-        self
-    }
-
-    /// Whether a point is drawn by itself: a joint, a traced point, a centre of mass.
-    pub fn is_drawn(&self, point: usize) -> bool {
+    /// Whether a point is drawn by itself: a joint, a tracer, a centre of mass that
+    /// is shown.
+    pub fn is_drawn(&self, point: PointId) -> bool {
         self.layout.is_drawn(point)
-    }
-
-    /// The points that are drawn and move, in a pose.
-    fn moving(&self, pose: &Pose<3>) -> Vec<JetPoint<3>> {
-        let points = 0..self.names.len();
-        let moving =
-            points.filter(|point| self.layout.is_drawn(*point) && self.layout.moves(*point));
-        moving
-            .map(|point| self.motion.mechanism().place(pose, point))
-            .collect()
     }
 
     /// The display list of what is rigid.
@@ -140,130 +176,118 @@ impl Figure {
         &self.rigid
     }
 
-    /// The rectangle that holds the drawing at every input: left, bottom, right,
-    /// top.
+    /// The rectangle that holds the drawing in every pose: left, bottom, right, top.
+    /// What is laid over it may leave the rectangle where it goes beyond all measure.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// What the labels' numbers stand for: the names of the points.
+    /// What the labels' numbers stand for: the names of the points, then symbols. One
+    /// of the form `μ=C.transmission` is written with the value of that read-out (of
+    /// `input`: the input), an angle.
     pub fn names(&self) -> &[String] {
-        &self.names
+        self.names.all()
     }
 
-    /// The role of a link: whose colour it has in plots, and in a drawing that is
-    /// not [in groups](Self::in_groups).
-    pub fn role(&self, link: usize) -> Role {
+    /// The role of a link: whose colour it has in plots, and in a drawing that does
+    /// not show [`Overlays::groups`].
+    pub fn role(&self, link: LinkId) -> Role {
         self.layout.role(link)
     }
 
     /// The role of a link in the drawing.
-    pub fn drawn_role(&self, link: usize) -> Role {
+    pub fn drawn_role(&self, link: LinkId) -> Role {
         self.layout.drawn_role(link)
     }
 
     /// The roles of drivers and Assur groups, in the order of the structure.
     pub fn step_roles(&self) -> impl Iterator<Item = Role> {
-        layout::step_roles(self.motion.mechanism().structure())
+        roles::of_steps(self.motion.mechanism().structure())
     }
 
-    /// What moves: `n, x₀, y₀, θ₀, …` of the n bodies, then a display list in
-    /// the coordinates of the frame.
-    ///
-    /// # Errors
-    /// Why there is no pose.
-    pub fn frame(&self, input: f64) -> Result<Vec<f32>, Unsolved> {
-        let pose = self.motion.pose::<1>(input)?;
+    /// What moves, in a pose of the motion: `n, x₀, y₀, θ₀, …` of the n bodies, then
+    /// a display list in the coordinates of the frame. Derivatives are drawn of a
+    /// pose that has them, with `N` of 3 and more.
+    pub fn frame<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         let mechanism = self.motion.mechanism();
         let mut poses = vec![(Point::origin(), 0.0)];
-        for link in 0..mechanism.links().len() {
-            poses.push(layout::body(mechanism, &pose, Some(link)));
+        for link in mechanism.link_ids() {
+            poses.push(layout::body(mechanism, pose, Some(link)));
         }
-        poses.extend(self.gearing.idlers(mechanism, &pose));
+        poses.extend(self.gearing.idlers(mechanism, pose));
         let mut list = List::default();
-        // Next to a dead point there are no derivatives.
-        if let Some((scales, pose)) = self.vectors.zip(self.motion.pose(input).ok()) {
-            for point in self.moving(&pose) {
-                overlays::arrows(&mut list, &point, scales, self.unit);
-            }
-        }
-        self.label(&mut list, mechanism, &pose);
+        self.label(&mut list, mechanism, pose);
+        self.overlaid.draw(&mut list, mechanism, pose, self.unit);
         let count = [poses.len() as f32];
         let poses = poses.iter().flat_map(|(at, angle)| [at.x, at.y, *angle]);
         let numbers = count.into_iter().chain(poses.map(|x| x as f32));
-        Ok(numbers.chain(list.numbers().iter().copied()).collect())
+        numbers.chain(list.numbers().iter().copied()).collect()
     }
 
-    /// The names of the points, away from the links that meet there.
-    fn label(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<1>) {
-        let place = |point: usize| mechanism.place(pose, point).place();
-        for point in 0..self.names.len() {
-            if !self.layout.is_drawn(point) {
-                continue;
-            }
+    /// The names of the points, away from the links that meet there, and of wheels.
+    fn label<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
+        let place = |point: PointId| mechanism.place(pose, point).place();
+        let points = mechanism.point_ids();
+        for point in points.filter(|point| self.layout.is_drawn(*point)) {
             let at = place(point);
-            let near = self.layout.neighbours(point).iter();
-            let away: Vector = near
-                .map(|other| at - place(*other))
-                .filter(|off| off.norm() > 0.0)
-                .map(|off| off.normalize())
-                .sum();
-            let off = if self.layout.is_support(point) {
+            let toward = |other: &PointId| at - place(*other);
+            let off = if self.layout.is_tracer(point) {
+                [1.2, 0.9]
+            } else if self.layout.is_support(point) {
                 [-1.5, -0.2]
-            } else if away.norm() > 1e-3 {
-                let far = if self.layout.is_on_block(point) {
-                    2.3
-                } else {
-                    1.5
-                };
-                let off = away.normalize() * far;
-                [off.x, off.y]
+            } else if let Some(pivot) = self.layout.end_of(point) {
+                let others = self.layout.neighbours(point).iter();
+                let others = others.map(|other| place(*other) - at);
+                self.beyond(point, clear_of(others, toward(&pivot)))
             } else {
-                [-1.0, 1.1]
+                let near = self.layout.neighbours(point).iter().map(toward);
+                let lengths = near.filter(|off| off.norm() > 0.0);
+                let away: Vector = lengths.map(|off| off.normalize()).sum();
+                if away.norm() > 1e-3 {
+                    self.beyond(point, away)
+                } else {
+                    [-1.0, 1.1]
+                }
             };
-            list.name(Role::Ink, point, at, off);
+            list.name(Role::Ink, point.index(), at, off);
+        }
+        for (link, tag, name) in &self.tags {
+            if let Some(at) = self.gearing.tagged(mechanism, pose, *link, tag) {
+                list.name(Role::Ink, *name, at, [0.0, 0.0]);
+            }
         }
     }
 
-    /// The paths of points, an unbroken run for each stretch of the motion.
-    fn paths(&self, samples: &[Vec<Pose<1>>], traces: &[usize]) -> Vec<(Role, Vec<Point>)> {
-        let mechanism = self.motion.mechanism();
-        let path = |point: usize, run: &Vec<Pose<1>>| -> Vec<Point> {
-            run.iter()
-                .map(|pose| mechanism.place(pose, point).place())
-                .collect()
-        };
-        let role = |point: usize| {
-            let link = self.layout.link_of(point);
-            link.map_or(Role::Secondary, |link| self.layout.drawn_role(link))
-        };
-        let traces = traces.iter().filter(|point| self.layout.moves(**point));
-        traces
-            .flat_map(|point| samples.iter().map(|run| (role(*point), path(*point, run))))
-            .collect()
+    /// How far a point's name stands off in a direction.
+    fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
+        let on_block = self.layout.is_on_block(point);
+        let off = direction.normalize() * if on_block { 2.3 } else { 1.5 };
+        [off.x, off.y]
     }
 
-    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], paths: &[(Role, Vec<Point>)]) {
+    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], seen: &[Ways], view: &View) {
         let (u, mechanism) = (self.unit, self.motion.mechanism());
         let mut list = List::default();
-        for (role, path) in paths {
-            list.polyline(*role, Look::Dashed, path);
+        for (point, paths) in seen {
+            let link = self.layout.carrier(*point);
+            let role = link.map_or(Role::Secondary, |link| self.layout.drawn_role(link));
+            for path in paths {
+                path.draw(&mut list, role);
+            }
         }
         for guide in guides {
             guide.draw_line(&mut list, u);
         }
         list.body(0);
-        let points = 0..self.names.len();
-        for point in points
-            .clone()
-            .filter(|point| self.layout.is_support(*point))
-        {
+        let points = mechanism.point_ids();
+        let supports = points.clone();
+        for point in supports.filter(|point| self.layout.is_support(*point)) {
             parts::support(&mut list, mechanism.place(home, point).place(), 1.5 * u);
         }
         self.gearing.draw(&mut list, u);
         // The first link, the crank as a rule, on top.
-        for link in (0..mechanism.links().len()).rev() {
-            list.body(link + 1);
+        for link in mechanism.link_ids().rev() {
+            list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
             match outline[..] {
                 [] | [_] => {}
@@ -277,62 +301,27 @@ impl Figure {
         for guide in guides {
             guide.draw_block(&mut list, u);
         }
-        for point in points {
-            let Some(link) = self.layout.link_of(point) else {
-                continue;
-            };
-            list.body(link + 1);
-            let at = layout::local(mechanism, home, Some(link), point);
+        for point in points.filter(|point| self.layout.is_drawn(*point)) {
+            let link = self.layout.link_of(point);
+            list.body(layout::number(link));
+            let at = layout::local(mechanism, home, link, point);
+            let role = link.map_or(Role::Secondary, |link| self.layout.drawn_role(link));
             if self.layout.is_joint(point) {
                 parts::hinge(&mut list, at, 1.1 * u);
+            } else if self.layout.is_tracer(point) {
+                parts::tracer(&mut list, role, at, u);
             } else if self.layout.is_centre(point) {
                 overlays::mass(&mut list, at, u);
             } else {
-                list.circle(self.layout.drawn_role(link), Look::Solid, at, 0.6 * u);
+                list.circle(role, Look::Solid, at, 0.6 * u);
+            }
+        }
+        if view.overlays.centres {
+            for (link, at) in self.layout.middles(mechanism) {
+                list.body(layout::number(Some(link)));
+                overlays::mass(&mut list, at, u);
             }
         }
         self.rigid = list;
     }
-}
-
-/// Poses over the motion, a run for each arc; crowded towards dead points.
-fn sampled(motion: &Motion) -> Vec<Vec<Pose<1>>> {
-    let cycle = motion.cycle();
-    let turns = (cycle.period().unwrap_or(0.0) / (2.0 * PI))
-        .round()
-        .max(1.0);
-    let count = SAMPLES * if cycle.is_full() { turns as usize } else { 1 };
-    let place = |t: f64| {
-        if cycle.is_full() {
-            t
-        } else {
-            (0.5 - 0.5 * (PI * t).cos()).clamp(OFF, 1.0 - OFF)
-        }
-    };
-    let runs = cycle.arcs().iter().map(|[from, to]| {
-        let inputs = (0..=count).map(|i| from + (to - from) * place(i as f64 / count as f64));
-        inputs.filter_map(|input| motion.pose(input).ok()).collect()
-    });
-    runs.filter(|run: &Vec<Pose<1>>| !run.is_empty()).collect()
-}
-
-/// The rectangle around places, with room.
-fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
-    let [left, bottom, right, top] = within(places);
-    if left > right {
-        return [-1.0, -1.0, 1.0, 1.0];
-    }
-    let size = (right - left).hypot(top - bottom);
-    let room = ROOM * size.max(f64::MIN_POSITIVE);
-    [left - room, bottom - room, right + room, top + room]
-}
-
-/// The rectangle that just holds places; of none, its left is beyond its right.
-fn within(places: impl Iterator<Item = Point>) -> [f64; 4] {
-    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
-    for place in places {
-        low = low.inf(&place.coords);
-        high = high.sup(&place.coords);
-    }
-    [low.x, low.y, high.x, high.y]
 }

@@ -118,8 +118,6 @@ mod tests {
     use super::*;
     use assur::gears::{GearSet, Mate, Mesh, Wheel};
 
-    use crate::wheels::drawn;
-
     /// How far `point` is from the polygon's line, negative inside.
     fn distance(point: Point, polygon: &[Point]) -> f64 {
         let (mut inside, mut nearest) = (false, f64::INFINITY);
@@ -182,18 +180,31 @@ mod tests {
             centre_line: 0.5 + 1.1 * index as f64,
         };
         let mates: Vec<Mate> = teeth.iter().enumerate().map(wheel).collect();
-        let wheels = drawn(&GearSet::new(z4, &mates, mesh, 1.0).unwrap());
-        for (index, driven) in wheels.iter().enumerate().skip(1) {
-            // Idlers come after all driven wheels, in the same order; where there
-            // are any, each driven wheel meshes with its own.
-            let near = if mesh == Mesh::AsPrinted && index <= mates.len() {
-                &wheels[index + mates.len()]
-            } else {
-                &wheels[0]
+        let set = GearSet::new(z4, &mates, mesh, 1.0).unwrap();
+        let trains: Vec<Vec<Wheel>> = set.pairs().iter().map(|pair| pair.train()).collect();
+        let mate = |wheel: &Wheel| (wheel.teeth, wheel.ring);
+        for (index, train) in trains.iter().enumerate() {
+            // The driver meshes with the next wheel of every train.
+            let teeth = |k: usize| {
+                let near = match k {
+                    0 => trains
+                        .iter()
+                        .filter_map(|train| train.get(1))
+                        .map(mate)
+                        .collect(),
+                    _ => [k - 1, k + 1]
+                        .iter()
+                        .filter_map(|k| train.get(*k))
+                        .map(mate)
+                        .collect(),
+                };
+                let near: Vec<(u32, bool)> = near;
+                Teeth::new(train[k].teeth, train[k].ring, &near)
             };
-            let what = format!("{z4}:{teeth:?} {mesh:?}, wheel {index}");
-            let pair = [&near.wheel, &driven.wheel];
-            check_pair(pair, [near.teeth(), driven.teeth()], &what);
+            for k in 1..train.len() {
+                let what = format!("{z4}:{mates:?} {mesh:?}, wheel {index}.{k}");
+                check_pair([&train[k - 1], &train[k]], [teeth(k - 1), teeth(k)], &what);
+            }
         }
     }
 

@@ -3,20 +3,16 @@
 //! a chart is drawn by plotters on any of its backends. No text is drawn here,
 //! only said where it stands.
 
+mod annotations;
 pub mod chart;
 mod figure;
 mod gear;
 mod list;
-mod mixer;
 mod overlays;
 mod parts;
-mod plots;
 pub mod svg;
-mod tracers;
-mod wheels;
 
-pub use figure::Figure;
-pub use list::{LABELS, List, ROLES, Role};
-pub use mixer::Scene;
+pub use annotations::{Annotations, Tag};
+pub use figure::{Figure, View};
+pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
-pub use plots::chart as plot;

@@ -8,8 +8,8 @@
 //! | `3, role, look, x, y, r` | a circle |
 //! | `4, role, label, x, y, dx, dy` | a label whose middle stands off the point by (dx, dy) text heights |
 //!
-//! Roles, looks and labels are numbers in the order of their enumerations; the
-//! labels of a [`crate::Figure`] are numbers of its points.
+//! Roles and looks are numbers in the order of their enumerations; what the labels'
+//! numbers stand for, the drawing says ([`crate::Figure::names`]).
 //! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
 
 use assur::Point;
@@ -25,19 +25,19 @@ pub enum Role {
     Crank,
     Coupler,
     Rocker,
-    Wheel4,
-    Wheel5,
+    Accent1,
+    Accent2,
     Idler,
     Paper,
     Velocity,
     Acceleration,
     X,
     Y,
-    Wheel6,
-    Wheel7,
-    Wheel8,
-    Wheel9,
-    Wheel10,
+    Accent3,
+    Accent4,
+    Accent5,
+    Accent6,
+    Accent7,
 }
 
 impl Role {
@@ -55,19 +55,19 @@ pub const ROLES: [&str; 19] = [
     "crank",
     "coupler",
     "rocker",
-    "wheel4",
-    "wheel5",
+    "accent1",
+    "accent2",
     "idler",
     "paper",
     "velocity",
     "acceleration",
     "x",
     "y",
-    "wheel6",
-    "wheel7",
-    "wheel8",
-    "wheel9",
-    "wheel10",
+    "accent3",
+    "accent4",
+    "accent5",
+    "accent6",
+    "accent7",
 ];
 
 /// How it is drawn.
@@ -88,50 +88,6 @@ pub(crate) enum Look {
     /// Filled half-strongly.
     Soft,
 }
-
-/// A label: a name of a point, the same in every language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Label {
-    A,
-    B,
-    C,
-    D,
-    Four,
-    Five,
-    Phi1,
-    Mu,
-    C1,
-    C2,
-    C3,
-    L1,
-    L2,
-    L3,
-    L4,
-    L5,
-    BVelocity,
-    BAcceleration,
-    CVelocity,
-    CAcceleration,
-    Six,
-    Seven,
-    Eight,
-    Nine,
-    Ten,
-    P1,
-    P2,
-    P3,
-    P4,
-    P5,
-    P6,
-}
-
-/// The names of the labels in the order of their numbers; `phi1` and `mu` stand
-/// for the crank angle and the transmission angle, which the painter writes with
-/// their values. Strokes are derivatives of a point's place by the crank angle.
-pub const LABELS: [&str; 31] = [
-    "A", "B", "C", "D", "4", "5", "phi1", "mu", "C1", "C2", "C3", "l1", "l2", "l3", "l4", "l5",
-    "B′", "B″", "C′", "C″", "6", "7", "8", "9", "10", "P1", "P2", "P3", "P4", "P5", "P6",
-];
 
 /// A display list under construction.
 #[derive(Clone, Debug, Default)]
@@ -166,11 +122,7 @@ impl List {
             .extend([centre.x, centre.y, radius].map(|x| x as f32));
     }
 
-    pub(crate) fn label(&mut self, role: Role, label: Label, at: Point, off: [f64; 2]) {
-        self.name(role, usize::from(label as u8), at, off);
-    }
-
-    /// A label of a table of the drawing's own.
+    /// A label, by its number.
     pub(crate) fn name(&mut self, role: Role, name: usize, at: Point, off: [f64; 2]) {
         self.0.extend([4.0, role as u8 as f32, name as f32]);
         self.0
@@ -196,16 +148,10 @@ mod tests {
     #[test]
     fn names_follow_the_numbers() {
         assert_eq!(ROLES[Role::Paper as usize], "paper");
-        assert_eq!(ROLES[Role::Wheel5 as usize], "wheel5");
+        assert_eq!(ROLES[Role::Accent2 as usize], "accent2");
         assert_eq!(ROLES[Role::Acceleration as usize], "acceleration");
         assert_eq!(ROLES[Role::Y as usize], "y");
-        assert_eq!(LABELS[Label::Phi1 as usize], "phi1");
-        assert_eq!(LABELS[Label::C3 as usize], "C3");
-        assert_eq!(LABELS[Label::L5 as usize], "l5");
-        assert_eq!(LABELS[Label::CAcceleration as usize], "C″");
-        assert_eq!(LABELS[Label::Ten as usize], "10");
-        assert_eq!(LABELS[Label::P6 as usize], "P6");
-        assert_eq!(ROLES[Role::Wheel10 as usize], "wheel10");
+        assert_eq!(ROLES[Role::Accent7 as usize], "accent7");
         assert_eq!(Look::Soft as u8, 6);
     }
 
@@ -214,7 +160,7 @@ mod tests {
         let mut list = List::default();
         list.body(2);
         list.circle(Role::Crank, Look::Hollow, Point::new(1.0, 2.0), 0.5);
-        list.label(Role::Ink, Label::B, Point::new(3.0, 4.0), [0.0, 1.0]);
+        list.name(Role::Ink, 1, Point::new(3.0, 4.0), [0.0, 1.0]);
         list.polygons(Role::Ink, Look::Solid, &[vec![Point::new(5.0, 6.0)]]);
         let expected = [
             [0.0, 2.0].as_slice(),

@@ -3,25 +3,28 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use assur::catalog::mixer::Mixer;
-use assur::{JetPoint, Link, Offset, Point, Pose, Vector};
+use assur::{JetPoint, Point, Vector};
 
-use crate::list::{Label, List, Look, Role};
+use crate::list::{List, Look, Role};
 use crate::parts;
 
 /// What is shown over the mechanism.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
-    /// The paths of B and C.
+    /// The paths of the points asked for.
     pub traces: bool,
-    /// The centres of mass C₁, C₂, C₃, each in the middle of its link.
+    /// The centre of mass of each link: where it is given, else the middle of a bar
+    /// and the centroid of a plate.
     pub centres: bool,
-    /// First and second derivatives of B and C by the crank angle.
+    /// First and second derivatives of the moving points by the input.
     pub vectors: bool,
-    /// l₁ … l₄ of the loop and its diagonal l₅.
+    /// The vectors of the loops: along links and frame, and the diagonal of each
+    /// RRR dyad.
     pub loop_vectors: bool,
-    /// The arc of the transmission angle μ at C.
+    /// The arc of the transmission angle μ at the inner hinge of each RRR dyad.
     pub transmission: bool,
+    /// Each link in the colour of its Assur group.
+    pub groups: bool,
 }
 
 /// How long the vectors of a motion are drawn: lengths of the drawing per
@@ -30,44 +33,26 @@ pub struct Overlays {
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Crank angles that are looked at.
-    const SAMPLES: u32 = 180;
-    /// The longest usual vector beside the drawing's size.
+    /// The longest usual vector relative to the drawing's size.
     const LONGEST: f64 = 0.3;
-
-    /// Of the longest, what is made room for beside the drawing's size.
+    /// The longest for which room is made, relative to the drawing's size.
     const ROOM: f64 = 0.5;
+    /// Vectors shorter than this, relative to the drawing's size, are none.
+    const LEAST: f64 = 1e-9;
 
-    /// The scales for a drawing of this size: constant over the cycle. Next to
-    /// dead points C's vectors grow without bounds, so the longest tenth of them
-    /// does not count. With them the tips for which there must be room.
-    pub(crate) fn new(mixer: &Mixer, size: f64) -> (Self, Vec<Point>) {
-        let (mut all, mut of_c) = (Vec::new(), Vec::new());
-        for [from, to] in mixer.linkage.cycle().arcs() {
-            for i in 0..Self::SAMPLES {
-                let share = (f64::from(i) + 0.5) / f64::from(Self::SAMPLES);
-                let crank = from + (to - from) * share;
-                if let Ok(pose) = mixer.linkage.pose::<3>(mixer.assembly, crank) {
-                    let [_, b, c, _] = mixer.linkage.joints(&pose);
-                    of_c.push(c);
-                    all.extend([b, c]);
-                }
-            }
-        }
-        let scales = Self::of(&of_c, mixer.linkage.length(Link::Crank), size);
-        let tips = scales.tips(&all, size);
-        (scales, tips)
-    }
-
-    /// The scales by which nine tenths of the vectors of these points, and one of
-    /// the length `least`, have room.
-    pub(crate) fn of(points: &[JetPoint<3>], least: f64, size: f64) -> Self {
+    /// The scales by which nine tenths of the vectors of every point have room, from
+    /// the points over a motion. Next to dead points some grow without bound, so the
+    /// longest tenth of them does not count.
+    pub(crate) fn of(paths: &[Vec<JetPoint<3>>], size: f64) -> Self {
         Self([1, 2].map(|order| {
-            let norms = points.iter().map(|point| point.derivative(order).norm());
-            let mut lengths: Vec<f64> = norms.collect();
-            lengths.sort_unstable_by(f64::total_cmp);
-            let usual = lengths.get(lengths.len() * 9 / 10).copied();
-            Self::LONGEST * size / usual.unwrap_or(least).max(least)
+            let usual = |path: &Vec<JetPoint<3>>| {
+                let norms = path.iter().map(|point| point.derivative(order).norm());
+                let mut lengths: Vec<f64> = norms.collect();
+                lengths.sort_unstable_by(f64::total_cmp);
+                lengths.get(lengths.len() * 9 / 10).copied()
+            };
+            let longest = paths.iter().filter_map(usual).fold(0.0, f64::max);
+            Self::LONGEST * size / longest.max(Self::LEAST * size)
         }))
     }
 
@@ -79,13 +64,6 @@ impl Scales {
         let near = tips.filter(|(_, vector)| vector.norm() <= Self::ROOM * size);
         near.map(|(place, vector)| place + vector).collect()
     }
-}
-
-/// The symbol of a centre of mass on a link, in the link's own coordinates.
-pub(crate) fn centre_of_mass(list: &mut List, label: Label, length: f64, unit: f64) {
-    let at = Point::origin() + Vector::x() * (Offset::MIDDLE.along * length);
-    mass(list, at, unit);
-    list.label(Role::Ink, label, at, [-1.0, 1.1]);
 }
 
 /// The symbol of a centre of mass.
@@ -101,68 +79,49 @@ pub(crate) fn mass(list: &mut List, at: Point, unit: f64) {
     list.polygons(Role::Ink, Look::Solid, &[quarter(0.0), quarter(PI)]);
 }
 
-/// The derivatives of B and C as arrows from where they are; none next to a dead
-/// point, where they leave every sheet.
-pub(crate) fn analogues(list: &mut List, mixer: &Mixer, pose: &Pose<3>, scales: Scales, unit: f64) {
-    let [_, b, c, _] = mixer.linkage.joints(pose);
-    for (point, labels) in [
-        (b, [Label::BVelocity, Label::BAcceleration]),
-        (c, [Label::CVelocity, Label::CAcceleration]),
-    ] {
-        let tips = arrows(list, &point, scales, unit);
-        for ((role, tip), label) in tips.into_iter().zip(labels) {
-            if let Some(tip) = tip {
-                let off = (tip - point.place()).normalize() * 0.95;
-                list.label(role, label, tip, [off.x, off.y]);
-            }
-        }
-    }
-}
-
-/// The derivatives of a point as arrows; the tip of each that is drawn.
-pub(crate) fn arrows(
+/// The first two derivatives of a point as arrows, with names at their tips; next to
+/// a dead point, where they leave every sheet, none.
+pub(crate) fn vectors<const N: usize>(
     list: &mut List,
-    point: &JetPoint<3>,
+    point: &JetPoint<N>,
+    names: Option<[usize; 2]>,
     scales: Scales,
     unit: f64,
-) -> [(Role, Option<Point>); 2] {
-    [(Role::Velocity, 1), (Role::Acceleration, 2)].map(|(role, order)| {
+) {
+    for (role, order) in [(Role::Velocity, 1), (Role::Acceleration, 2)] {
         let vector = point.derivative(order) * scales.0[order - 1];
         let length = vector.norm();
-        if length > 1000.0 * unit || length < 0.2 * unit {
-            return (role, None);
+        if !(0.2 * unit..=1000.0 * unit).contains(&length) {
+            continue;
         }
         let tip = point.place() + vector;
         parts::arrow(list, role, point.place(), tip, unit);
-        (role, Some(tip))
-    })
-}
-
-/// l₁ + l₂ = l₄ + l₃, and l₅ from B to D.
-pub(crate) fn loop_vectors(list: &mut List, [a, b, c, d]: [Point; 4], unit: f64) {
-    for (from, to, label) in [
-        (a, b, Label::L1),
-        (b, c, Label::L2),
-        (d, c, Label::L3),
-        (a, d, Label::L4),
-        (b, d, Label::L5),
-    ] {
-        let along = to - from;
-        let length = along.norm();
-        if length < 3.0 * unit {
-            continue;
+        if let Some(names) = names {
+            let off = vector / length * 0.95;
+            list.name(role, names[order - 1], tip, [off.x, off.y]);
         }
-        let along = along / length;
-        // Hinges stay free.
-        let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
-        parts::arrow(list, Role::Ink, start, tip, unit);
-        let left = [-1.1 * along.y, 1.1 * along.x];
-        list.label(Role::Ink, label, from + along * (0.26 * length), left);
     }
 }
 
-/// The acute angle at C between the lines of coupler and rocker.
-pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64) {
+/// A vector of a loop from hinge to hinge, and its name; none between hinges that
+/// all but touch.
+pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, unit: f64) {
+    let along = to - from;
+    let length = along.norm();
+    if length < 3.0 * unit {
+        return;
+    }
+    let along = along / length;
+    // Hinges stay free.
+    let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
+    parts::arrow(list, Role::Ink, start, tip, unit);
+    let left = [-1.1 * along.y, 1.1 * along.x];
+    list.name(Role::Ink, name, from + along * (0.26 * length), left);
+}
+
+/// The acute angle at a dyad's inner hinge c between the lines to its outer ones,
+/// b and d.
+pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, unit: f64) {
     let direction = |to: Point| (to.y - c.y).atan2(to.x - c.x);
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
     let from = direction(b);
@@ -170,7 +129,7 @@ pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64)
     let at = |angle: f64, radius: f64| c + Vector::new(angle.cos(), angle.sin()) * radius;
     let mut turn = wrapped(direction(d) - from);
     if turn.abs() > FRAC_PI_2 {
-        // The rocker's line beyond C.
+        // The line of d beyond c.
         turn = wrapped(turn + PI);
         list.polyline(
             Role::Secondary,
@@ -184,124 +143,34 @@ pub(crate) fn transmission(list: &mut List, [_, b, c, d]: [Point; 4], unit: f64)
     list.polyline(Role::Ink, Look::Line, &arc);
     let middle = from + 0.5 * turn;
     let off = [2.6 * middle.cos(), 1.0 * middle.sin()];
-    list.label(Role::Ink, Label::Mu, at(middle, radius), off);
+    list.name(Role::Ink, name, at(middle, radius), off);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur::catalog::mixer::Case;
+    use assur::Jet;
 
-    fn pose(crank: f64) -> (Mixer, Pose<3>) {
-        let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
-        let pose = mixer.linkage.pose(mixer.assembly, crank).unwrap();
-        (mixer, pose)
-    }
-
-    /// The points of the polylines and the labels `(label, x, y)` of a list of
-    /// both and of polygons with one loop.
-    fn parts_of(list: &List) -> (Vec<Vec<f32>>, Vec<[f32; 3]>) {
-        let (mut lines, mut labels, mut rest) = (Vec::new(), Vec::new(), list.numbers());
-        while let Some(kind) = rest.first() {
-            let length = match *kind as u8 {
-                1 => 5 + 2 * rest[4] as usize,
-                2 => 4 + 2 * rest[3] as usize,
-                4 => 7,
-                other => panic!("record {other}"),
-            };
-            match *kind as u8 {
-                2 => lines.push(rest[4..length].to_vec()),
-                4 => labels.push([rest[2], rest[3], rest[4]]),
-                _ => {}
-            }
-            rest = &rest[length..];
-        }
-        (lines, labels)
-    }
-
-    /// B's derivatives are as long as the crank and square to each other; all
-    /// keep one scale.
-    #[test]
-    fn analogues_are_derivatives_to_scale() {
-        for crank in [0.3, 2.0, 5.1] {
-            let (mixer, pose) = pose(crank);
-            let (scales, _) = Scales::new(&mixer, 2.0);
-            let mut list = List::default();
-            analogues(&mut list, &mixer, &pose, scales, 0.02);
-            let (_, labels) = parts_of(&list);
-            let [_, b, c, _] = mixer.linkage.joints(&pose);
-            let of = |label: Label, from: Point| {
-                let found = labels.iter().find(|found| found[0] == label as u8 as f32);
-                let [_, x, y] = found.unwrap();
-                Point::new(f64::from(*x), f64::from(*y)) - from
-            };
-            let (first, second) = (
-                of(Label::BVelocity, b.place()),
-                of(Label::BAcceleration, b.place()),
-            );
-            assert!((first.norm() - scales.0[0] * 0.37).abs() < 1e-6);
-            assert!((second.norm() - scales.0[1] * 0.37).abs() < 1e-6);
-            assert!(first.dot(&second).abs() < 1e-6);
-            let off = of(Label::CVelocity, c.place()) - c.derivative(1) * scales.0[0];
-            assert!(off.norm() < 1e-6, "{off}");
-            let off = of(Label::CAcceleration, c.place()) - c.derivative(2) * scales.0[1];
-            assert!(off.norm() < 1e-6, "{off}");
-        }
-    }
-
-    /// Also where there are dead points the scales are sensible.
+    /// The longest of the usual vectors has the length meant, the scale is one that can
+    /// be; also where nothing moves, and where a tenth grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
-        for lengths in [
-            [0.37, 0.85, 0.55, 0.85],
-            [0.6, 0.85, 0.3, 0.85],
-            [1.0; 4],
-            [1e-9, 1.0, 1.0, 1.0],
-        ] {
-            let dimensions = assur::catalog::mixer::Dimensions {
-                lengths,
-                ..Case::A.dimensions()
-            };
-            let mixer = Mixer::new(&dimensions).unwrap();
-            for scale in Scales::new(&mixer, 2.0).0.0 {
-                assert!(scale.is_finite() && scale > 0.0, "{lengths:?}: {scale}");
-            }
+        let moving = |speed: f64| JetPoint {
+            x: Jet::linear(0.0, speed),
+            y: Jet::constant(0.0),
+        };
+        let slow: Vec<JetPoint<3>> = (0..100).map(|_| moving(0.5)).collect();
+        let wild = (0..100).map(|k| moving(if k < 91 { 2.0 } else { 1e300 }));
+        let paths = [slow, wild.collect()];
+        let Scales([first, second]) = Scales::of(&paths, 10.0);
+        assert!(
+            (first * 2.0 - Scales::LONGEST * 10.0).abs() < 1e-12,
+            "{first}"
+        );
+        assert!(second.is_finite() && second > 0.0);
+        for paths in [Vec::new(), vec![Vec::new()], vec![vec![moving(0.0)]]] {
+            let Scales(scales) = Scales::of(&paths, 10.0);
+            assert!(scales.iter().all(|scale| scale.is_finite() && *scale > 0.0));
         }
-    }
-
-    /// The arc spans μ, from the coupler's line.
-    #[test]
-    fn transmission_arc_spans_the_angle() {
-        for step in 0..60 {
-            let crank = 0.1 * f64::from(step);
-            let (mixer, pose) = pose(crank);
-            let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
-            let mut list = List::default();
-            transmission(&mut list, joints, 0.02);
-            let (lines, _) = parts_of(&list);
-            let arc = lines.last().unwrap();
-            let angle = |i: usize| {
-                let [x, y] = [f64::from(arc[i]), f64::from(arc[i + 1])];
-                (y - joints[2].y).atan2(x - joints[2].x)
-            };
-            let spanned = angle(arc.len() - 2) - angle(0);
-            let spanned = (spanned - TAU * (spanned / TAU).round()).abs();
-            let expected = mixer.linkage.transmission_angle(crank).unwrap();
-            assert!((spanned - expected).abs() < 1e-5, "{crank}: {spanned}");
-        }
-    }
-
-    /// The loop closes as drawn: every vector begins and ends by its hinges.
-    #[test]
-    fn loop_vectors_lie_on_the_loop() {
-        let (mixer, pose) = pose(1.0);
-        let joints = mixer.linkage.joints(&pose).map(|joint| joint.place());
-        let mut list = List::default();
-        loop_vectors(&mut list, joints, 0.02);
-        let (lines, labels) = parts_of(&list);
-        assert_eq!((lines.len(), labels.len()), (5, 5));
-        let first = joints[0] + (joints[1] - joints[0]) * (0.022 / 0.37);
-        let start = Point::new(f64::from(lines[0][0]), f64::from(lines[0][1]));
-        assert!((start - first).norm() < 1e-6);
     }
 }

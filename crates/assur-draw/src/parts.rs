@@ -95,17 +95,25 @@ pub(crate) fn support(list: &mut List, at: Point, size: f64) {
     }
 }
 
+/// The corners of the rectangle that holds a support.
+pub(crate) fn support_reach(at: Point, size: f64) -> [Point; 2] {
+    [[-2.4, -3.3], [2.3, 0.0]].map(|[x, y]| at + assur::Vector::new(x, y) * size)
+}
+
+/// A tracer: a point that a link carries and that joins nothing.
+pub(crate) fn tracer(list: &mut List, role: Role, at: Point, unit: f64) {
+    list.circle(role, Look::Hollow, at, 1.1 * unit);
+    list.circle(role, Look::Solid, at, 0.5 * unit);
+}
+
 /// Stirrer blades: `count` of them, even around the shaft.
-pub(crate) fn blades(list: &mut List, role: Role, count: usize, length: f64, half_width: f64) {
-    for index in 0..count {
+pub(crate) fn blades(count: usize, length: f64, half_width: f64) -> Vec<Vec<Point>> {
+    let blade = |index: usize| {
         let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
         let tip = Point::new(length * cos, length * sin);
-        list.polygons(
-            role,
-            Look::Soft,
-            &[capsule(Point::origin(), tip, half_width)],
-        );
-    }
+        capsule(Point::origin(), tip, half_width)
+    };
+    (0..count).map(blade).collect()
 }
 
 /// Points around a circle, counter-clockwise from x.
@@ -121,6 +129,44 @@ pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     let along = to - from;
     let share = (place - from).dot(&along) / along.norm_squared();
     (place - (from + along * share.clamp(0.0, 1.0))).norm()
+}
+
+/// How far a place is from a convex plate, given counter-clockwise: zero on it. None
+/// where it has no corner.
+pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> {
+    if let [only] = corners {
+        return Some((place - only).norm());
+    }
+    let next = corners.iter().cycle().skip(1);
+    let edges = || corners.iter().zip(next.clone());
+    let inside = edges().all(|(from, to)| (to - from).perp(&(place - from)) >= 0.0);
+    let off = edges().map(|(from, to)| distance(place, *from, *to));
+    let nearest = off.reduce(f64::min)?;
+    Some(if inside { 0.0 } else { nearest })
+}
+
+/// The centroid of a convex plate; of a bar its middle.
+pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
+    let [first, rest @ ..] = corners else {
+        return None;
+    };
+    let [second, ..] = rest else {
+        return None;
+    };
+    let pieces = rest.windows(2).map(|two| {
+        let [a, b] = [two[0] - first, two[1] - first];
+        (a.perp(&b), (a + b) / 3.0)
+    });
+    let zero = (0.0, assur::Vector::zeros());
+    let (area, moment) = pieces.fold(zero, |(area, moment), (piece, middle)| {
+        (area + piece, moment + middle * piece)
+    });
+    let off = if rest.len() > 1 {
+        moment / area
+    } else {
+        (second - first) / 2.0
+    };
+    Some(first + off)
 }
 
 fn capsule(from: Point, to: Point, half_width: f64) -> Vec<Point> {

@@ -1,14 +1,17 @@
 //! Drawings and charts as SVG, on light paper: the display list and the plots that
 //! the page paints, painted as the page paints them.
 
-use std::convert::Infallible;
+mod backend;
+mod painter;
+
 use std::fmt::Write as _;
 
-use plotters::prelude::{DrawingBackend, IntoDrawingArea, RGBColor};
-use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingErrorKind};
+use plotters::prelude::{IntoDrawingArea, RGBColor};
 
-use crate::chart::{Chart, FINE, Kind, Palette, Panel};
+use crate::chart::{Chart, Kind, Palette, Panel};
 use crate::list::{List, Role};
+use backend::Canvas;
+use painter::Painter;
 
 /// The colours of the roles on paper; the page has the same in its style sheet.
 pub const LIGHT: Palette = [
@@ -33,20 +36,23 @@ pub const LIGHT: Palette = [
     RGBColor(0x8a, 0x53, 0x40),
 ];
 
-/// For each look, as in the page's painter: opacity of the filling (negative: filled
-/// with paper), width of the line in pixels and its opacity, dashes.
-const LOOKS: [(f64, f64, f64, &str); 7] = [
-    (1.0, 0.0, 1.0, ""),
-    (0.16, 1.5, 1.0, ""),
-    (0.0, 2.0, 1.0, ""),
-    (0.0, 2.0, 0.6, "6 5"),
-    (0.0, 1.0, 1.0, ""),
-    (-1.0, 2.0, 1.0, ""),
-    (0.55, 0.0, 1.0, ""),
-];
+/// Room around a drawing for its symbols and labels, pixels.
+const MARGIN: f64 = 40.0;
 
-/// Height of the labels, pixels.
-const TEXT: f64 = 15.0;
+/// A drawing in one pose, as a [`crate::Figure`] gives it.
+#[derive(Clone, Copy)]
+pub struct Drawing<'a> {
+    /// What holds it: left, bottom, right, top.
+    pub bounds: [f64; 4],
+    /// The display list of what is rigid.
+    pub rigid: &'a List,
+    /// The poses of its bodies, and what moves.
+    pub frame: &'a [f32],
+    /// What the labels' numbers stand for.
+    pub names: &'a [String],
+    /// The value of a read-out by its name, radians: labels are written with it.
+    pub values: &'a dyn Fn(&str) -> Option<f64>,
+}
 
 /// A sheet that is drawn on from top to bottom.
 #[derive(Clone, Debug)]
@@ -66,34 +72,28 @@ impl Svg {
         }
     }
 
-    /// Adds a drawing of a height: what holds in `bounds` (left, bottom, right, top),
-    /// the display list of what is rigid, a frame with the poses, and what the
-    /// labels' numbers stand for.
-    pub fn drawing(
-        &mut self,
-        height: f64,
-        [left, bottom, right, top]: [f64; 4],
-        rigid: &List,
-        frame: &[f32],
-        names: &[String],
-    ) {
-        let scale = (self.width / (right - left)).min(height / (top - bottom));
+    /// Adds a drawing of a height.
+    pub fn drawing(&mut self, height: f64, drawing: &Drawing<'_>) {
+        let [left, bottom, right, top] = drawing.bounds;
+        let room = |pixels: f64| (pixels - 2.0 * MARGIN).max(1.0);
+        let scale = (room(self.width) / (right - left)).min(room(height) / (top - bottom));
         let middle = [
             0.5 * self.width - 0.5 * scale * (left + right),
             self.height + 0.5 * height + 0.5 * scale * (bottom + top),
         ];
-        let bodies = frame.first().map_or(0, |count| *count as usize);
-        let (poses, moving) = frame.get(1..).unwrap_or_default().split_at(3 * bodies);
+        let bodies = drawing.frame.first().map_or(0, |count| *count as usize);
+        let numbers = drawing.frame.get(1..).unwrap_or_default();
+        let (poses, moving) = numbers.split_at(3 * bodies);
         let mut painter = Painter {
             shapes: &mut self.body,
             labels: String::new(),
-            names,
+            drawing,
             poses,
             middle,
             scale,
             body: 0,
         };
-        painter.paint(rigid.numbers());
+        painter.paint(drawing.rigid.numbers());
         painter.body = 0;
         painter.paint(moving);
         let labels = painter.labels;
@@ -183,227 +183,6 @@ impl Svg {
     }
 }
 
-/// Paints display lists; places are turned into pixels here, so that nothing
-/// depends on how a viewer scales lines.
-struct Painter<'a> {
-    shapes: &'a mut String,
-    labels: String,
-    names: &'a [String],
-    poses: &'a [f32],
-    middle: [f64; 2],
-    scale: f64,
-    body: usize,
-}
-
-impl Painter<'_> {
-    fn paint(&mut self, mut numbers: &[f32]) {
-        while let Some(used) = self.record(numbers) {
-            numbers = numbers.get(used..).unwrap_or_default();
-        }
-    }
-
-    /// Paints the first record and says how long it is; none at the end.
-    fn record(&mut self, numbers: &[f32]) -> Option<usize> {
-        let at = |index: usize| numbers.get(index).copied();
-        let whole = |index: usize| at(index).map(|number| number as usize);
-        match whole(0)? {
-            0 => {
-                self.body = whole(1)?;
-                Some(2)
-            }
-            1 => {
-                let mut next = 4;
-                let mut path = String::new();
-                for _ in 0..whole(3)? {
-                    let count = whole(next)?;
-                    path += &self.path(numbers.get(next + 1..next + 1 + 2 * count)?);
-                    path += "Z";
-                    next += 1 + 2 * count;
-                }
-                self.shape(
-                    whole(1)?,
-                    whole(2)?,
-                    &format!("<path d=\"{path}\" fill-rule=\"evenodd\""),
-                );
-                Some(next)
-            }
-            2 => {
-                let end = 4 + 2 * whole(3)?;
-                let path = self.path(numbers.get(4..end)?);
-                self.shape(whole(1)?, whole(2)?, &format!("<path d=\"{path}\""));
-                Some(end)
-            }
-            3 => {
-                let [x, y] = self.place(at(3)?, at(4)?);
-                let radius = f64::from(at(5)?) * self.scale;
-                let circle = format!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\"");
-                self.shape(whole(1)?, whole(2)?, &circle);
-                Some(6)
-            }
-            4 => {
-                let [x, y] = self.place(at(3)?, at(4)?);
-                let [dx, dy] = [f64::from(at(5)?), f64::from(at(6)?)];
-                let name = self.names.get(whole(2)?).map_or("", String::as_str);
-                let (x, y) = (x + dx * TEXT, y - dy * TEXT + 0.35 * TEXT);
-                let (colour, paper) = (css(whole(1)?), css(Role::Paper as usize));
-                let _ = writeln!(
-                    self.labels,
-                    "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\" font-size=\"{TEXT}\" \
-                     font-weight=\"600\" fill=\"{colour}\" stroke=\"{paper}\" stroke-width=\"4\" \
-                     paint-order=\"stroke\">{}</text>",
-                    escaped(name)
-                );
-                Some(7)
-            }
-            _ => None,
-        }
-    }
-
-    fn shape(&mut self, role: usize, look: usize, element: &str) {
-        let (fill, width, opacity, dashes) = LOOKS.get(look).copied().unwrap_or(LOOKS[0]);
-        let (colour, paper) = (css(role), css(Role::Paper as usize));
-        let filling = if fill < 0.0 {
-            format!("fill=\"{paper}\"")
-        } else if fill > 0.0 {
-            format!("fill=\"{colour}\" fill-opacity=\"{fill}\"")
-        } else {
-            "fill=\"none\"".to_owned()
-        };
-        let mut line = String::new();
-        if width > 0.0 {
-            line = format!(" stroke=\"{colour}\" stroke-width=\"{width}\"");
-        }
-        if opacity < 1.0 {
-            line += &format!(" stroke-opacity=\"{opacity}\"");
-        }
-        if !dashes.is_empty() {
-            line += &format!(" stroke-dasharray=\"{dashes}\"");
-        }
-        let _ = writeln!(self.shapes, "{element} {filling}{line}/>");
-    }
-
-    fn path(&self, points: &[f32]) -> String {
-        let mut path = String::new();
-        for (k, pair) in points.chunks_exact(2).enumerate() {
-            let [x, y] = self.place(pair[0], pair[1]);
-            let _ = write!(path, "{}{x:.2} {y:.2}", if k == 0 { "M" } else { "L" });
-        }
-        path
-    }
-
-    /// A place of the body at hand in pixels, y down.
-    fn place(&self, x: f32, y: f32) -> [f64; 2] {
-        let pose = self.poses.get(3 * self.body..3 * self.body + 3);
-        let [left, up, angle] = pose.map_or([0.0; 3], |pose| [0, 1, 2].map(|i| f64::from(pose[i])));
-        let ((sin, cos), x, y) = (angle.sin_cos(), f64::from(x), f64::from(y));
-        let at = [left + cos * x - sin * y, up + sin * x + cos * y];
-        [
-            self.middle[0] + self.scale * at[0],
-            self.middle[1] - self.scale * at[1],
-        ]
-    }
-}
-
-/// A backend of plotters.
-struct Canvas<'a> {
-    body: &'a mut String,
-    size: (u32, u32),
-}
-
-type Written = Result<(), DrawingErrorKind<Infallible>>;
-
-impl Canvas<'_> {
-    fn element(&mut self, element: &str, style: &impl BackendStyle, fill: bool) {
-        let colour = of_backend(style.color());
-        let _ = if fill {
-            writeln!(self.body, "{element} fill=\"{colour}\"/>")
-        } else {
-            let width = pixels(style.stroke_width() as i32);
-            writeln!(
-                self.body,
-                "{element} fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>"
-            )
-        };
-    }
-
-    fn path(path: impl IntoIterator<Item = BackendCoord>) -> String {
-        let mut text = String::new();
-        for (k, (x, y)) in path.into_iter().enumerate() {
-            let command = if k == 0 { "M" } else { "L" };
-            let _ = write!(text, "{command}{} {}", pixels(x), pixels(y));
-        }
-        text
-    }
-}
-
-impl DrawingBackend for Canvas<'_> {
-    type ErrorType = Infallible;
-
-    fn get_size(&self) -> (u32, u32) {
-        let fine = FINE.unsigned_abs();
-        (self.size.0 * fine, self.size.1 * fine)
-    }
-
-    fn ensure_prepared(&mut self) -> Written {
-        Ok(())
-    }
-
-    fn present(&mut self) -> Written {
-        Ok(())
-    }
-
-    fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Written {
-        let (x, y, side, colour) = (pixels(x), pixels(y), pixels(1), of_backend(color));
-        let _ = writeln!(
-            self.body,
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{colour}\"/>"
-        );
-        Ok(())
-    }
-
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Written {
-        self.element(&format!("<path d=\"{}\"", Self::path(path)), style, false);
-        Ok(())
-    }
-
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Written {
-        self.element(&format!("<path d=\"{}Z\"", Self::path(path)), style, true);
-        Ok(())
-    }
-
-    fn draw_circle<S: BackendStyle>(
-        &mut self,
-        (x, y): BackendCoord,
-        radius: u32,
-        style: &S,
-        fill: bool,
-    ) -> Written {
-        let [x, y, radius] = [x, y, radius as i32].map(pixels);
-        self.element(
-            &format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\""),
-            style,
-            fill,
-        );
-        Ok(())
-    }
-}
-
-fn pixels(fine: i32) -> f64 {
-    f64::from(fine) / f64::from(FINE)
-}
-
-fn of_backend(BackendColor { rgb: (r, g, b), .. }: BackendColor) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
 /// The colour of a role.
 fn css(role: usize) -> String {
     let RGBColor(r, g, b) = LIGHT.get(role).copied().unwrap_or(LIGHT[0]);
@@ -448,19 +227,37 @@ mod tests {
         }
     }
 
+    fn drawing<'a>(rigid: &'a List, names: &'a [String]) -> Drawing<'a> {
+        Drawing {
+            bounds: [-1.0, -1.0, 1.0, 1.0],
+            rigid,
+            frame: &[1.0, 0.0, 0.0, 0.0],
+            names,
+            values: &|what| (what == "input").then_some(-1.0),
+        }
+    }
+
+    /// A label of the form SYMBOL=READOUT has the value in degrees, if there is one.
+    #[test]
+    fn labels_are_written_with_their_values() {
+        let mut list = List::default();
+        for name in 0..2 {
+            list.name(Role::Ink, name, assur::Point::origin(), [0.0, 0.0]);
+        }
+        let names = ["φ₁=input", "μ=C.transmission"].map(str::to_owned);
+        let mut svg = Svg::new(100.0);
+        svg.drawing(50.0, &drawing(&list, &names));
+        let text = svg.finish("");
+        assert!(text.contains(">φ₁ = −57.3°</text>"), "{text}");
+        assert!(text.contains(">μ</text>"), "{text}");
+    }
+
     #[test]
     fn names_are_no_markup() {
         let mut svg = Svg::new(100.0);
         let mut list = List::default();
         list.name(Role::Ink, 0, assur::Point::origin(), [0.0, 0.0]);
-        let names = ["<b>&\"".to_owned()];
-        svg.drawing(
-            50.0,
-            [-1.0, -1.0, 1.0, 1.0],
-            &list,
-            &[1.0, 0.0, 0.0, 0.0],
-            &names,
-        );
+        svg.drawing(50.0, &drawing(&list, &["<b>&\"".to_owned()]));
         let text = svg.finish("a < b");
         assert!(text.contains(">&lt;b&gt;&amp;&quot;</text>"), "{text}");
         assert!(text.contains("<title>a &lt; b</title>"));

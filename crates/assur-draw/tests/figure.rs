@@ -4,7 +4,11 @@
 use assur::Point;
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
-use assur_draw::{Figure, Role};
+use assur_draw::{Figure, Overlays, Role, View};
+
+use records::records;
+
+mod records;
 
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.
@@ -29,36 +33,32 @@ fn draft() -> Draft {
         .crank("crank")
 }
 
-/// Every record of the list, cut apart by its own counts.
-fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
-    let mut found = Vec::new();
-    while let Some(kind) = numbers.first() {
-        let length = match *kind as u8 {
-            0 => 2,
-            1 => {
-                let mut length = 4;
-                for _ in 0..numbers[3] as usize {
-                    length += 1 + 2 * numbers[length] as usize;
-                }
-                length
-            }
-            2 => 4 + 2 * numbers[3] as usize,
-            3 => 6,
-            4 => 7,
-            other => panic!("record {other}"),
-        };
-        found.push(numbers[..length].to_vec());
-        numbers = &numbers[length..];
-    }
-    found
+/// The drawing of the slider-crank's motion with these overlays and the path of M.
+fn figure(motion: &Motion, overlays: Overlays) -> Figure {
+    let view = View {
+        overlays,
+        traced: motion.mechanism().point("M").into_iter().collect(),
+        ..View::default()
+    };
+    let figure = Figure::new(motion, &view);
+    figure.unwrap_or_else(|unsolved| panic!("{unsolved}"))
 }
+
+const TRACES: Overlays = Overlays {
+    traces: true,
+    centres: false,
+    vectors: false,
+    loop_vectors: false,
+    transmission: false,
+    groups: false,
+};
 
 #[test]
 fn lists_are_whole_and_bodies_stand_where_they_are() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[5]).unwrap();
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
+    let figure = figure(&motion, TRACES);
     let rigid = records(figure.rigid().numbers());
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));
     let bodies = 1 + draft.links.len();
@@ -76,17 +76,18 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     let [left, bottom, right, top] = figure.bounds();
     for k in 0..36 {
         let input = 0.1745 * f64::from(k);
-        let frame = figure.frame(input).unwrap();
+        let frame = figure.frame(&motion.pose::<1>(input).unwrap());
         assert_eq!(frame[0] as usize, bodies);
         let pose = motion.pose::<1>(input).unwrap();
-        for link in 0..draft.links.len() {
-            let first = mechanism.points_of(link)[0];
+        for (link, id) in mechanism.link_ids().enumerate() {
+            let first = mechanism.points_of(id)[0];
             let at = mechanism.place(&pose, first).place();
             let [x, y, angle] = [1, 2, 3].map(|i| f64::from(frame[3 + 3 * link + i]));
             assert!((x - at.x).abs() < 1e-6 && (y - at.y).abs() < 1e-6);
-            assert!((angle - mechanism.angle(&pose, link).value()).abs() < 1e-6);
+            assert!((angle - mechanism.angle(&pose, id).value()).abs() < 1e-6);
         }
-        for point in [0, 1, 2, 5, 6, 7] {
+        for point in ["A", "B", "C", "M", "D", "E"] {
+            let point = mechanism.point(point).unwrap();
             let at = mechanism.place(&pose, point).place();
             assert!((left..=right).contains(&at.x) && (bottom..=top).contains(&at.y));
         }
@@ -114,26 +115,30 @@ fn beyond_dead_points_nothing_is_drawn() {
         .bar("coupler", &["B", "C"])
         .bar("rocker", &["D", "C"])
         .crank("crank");
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
     assert!(!motion.cycle().is_full());
-    let figure = Figure::new(&draft, &motion, &[2]).unwrap();
-    assert!(figure.frame(motion.home()).is_ok());
-    assert!(figure.frame(3.0).is_err());
+    let figure = Figure::new(&motion, &View::default()).unwrap();
+    let home = motion.pose::<3>(motion.home()).unwrap();
+    assert!(figure.frame(&home).iter().all(|x| x.is_finite()));
+    assert!(motion.pose::<1>(3.0).is_err());
 }
 
 /// The arrows lie along the derivatives and keep one scale for each order.
 #[test]
 fn vectors_are_derivatives_to_scale() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let figure = Figure::new(&draft, &motion, &[]).unwrap().with_vectors();
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
+    let vectors = Overlays {
+        vectors: true,
+        ..Overlays::default()
+    };
+    let figure = figure(&motion, vectors);
     let mut scales = [Vec::new(), Vec::new()];
     for k in 0..24 {
         let input = 0.26 * f64::from(k);
-        let frame = figure.frame(input).unwrap();
         let pose = motion.pose::<3>(input).unwrap();
+        let frame = figure.frame(&pose);
         let lines = records(&frame[1 + 3 * (1 + draft.links.len())..]);
         for (role, order) in [(Role::Velocity, 1), (Role::Acceleration, 2)] {
             let of = |kind: f32| {
@@ -144,7 +149,8 @@ fn vectors_are_derivatives_to_scale() {
             for (shaft, head) in of(2.0).zip(of(1.0)) {
                 let [x, y] = [shaft[4], shaft[5]].map(f64::from);
                 let tip = [head[5], head[6]].map(f64::from);
-                let ends = (0..8).map(|point| mechanism.place(&pose, point));
+                let points = mechanism.point_ids();
+                let ends = points.map(|point| mechanism.place(&pose, point));
                 let mut from = ends.filter(|end| (end.place() - Point::new(x, y)).norm() < 1e-5);
                 let vector = from.next().unwrap().derivative(order);
                 let drawn = Point::new(tip[0], tip[1]) - Point::new(x, y);
@@ -169,18 +175,15 @@ fn vectors_are_derivatives_to_scale() {
 #[test]
 fn groups_have_their_colours() {
     let draft = draft();
-    let mechanism = Mechanism::new(&draft).unwrap();
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let formula = mechanism
-        .structure()
-        .formula(|body| mechanism.body_name(body).to_owned());
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
     assert_eq!(
-        formula,
+        mechanism.formula(),
         "I(frame,crank) → II₂(rod,slider) → II₂(block,lever)"
     );
-    let [plain, grouped] = [Figure::new, Figure::in_groups].map(|draw| {
-        let figure = draw(&draft, &motion, &[5]);
-        figure.unwrap()
+    let [plain, grouped] = [false, true].map(|groups| {
+        let overlays = Overlays { groups, ..TRACES };
+        figure(&motion, overlays)
     });
     let roles: Vec<Role> = grouped.step_roles().collect();
     assert_eq!(roles, [Role::Crank, Role::Coupler, Role::Rocker]);
@@ -207,9 +210,10 @@ fn groups_have_their_colours() {
     // Slider and lever had other colours before; crank and rod have kept theirs.
     assert_eq!((painted[1], painted[2]), (0, 0));
     assert!(painted[3] > 0 && painted[5] > 0, "{painted:?}");
-    for (link, role) in of_links.into_iter().enumerate() {
+    for (link, role) in mechanism.link_ids().zip(of_links) {
         assert_eq!(grouped.drawn_role(link), role);
         assert_eq!(grouped.role(link), plain.drawn_role(link));
     }
-    assert_eq!(plain.frame(0.4).unwrap(), grouped.frame(0.4).unwrap());
+    let pose = motion.pose::<1>(0.4).unwrap();
+    assert_eq!(plain.frame(&pose), grouped.frame(&pose));
 }

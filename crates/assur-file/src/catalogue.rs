@@ -1,6 +1,6 @@
 //! Mechanisms that come with Assur, by name, and those of a reader's files.
 
-use assur::catalog::mixer::{Case, Mixer};
+use assur::mixer::{Case, Mixer};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -70,8 +70,27 @@ pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>
             Err(reasons) => Err(reasons.into_iter().map(Problem::from).collect()),
         });
     }
-    let (_, text) = FILES.iter().find(|(one, _)| *one == name)?;
-    Some(from_text(text))
+    let mut read = from_text(text(name)?);
+    if let Ok(document) = &mut read {
+        document.origin = Some(name.to_owned());
+    }
+    Some(read)
+}
+
+/// The file of a name of the gallery.
+fn text(name: &str) -> Option<&'static str> {
+    let found = FILES.iter().find(|(one, _)| *one == name);
+    found.map(|(_, text)| *text)
+}
+
+/// The title in a file of the gallery.
+pub(crate) fn title(name: &str) -> Option<String> {
+    #[derive(Deserialize)]
+    struct Titled {
+        title: String,
+    }
+    let Titled { title } = serde_json::from_str(text(name)?).ok()?;
+    Some(title)
 }
 
 /// The linkage of a file: a state of the page, or the document of a linkage alone.
@@ -83,13 +102,21 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     #[derive(Deserialize)]
     struct Keys {
         format: Option<IgnoredAny>,
+        kind: Option<IgnoredAny>,
         lesson: Option<IgnoredAny>,
         document: Option<IgnoredAny>,
     }
     let read = || -> Result<_, Problem> {
         let value = json(text)?;
         let keys: Keys = part(&value)?;
-        if keys.format.is_none() && keys.lesson.is_none() && keys.document.is_none() {
+        let Keys {
+            format,
+            kind,
+            lesson,
+            document,
+        } = keys;
+        let keys = [format, kind, lesson, document];
+        if keys.iter().all(Option::is_none) {
             return Ok(Err(part(&value)?));
         }
         State::read(|| &value).map(Ok)

@@ -2,21 +2,19 @@
 //! addresses never freeze the engine. All checking of input from outside
 //! happens here and in the constructors of `assur`, once.
 
-#[cfg(feature = "linkages")]
 mod catalogue;
-#[cfg(feature = "linkages")]
-mod linkage;
-mod mixer;
+mod kinds;
 mod problem;
 mod state;
+mod view;
 
-#[cfg(feature = "linkages")]
 pub use catalogue::{catalogue, from_catalogue, from_text, gallery};
-#[cfg(feature = "linkages")]
-pub use linkage::{
+pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument,
+    PointDocument, SlideDocument, TracerDocument,
 };
-pub use mixer::{MixerDocument, TracerDocument, WheelDocument};
+pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
-pub use state::{Axes, Document, SpeedUnit, State, View};
+pub use state::{FORMAT, State};
+pub use view::{Axes, OpenLesson, SpeedUnit, View};

@@ -6,7 +6,6 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-#[cfg(feature = "linkages")]
 use crate::LinkageProblem;
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
@@ -54,12 +53,10 @@ pub enum Problem {
     /// The text or object has not the form of a state.
     BadState { path: String, detail: String },
     /// What is wrong with a linkage.
-    #[cfg(feature = "linkages")]
     #[serde(untagged)]
     Linkage(LinkageProblem),
 }
 
-#[cfg(feature = "linkages")]
 impl From<LinkageProblem> for Problem {
     fn from(problem: LinkageProblem) -> Self {
         Self::Linkage(problem)

@@ -282,7 +282,7 @@ fn the_examples_of_the_document_move() {
         let mechanism = document
             .mechanism()
             .unwrap_or_else(|problems| panic!("{problems:?}\n{example}"));
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
         let [from, to] = motion.cycle().arcs()[0];
         for k in 0..=12 {
             let input = from + (to - from) * (0.01 + 0.98 * f64::from(k) / 12.0);
@@ -300,7 +300,7 @@ fn the_catalogue_moves() {
         let mechanism = document
             .mechanism()
             .unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
+        let motion = Motion::new(mechanism);
         assert!(motion.pose::<3>(motion.home()).is_ok(), "{name}");
         assert!(!names.contains(&name), "{name}");
         names.push(name);
@@ -413,7 +413,8 @@ fn an_assembly_is_chosen() {
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
         let pose = motion.pose::<1>(motion.home()).unwrap();
-        mechanism.place(&pose, mechanism.points().len() - 1).place()
+        let last = mechanism.point_ids().next_back().unwrap();
+        mechanism.place(&pose, last).place()
     };
     let usual = place(&document);
     document.assembly = Some(drawn.mechanism().drawn_assembly() + 1);

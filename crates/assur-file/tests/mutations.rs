@@ -1,8 +1,8 @@
 //! Three hundred damaged states: each is refused with a problem that names a part,
 //! or is a state that can be shown; none panics.
 
-use assur::catalog::mixer::{Carrier, Case, Tracer};
 use assur::gears::Mate;
+use assur::mixer::{Carrier, Case, Tracer};
 use assur_file::{MixerDocument, Problem, State};
 use serde_json::{Value, json};
 
@@ -33,7 +33,7 @@ fn good() -> Value {
 fn problems(text: &str) -> Vec<Problem> {
     match State::parse(text) {
         Err(problem) => vec![problem],
-        Ok(state) => state.mixer().err().unwrap_or_default(),
+        Ok(state) => state.moved().err().unwrap_or_default(),
     }
 }
 

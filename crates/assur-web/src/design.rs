@@ -2,13 +2,16 @@
 //! in a worker of the page.
 
 use assur::mechanism::Quantity;
-use assur::synthesis::dwell::{End, Freedom, Movable, Progress, Reached, Refused, Search, Wish};
+use assur::synthesis::dwell::{
+    DesignVariable, Dimension, End, Evaluation, Progress, Search, SearchError, Target,
+};
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, State};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{Redrawn, thrown, to_js};
-use crate::course::band;
+use crate::convert::{thrown, to_js};
+use crate::kinds::Redrawn;
+use crate::profile::band;
 
 /// What is wanted of the first output that is plotted; within which band it stands
 /// still, the document says.
@@ -33,7 +36,7 @@ struct Movement {
 pub struct Design {
     search: Search,
     document: LinkageDocument,
-    freedoms: Vec<Freedom>,
+    variables: Vec<DesignVariable>,
     /// The residual at the start.
     before: f64,
 }
@@ -53,7 +56,7 @@ struct ReachedSummary {
     arc: f64,
     stroke: f64,
     residual: f64,
-    conditioning: f64,
+    singularity_margin: f64,
 }
 
 #[wasm_bindgen]
@@ -77,21 +80,21 @@ impl Design {
     }
 
     /// Judges one mechanism more: `{judged, accepted, before, reached: {arc, stroke,
-    /// residual, conditioning}, end, document}`. `reached` is of the best one so far,
+    /// residual, singularity_margin}, end, document}`. `reached` is of the best one so far,
     /// `before` the residual of the first; `end` is `fulfilled`, `settled` or null;
     /// `document` has the fields that become others where one was accepted.
     pub fn step(&mut self) -> JsValue {
         let Progress {
             judged,
             accepted,
-            reached,
+            evaluation,
             end,
         } = self.search.step();
         to_js(&StepSummary {
             judged,
             accepted,
             before: self.before,
-            reached: reached.into(),
+            reached: evaluation.into(),
             end: end.map(|end| match end {
                 End::Fulfilled => "fulfilled",
                 End::Settled => "settled",
@@ -104,48 +107,42 @@ impl Design {
 impl Design {
     fn of(state: &State, wishes: &Wishes) -> Result<Self, Vec<Problem>> {
         state.check()?;
-        let refused = |refused: Refused, freedoms: &[Freedom]| {
-            let problems = LinkageProblem::refused(refused, freedoms);
+        let refused = |refused: SearchError, variables: &[DesignVariable]| {
+            let problems = LinkageProblem::refused(refused, variables);
             problems.into_iter().map(Problem::from).collect::<Vec<_>>()
         };
         let Document::Linkage(document) = &state.document else {
-            return Err(refused(Refused::Output, &[]));
+            return Err(refused(SearchError::Output, &[]));
         };
         let motion = document.motion()?;
         let mechanism = motion.mechanism();
         let plotted = document.plotted(mechanism, &state.view.plot);
         let output: Option<Quantity> = plotted.and_then(|all| all.first().copied());
-        let output = output.ok_or_else(|| refused(Refused::Output, &[]))?;
-        // The search goes by the drawing: it is to show the assembly that moves.
-        let pose = motion.pose::<1>(motion.home());
-        let pose = pose.map_err(|_| refused(Refused::Blocked, &[]))?;
-        let draft = document.draft();
+        let output = output.ok_or_else(|| refused(SearchError::Output, &[]))?;
+        let draft = mechanism.draft();
         let lengths = wishes.movable.iter().map(|Movement { link, by }| {
-            let link = link.clone();
-            let dimension = Movable::Length { link };
-            let length = dimension.of(&draft).unwrap_or_default();
-            Freedom {
+            let name = link.clone();
+            let dimension = Dimension::Length { link: link.clone() };
+            let length = dimension.of(draft);
+            let length = length.ok_or_else(|| vec![LinkageProblem::NoDimension { name }.into()])?;
+            Ok(DesignVariable {
                 dimension,
                 range: [length * (1.0 - by), length * (1.0 + by)],
-            }
+            })
         });
-        let freedoms: Vec<Freedom> = lengths.collect();
-        let wish = Wish {
+        let variables: Vec<DesignVariable> = lengths.collect::<Result<_, Vec<Problem>>>()?;
+        let target = Target {
             tolerance: band(mechanism, output, document.band).1,
             arc: wishes.arc,
             stroke: wishes.stroke,
         };
-        let draft = match document.assembly {
-            None => draft,
-            Some(_) => draft.drawn_in(mechanism, &pose),
-        };
-        let search = Search::new(&draft, &output.name(mechanism, 0), wish, &freedoms);
-        let search = search.map_err(|error| refused(error, &freedoms))?;
+        let search = Search::new(draft, &output.name(mechanism, 0), target, &variables);
+        let search = search.map_err(|error| refused(error, &variables))?;
         Ok(Self {
             document: document.clone(),
-            before: search.progress().reached.residual,
+            before: search.progress().evaluation.residual,
             search,
-            freedoms,
+            variables,
         })
     }
 
@@ -156,8 +153,8 @@ impl Design {
         for (point, drawn) in document.points.iter_mut().zip(drawn) {
             point.at = [drawn.at.x, drawn.at.y];
         }
-        for (freedom, value) in self.freedoms.iter().zip(self.search.values()) {
-            let Movable::Length { link } = &freedom.dimension else {
+        for (variable, value) in self.variables.iter().zip(self.search.values()) {
+            let Dimension::Length { link } = &variable.dimension else {
                 continue;
             };
             for link in document.links.iter_mut().filter(|one| one.name == *link) {
@@ -168,19 +165,19 @@ impl Design {
     }
 }
 
-impl From<Reached> for ReachedSummary {
-    fn from(reached: Reached) -> Self {
-        let Reached {
+impl From<Evaluation> for ReachedSummary {
+    fn from(reached: Evaluation) -> Self {
+        let Evaluation {
             arc,
             stroke,
             residual,
-            conditioning,
+            singularity_margin,
         } = reached;
         Self {
             arc,
             stroke,
             residual,
-            conditioning,
+            singularity_margin,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The constraint equations of a linkage under the names of the page.
 
-use assur::mechanism::{Constraint, Demand, FRAME, LinkOrFrame, Mechanism, Pose};
+use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism, PointId, Pose};
 use serde::Serialize;
 
 /// What an equation is about: points P, Q (and S of a slide, before them), links
@@ -29,17 +29,14 @@ pub(crate) enum EquationSummary<'a> {
 
 impl<'a> EquationSummary<'a> {
     pub(crate) fn new(mechanism: &'a Mechanism, constraint: &Constraint) -> Self {
-        let link = |link: LinkOrFrame| {
-            let name = link.and_then(|link| mechanism.links().nth(link));
-            name.unwrap_or(FRAME)
-        };
-        let point = |point: usize| mechanism.points().nth(point).unwrap_or_default();
-        match constraint.demand {
-            Demand::Distance { link: of, points } => Self::Distance {
+        let link = |link: LinkOrFrame| link.map_or(FRAME, |link| mechanism.link_name(link));
+        let point = |point: PointId| mechanism.point_name(point);
+        match constraint.kind {
+            ConstraintKind::Distance { link: of, points } => Self::Distance {
                 link: link(Some(of)),
                 points: points.map(point),
             },
-            Demand::Offset {
+            ConstraintKind::Offset {
                 link: of,
                 point: slid,
                 line: [p, q],
@@ -47,11 +44,11 @@ impl<'a> EquationSummary<'a> {
                 link: link(of),
                 points: [slid, p, q].map(point),
             },
-            Demand::Direction { link: of, on } => Self::Direction {
+            ConstraintKind::Direction { link: of, on } => Self::Direction {
                 link: link(of),
                 on: link(on),
             },
-            Demand::Mesh {
+            ConstraintKind::Mesh {
                 links,
                 carrier,
                 teeth,

@@ -2,25 +2,20 @@
 //! and the engine's and computes nothing.
 
 mod canvas;
+mod change;
+mod chart;
 mod convert;
-#[cfg(feature = "linkages")]
-mod course;
-#[cfg(feature = "linkages")]
 mod design;
-#[cfg(feature = "linkages")]
+mod driven;
 mod equations;
-#[cfg(feature = "linkages")]
-mod linkage;
-mod mixer;
+mod kinds;
+mod moving;
+mod profile;
 mod shown;
 mod simulator;
 mod summary;
-#[cfg(feature = "linkages")]
 mod table;
 mod thin;
 
-#[cfg(feature = "linkages")]
 pub use design::Design;
-#[cfg(feature = "linkages")]
-pub use linkage::gallery;
-pub use simulator::{Simulator, presets, read_state, role_names, version};
+pub use simulator::{Simulator, gallery, presets, read_state, role_names};

@@ -1,64 +1,50 @@
-//! What the page asks of a mechanism, whichever lesson it is of.
+//! What the page asks of what it shows, whichever kind it is of: capabilities, of which a
+//! kind has those that it has.
 
-use assur::motion::Input;
-use assur::{Cycle, Jet, Point};
+use assur::Point;
 use assur_draw::List;
-use assur_draw::chart::{Chart, Settings};
-use assur_file::{Axes, Problem, View};
+use assur_file::Problem;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::convert::Change;
-#[cfg(feature = "linkages")]
-use crate::table::SweepTable;
+use crate::change::Change;
+use crate::moving::Moving;
 
-/// A mechanism with all that is drawn of it. [`crate::Simulator`] says what each
-/// of these is; problems are those it throws.
+/// A document with all that is drawn of it.
 pub(crate) trait Shown {
+    /// What is said of it as a whole; it says by `moves` whether anything does.
     fn summary(&self) -> JsValue;
-    fn labels(&self) -> Vec<String>;
+
+    /// The names of the labels of the display lists.
+    fn labels(&self) -> &[String];
+
+    /// What is rigid.
     fn scene(&self) -> &List;
-    fn frame(&self, phi: f64) -> Result<Vec<f32>, Problem>;
-    fn readout_names(&self) -> Vec<String>;
-    fn readouts(&self, phi: f64) -> Result<Vec<f64>, Problem>;
-    fn plotted(&self, phi: f64) -> Result<Vec<f64>, Problem>;
-    fn joints(&self, phi: f64) -> Result<Vec<f64>, Problem>;
-    fn drag(&self, joint: &str, phi: f64, place: Point) -> Result<Change, Problem>;
-    fn trace(&self, phi: f64, place: Point) -> Result<Change, Problem>;
-    fn cycle(&self) -> &Cycle;
-    fn chart(&self) -> &Chart;
-    #[cfg(feature = "linkages")]
-    fn table(&self, steps: u32) -> SweepTable;
-    /// A mixer has none: closed forms place it.
-    #[cfg(feature = "linkages")]
-    fn equations(&self, _phi: f64, _order: usize) -> Result<Vec<f64>, Problem> {
-        Ok(Vec::new())
+
+    /// What moves, is read, listed and plotted, where anything is.
+    fn moving(&self) -> Option<&Moving> {
+        None
+    }
+
+    /// What can be changed by hand, where anything can.
+    fn edited(&self) -> Option<&dyn Edited> {
+        None
     }
 }
 
-/// How a chart is drawn by a view.
-pub(crate) fn settings(view: &View) -> Settings {
-    Settings {
-        input: view.input(),
-        physical: view.axes == Axes::Physical,
-        differenced: view.differenced,
-    }
+/// What changes when a hand is laid on the drawing; problems are those that
+/// [`crate::Simulator`] throws.
+pub(crate) trait Edited {
+    /// A point dragged to a place, with the input where it is.
+    fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;
+
+    /// The point at a place traced, with the input where it is.
+    fn trace(&self, input: f64, at: Point) -> Result<Change, Problem>;
 }
 
-/// Of each jet the value and two derivatives, with the input going so.
-pub(crate) fn rates(jets: &[Jet<3>], input: Input) -> Vec<f64> {
-    let rates = |jet: &Jet<3>| [0, 1, 2].map(|order| input.rate(jet, order));
-    jets.iter().flat_map(rates).collect()
-}
-
-/// The names of a quantity and of its derivatives.
-pub(crate) fn strokes(name: &str) -> [String; 3] {
-    ["", "′", "″"].map(|stroke| [name, stroke].concat())
-}
-
-/// What is none of the joints.
-pub(crate) fn unknown(joint: &str) -> Problem {
+/// What is none of the points that can be dragged.
+pub(crate) fn unknown(point: &str) -> Problem {
     Problem::BadState {
-        path: "joint".to_owned(),
-        detail: joint.to_owned(),
+        path: "point".to_owned(),
+        detail: point.to_owned(),
     }
 }

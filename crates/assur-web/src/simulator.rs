@@ -1,49 +1,42 @@
 //! The one object the page talks to.
 
 use assur::Point;
-use assur::catalog::mixer::Case;
+use assur::mixer::Case;
 use assur_draw::ROLES;
-#[cfg(feature = "linkages")]
-use assur_file::Document;
-use assur_file::{MixerDocument, Problem, State};
+use assur_file::{LinkageDocument, MixerDocument, Problem, State, from_catalogue};
 use plotters::prelude::IntoDrawingArea;
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
-use crate::convert::{ChartLayout, ChartRequest, thrown, to_js};
-#[cfg(feature = "linkages")]
-use crate::linkage::Linkage;
-use crate::mixer::Loaded as LoadedMixer;
-use crate::shown::Shown;
+use crate::chart::{ChartLayout, ChartRequest};
+use crate::convert::{thrown, to_js};
+use crate::kinds::shown;
+use crate::moving::Moving;
+use crate::shown::{Edited, Shown};
 
-/// A mechanism and all that is drawn of it. Angles are radians. What fails
-/// throws an array of problems, `{code, …}`, and changes nothing.
+/// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
+/// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
+/// nothing.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
-    shown: Option<Any>,
+    shown: Option<Box<dyn Shown>>,
 }
-
-/// The mechanism with all that is drawn of it: where there are no linkages, a mixer.
-#[cfg(not(feature = "linkages"))]
-type Any = LoadedMixer;
-#[cfg(feature = "linkages")]
-type Any = Box<dyn Shown>;
 
 #[wasm_bindgen]
 impl Simulator {
-    /// A simulator without a mechanism: the first call is `set`.
+    /// A simulator without a document: the first call is `set`.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes the page's state and returns the summary of its motion.
+    /// Takes the page's state and returns the summary of its document.
     ///
     /// # Errors
-    /// Every problem of the state; the mechanism set before stays.
+    /// Every problem of the state; the document set before stays.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
         let state = State::read(source).map_err(|problem| thrown([problem]))?;
@@ -59,7 +52,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.shown()?.labels())
+        Ok(self.shown()?.labels().to_vec())
     }
 
     /// The display list of everything rigid, grouped by body.
@@ -70,84 +63,78 @@ impl Simulator {
         Ok(self.shown()?.scene().numbers().to_vec())
     }
 
-    /// The bodies' poses `n, x, y, θ, …` at a crank angle and the display list of
-    /// what changes its shape.
+    /// Everything at an input, from one pose: how many numbers each of four lists has, then
+    /// the lists. They are: the frame, which is the bodies' poses `n, x, y, θ, …` with the
+    /// display list of what changes its shape; where the handles of the summary are, x and
+    /// y of each; the values of `readoutNames`; of each plotted quantity, in the order of
+    /// the chart's series, the value and the first two derivatives. Derivatives are those
+    /// of the axes, by the input or by time; where they are unbounded the last two lists
+    /// are empty, and `why` says it.
     ///
     /// # Errors
     /// Why there is no pose.
-    pub fn frame(&self, phi: f64) -> Result<Vec<f32>, JsValue> {
-        self.shown()?.frame(phi).map_err(one)
+    pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
+        Ok(self.moving()?.at(input).map_err(one)?.flat())
     }
 
-    /// The names of the values of `readouts`, in order: the crank angle, of a mixer
-    /// the transmission angle, then every quantity with its first (′) and second
-    /// (″) derivative.
+    /// The last of the lists of `at` alone: for the cursor of the plots.
+    ///
+    /// # Errors
+    /// Why there is no pose, or none of its derivatives.
+    pub fn plotted(&self, input: f64) -> Result<Vec<f64>, JsValue> {
+        self.moving()?.plotted_at(input).map_err(one)
+    }
+
+    /// The problems that a place of the motion has: why there is no pose, or none of its
+    /// derivatives.
+    ///
+    /// # Errors
+    /// Before the first `set`; where nothing moves.
+    pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
+        Ok(thrown(self.moving()?.why(input)))
+    }
+
+    /// The names of the read-outs: the input, the transmission angles of the RRR dyads,
+    /// then every quantity with its first (′) and second (″) derivative; none where nothing
+    /// moves.
     ///
     /// # Errors
     /// Before the first `set`.
     #[wasm_bindgen(js_name = readoutNames)]
     pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.shown()?.readout_names())
+        let moving = self.shown()?.moving();
+        Ok(moving.map_or_else(Vec::new, Moving::readout_names))
     }
 
-    /// The values named by `readoutNames` at a crank angle; derivatives are those
-    /// of the axes, by the crank angle or by time.
+    /// What dragging a point, one of the handles, to a place changes with the input where
+    /// it is: `{input}`, or `{document}` with the fields that become others. A traced point
+    /// keeps to its link. Whether the fields make a mechanism is found out by `set`.
     ///
     /// # Errors
-    /// Why there are none: no pose, or derivatives unbounded.
-    pub fn readouts(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
-        self.shown()?.readouts(phi).map_err(one)
+    /// An unknown point, a place that is not finite; no pose to drag in.
+    pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.drag(point, input, Point::new(x, y));
+        Ok(change.map_err(one)?.into_js())
     }
 
-    /// The quantities that are plotted at a crank angle: of each in the order of
-    /// the chart's series the value and the first two derivatives of the axes.
+    /// What tracing the point at a place changes with the input where it is: `{document}`
+    /// with one more traced point, on the link drawn nearest.
     ///
     /// # Errors
-    /// As of `readouts`.
-    pub fn plotted(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
-        self.shown()?.plotted(phi).map_err(one)
+    /// Why there is no pose to put a point on; no link.
+    pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.trace(input, Point::new(x, y));
+        Ok(change.map_err(one)?.into_js())
     }
 
-    /// Where what can be dragged is at a crank angle, x and y of each: of a mixer
-    /// the joints A, B, C, D and the traced points P₁, …; of a linkage the handles
-    /// of its summary.
+    /// The input moved by `delta`, and −1 where it turned back at the end of its way, else
+    /// 1.
     ///
     /// # Errors
-    /// Why there is no pose.
-    pub fn joints(&self, phi: f64) -> Result<Vec<f64>, JsValue> {
-        self.shown()?.joints(phi).map_err(one)
-    }
-
-    /// What dragging a joint (of a mixer `B`, `C`, `D`, or a traced point `P1`, …)
-    /// to a place changes, with the crank at an angle: `{phi}` or `{document}` with
-    /// the fields that become others. A traced point keeps to its link. Whether the
-    /// fields make a mechanism is found out by `set`.
-    ///
-    /// # Errors
-    /// An unknown joint, a place that is not finite; no pose to drag in.
-    pub fn drag(&self, joint: &str, phi: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let change = self.shown()?.drag(joint, phi, Point::new(x, y));
-        Ok(to_js(&change.map_err(one)?))
-    }
-
-    /// What tracing the point at a place changes, with the crank at an angle:
-    /// `{document}` with one more traced point, on the link drawn nearest.
-    ///
-    /// # Errors
-    /// Why there is no pose to put a point on; not of a mixer.
-    pub fn trace(&self, phi: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let change = self.shown()?.trace(phi, Point::new(x, y));
-        Ok(to_js(&change.map_err(one)?))
-    }
-
-    /// The crank angle moved by `delta`, and −1 where it turned back at the end
-    /// of what it can turn through, else 1.
-    ///
-    /// # Errors
-    /// Before the first `set`.
-    pub fn advance(&self, phi: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
-        let (phi, sense) = self.shown()?.cycle().advance(phi, delta);
-        Ok(vec![phi, sense])
+    /// Before the first `set`; where nothing moves.
+    pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
+        let (input, sense) = self.moving()?.cycle().advance(input, delta);
+        Ok(vec![input, sense])
     }
 
     /// Draws the plots with plotters on a canvas whose transform maps pixels of
@@ -161,7 +148,7 @@ impl Simulator {
         context: &CanvasRenderingContext2d,
         request: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let chart = self.shown()?.chart();
+        let chart = self.moving()?.chart();
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
@@ -170,7 +157,7 @@ impl Simulator {
             &request.palette(),
             request.scale,
         );
-        let panels = drawn.map_err(|error| one(bad("chart", error.to_string())))?;
+        let panels = drawn.map_err(|error| one(bad("chart", &error.to_string())))?;
         Ok(to_js(&ChartLayout::new(chart, panels)))
     }
 
@@ -180,9 +167,8 @@ impl Simulator {
     ///
     /// # Errors
     /// Before the first `set`.
-    #[cfg(feature = "linkages")]
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.shown()?.table(steps)))
+        Ok(to_js(&self.moving()?.table(steps)))
     }
 
     /// Of every constraint equation of the summary at a crank angle its left side,
@@ -191,26 +177,24 @@ impl Simulator {
     ///
     /// # Errors
     /// Why there are none: no pose, or derivatives unbounded.
-    #[cfg(feature = "linkages")]
-    pub fn equations(&self, phi: f64, order: usize) -> Result<Vec<f64>, JsValue> {
-        self.shown()?.equations(phi, order).map_err(one)
+    pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
+        self.moving()?.equations(input, order).map_err(one)
     }
 
-    fn shown(&self) -> Result<&Any, JsValue> {
-        let shown = self.shown.as_ref();
-        shown.ok_or_else(|| one(bad("", "no state has been set".to_owned())))
+    fn shown(&self) -> Result<&dyn Shown, JsValue> {
+        let shown = self.shown.as_deref();
+        shown.ok_or_else(|| one(bad("", "no state has been set")))
     }
-}
 
-/// The mechanism of a state with all that is drawn of it.
-fn shown(state: &State) -> Result<Any, Vec<Problem>> {
-    #[cfg(feature = "linkages")]
-    return Ok(match &state.document {
-        Document::Mixer(_) => Box::new(LoadedMixer::new(state)?),
-        Document::Linkage(document) => Box::new(Linkage::new(state, document)?),
-    });
-    #[cfg(not(feature = "linkages"))]
-    LoadedMixer::new(state)
+    fn moving(&self) -> Result<&Moving, JsValue> {
+        let moving = self.shown()?.moving();
+        moving.ok_or_else(|| one(bad("", "nothing moves")))
+    }
+
+    fn edited(&self) -> Result<&dyn Edited, JsValue> {
+        let edited = self.shown()?.edited();
+        edited.ok_or_else(|| one(bad("", "nothing can be dragged")))
+    }
 }
 
 /// One problem as it is thrown.
@@ -218,10 +202,10 @@ fn one(problem: Problem) -> JsValue {
     thrown([problem])
 }
 
-fn bad(path: &str, detail: String) -> Problem {
+fn bad(path: &str, detail: &str) -> Problem {
     Problem::BadState {
         path: path.to_owned(),
-        detail,
+        detail: detail.to_owned(),
     }
 }
 
@@ -263,8 +247,18 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&state))
 }
 
-/// The version of Assur.
+/// The linkages of the catalogue: `{id, document}` for each.
 #[wasm_bindgen]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
+pub fn gallery() -> JsValue {
+    #[derive(Serialize)]
+    struct Entry {
+        id: &'static str,
+        document: LinkageDocument,
+    }
+    let entry = |id| {
+        let document = from_catalogue(id)?.ok()?;
+        Some(Entry { id, document })
+    };
+    let all: Vec<Entry> = assur_file::gallery().filter_map(entry).collect();
+    to_js(&all)
 }

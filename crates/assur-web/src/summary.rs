@@ -1,31 +1,48 @@
-//! What the page shows of a whole motion, under the names it knows.
+//! What the page shows of a whole motion.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::catalog::mixer::Mixer;
-use assur::gears::GearPair;
+use assur::mechanism::{FRAME, LinkOrFrame, Quantity};
+use assur::motion::{Motion, OutputProfile};
+use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
 use serde::Serialize;
 
+use crate::equations::EquationSummary;
+use crate::moving::Moving;
+use crate::profile::ProfileSummary;
+
+/// All of it; a kind adds what only it has.
 #[derive(Serialize)]
-pub(crate) struct Summary {
-    counts: CountsSummary,
-    grashof: &'static str,
+pub(crate) struct MotionSummary<'a> {
+    /// What the input is: `angle` or `length`.
+    moves: &'static str,
     cycle: CycleSummary,
     home: f64,
-    swing: Vec<Option<Between>>,
-    wheels: Vec<WheelSummary>,
-    overlaps: Vec<[usize; 2]>,
-    free_direction: f64,
-    limits: Vec<LimitSummary>,
-    time_ratio: Option<f64>,
-    transmission: Transmission,
-    dead_points: Vec<f64>,
-    change_points: Vec<f64>,
     bounds: [f64; 4],
+    counts: CountsSummary,
+    class: String,
+    order: usize,
+    formula: String,
+    groups: Vec<GroupSummary>,
+    equations: Vec<EquationSummary<'a>>,
+    assembly: usize,
+    assemblies: usize,
+    dead_points: Vec<DeadPointSummary<'a>>,
+    change_points: &'a [f64],
+    four_bars: Vec<FourBarSummary<'a>>,
+    transmissions: Vec<TransmissionSummary<'a>>,
+    outputs: Vec<OutputSummary>,
+    roles: BTreeMap<&'a str, &'static str>,
+    points: Vec<&'a str>,
+    plotted: Vec<String>,
+    handles: Vec<HandleSummary<'a>>,
+    profile: Option<ProfileSummary>,
 }
 
-/// Moving links, lower and higher pairs, degrees of freedom.
+/// Moving links, lower and higher pairs (a hinge of k links counting k − 1 times), degrees
+/// of freedom.
 #[derive(Serialize)]
 struct CountsSummary {
     links: usize,
@@ -34,21 +51,54 @@ struct CountsSummary {
     mobility: isize,
 }
 
+/// Where the input goes. `full`: a crank that turns fully.
 #[derive(Serialize)]
-pub(crate) struct CycleSummary {
+struct CycleSummary {
     start: f64,
     end: f64,
     full: bool,
     arcs: Vec<[f64; 2]>,
 }
 
-/// A peripheral wheel; swings as the rocker's: one for every arc of the cycle,
-/// none where it turns fully. Turns there and back, per cycle.
+/// A term of the structural formula, and the colour its links have by it.
 #[derive(Serialize)]
-struct WheelSummary {
-    ratio: f64,
+struct GroupSummary {
+    term: String,
+    role: &'static str,
+}
+
+#[derive(Serialize)]
+struct DeadPointSummary<'a> {
+    input: f64,
+    kind: &'static str,
+    links: Vec<&'a str>,
+}
+
+/// A four-bar in the linkage: its crank, coupler, rocker and base, and its class.
+#[derive(Serialize)]
+struct FourBarSummary<'a> {
+    links: [&'a str; 4],
+    grashof: &'static str,
+}
+
+/// The least transmission angle of an RRR dyad, at the inner joint, and where it is.
+#[derive(Serialize)]
+struct TransmissionSummary<'a> {
+    joint: &'a str,
+    links: [&'a str; 2],
+    min: f64,
+    input: f64,
+}
+
+/// What an output does over the motion. Swings are one for every arc of it, none
+/// where it turns on and on; turns are there and back, per cycle.
+#[derive(Serialize)]
+struct OutputSummary {
+    name: String,
     swing: Vec<Option<Between>>,
     turns: Vec<f64>,
+    limits: Vec<LimitSummary>,
+    time_ratio: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -60,65 +110,123 @@ struct Between {
 
 #[derive(Serialize)]
 struct LimitSummary {
-    phi: f64,
-    rocker: f64,
+    input: f64,
+    value: f64,
 }
 
 #[derive(Serialize)]
-struct Transmission {
-    min: f64,
-    phi: f64,
+struct HandleSummary<'a> {
+    name: &'a str,
+    role: &'static str,
 }
 
-impl Summary {
-    pub(crate) fn new(mixer: &Mixer, bounds: [f64; 4]) -> Self {
-        let graph = mixer.graph();
-        let (linkage, assembly) = (&mixer.linkage, mixer.assembly);
-        let cycle = linkage.cycle();
-        let swings = linkage.swings(assembly);
-        let travels = linkage.travels(assembly);
-        let wheel = |pair: &GearPair| {
-            let ratio = pair.ratio();
-            let swing = swings.iter().map(|swing| between(swing.scaled(ratio)));
-            let turns = travels.iter().map(|travel| travel * ratio.abs() / TAU);
-            WheelSummary {
-                ratio,
-                swing: swing.collect(),
-                turns: turns.collect(),
-            }
-        };
-        let pairs = mixer.gears.pairs();
-        let (min, phi) = linkage.worst_transmission();
-        let limit = |limit: assur::Limit| LimitSummary {
-            phi: limit.crank,
-            rocker: limit.rocker,
-        };
+impl<'a> MotionSummary<'a> {
+    pub(crate) fn new(moving: &'a Moving) -> Self {
+        let (motion, mechanism, figure) = (moving.motion(), moving.mechanism(), moving.figure());
+        let structure = mechanism.structure();
+        let highest = structure.groups().max_by_key(|group| group.class);
+        let groups = mechanism.terms().into_iter().zip(figure.step_roles());
+        let dead_points = motion.dead_points().iter().map(|end| DeadPointSummary {
+            input: end.input,
+            kind: end.kind.code(),
+            links: motion.links_at(end).collect(),
+        });
+        let link = |link: LinkOrFrame| link.map_or(FRAME, |link| mechanism.link_name(link));
+        let four_bars = mechanism.four_bars().into_iter();
+        let four_bars = four_bars.map(|one| FourBarSummary {
+            links: [
+                Some(one.crank),
+                Some(one.coupler),
+                Some(one.rocker),
+                one.base,
+            ]
+            .map(link),
+            grashof: grashof(one.grashof()),
+        });
+        let transmissions = moving.dyads().iter().filter_map(|dyad| {
+            let least = motion.least_transmission(dyad)?;
+            Some(TransmissionSummary {
+                joint: mechanism.point_name(dyad.inner),
+                links: dyad.links.map(|one| link(Some(one))),
+                min: least.angle,
+                input: least.input,
+            })
+        });
+        let handles = moving.handles().iter().map(|handle| HandleSummary {
+            name: mechanism.point_name(*handle),
+            role: moving.role(*handle),
+        });
+        let counts = mechanism.counts();
+        let plotted = moving.plotted().iter();
         Self {
+            moves: if mechanism.turns() { "angle" } else { "length" },
+            cycle: CycleSummary::new(motion.cycle()),
+            home: motion.home(),
+            bounds: figure.bounds(),
             counts: CountsSummary {
-                links: graph.links - 1,
-                lower: graph.lower_pairs(),
-                higher: graph.higher_pairs(),
-                mobility: graph.mobility(),
+                links: counts.links,
+                lower: counts.lower_pairs,
+                higher: counts.higher_pairs,
+                mobility: counts.mobility,
             },
-            grashof: grashof(linkage.grashof()),
-            home: cycle.home(),
-            swing: swings.iter().map(|swing| between(*swing)).collect(),
-            wheels: pairs.iter().map(wheel).collect(),
-            overlaps: mixer.gears.overlaps(),
-            free_direction: mixer.gears.free_direction(),
-            limits: linkage.limits(assembly).into_iter().map(limit).collect(),
-            time_ratio: linkage.time_ratio(assembly),
-            transmission: Transmission { min, phi },
-            dead_points: linkage.dead_points(),
-            change_points: linkage.change_points().iter().map(|p| p.crank).collect(),
-            bounds,
-            cycle: CycleSummary::new(&cycle),
+            class: roman(structure.class()),
+            order: highest.map_or(1, |group| group.order()),
+            formula: mechanism.formula(),
+            groups: groups
+                .map(|(term, role)| GroupSummary {
+                    term,
+                    role: role.name(),
+                })
+                .collect(),
+            equations: (mechanism.constraints().iter())
+                .map(|one| EquationSummary::new(mechanism, one))
+                .collect(),
+            assembly: moving.assembly(),
+            assemblies: mechanism.assemblies(),
+            dead_points: dead_points.collect(),
+            change_points: motion.change_points(),
+            four_bars: four_bars.collect(),
+            transmissions: transmissions.collect(),
+            outputs: (moving.outputs().into_iter())
+                .map(|one| OutputSummary::new(motion, one))
+                .collect(),
+            roles: (mechanism.link_ids())
+                .map(|link| (mechanism.link_name(link), figure.role(link).name()))
+                .collect(),
+            points: mechanism.points().collect(),
+            plotted: plotted.clone().map(|one| one.name(mechanism, 0)).collect(),
+            handles: handles.collect(),
+            profile: plotted
+                .clone()
+                .next()
+                .map(|output| ProfileSummary::new(motion, *output, moving.document().band)),
+        }
+    }
+}
+
+impl OutputSummary {
+    fn new(motion: &Motion, output: Quantity) -> Self {
+        let profile = OutputProfile::new(motion, output);
+        let limits = profile.limits().into_iter();
+        Self {
+            name: output.name(motion.mechanism(), 0),
+            swing: profile.swings().into_iter().map(between).collect(),
+            turns: (profile.travels().into_iter())
+                .map(|travel| travel / TAU)
+                .collect(),
+            limits: limits
+                .map(|limit| LimitSummary {
+                    input: limit.input,
+                    value: limit.value,
+                })
+                .collect(),
+            time_ratio: profile.time_ratio(),
         }
     }
 }
 
 impl CycleSummary {
-    pub(crate) fn new(cycle: &Cycle) -> Self {
+    fn new(cycle: &Cycle) -> Self {
         let [start, end] = cycle.axis();
         Self {
             start,

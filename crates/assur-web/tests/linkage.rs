@@ -162,12 +162,12 @@ fn what_is_no_higher_group_names_links_and_points() {
 fn is_refused(good: &str, document: &str, said: &str) {
     let mut simulator = Simulator::new();
     simulator.set(state(good)).unwrap();
-    let before = simulator.readouts(1.0).unwrap();
+    let before = simulator.at(1.0).unwrap();
     for thrown in [simulator.set(state(document)), read_state(state(document))] {
         let thrown = json(&thrown.unwrap_err());
         assert!(thrown.starts_with(said), "{thrown}");
     }
-    assert_eq!(simulator.readouts(1.0).unwrap(), before, "{said}");
+    assert_eq!(simulator.at(1.0).unwrap(), before, "{said}");
 }
 
 /// A dragged crank turns; any other point is put where it was dragged, and the
@@ -179,7 +179,7 @@ fn points_are_dragged() {
     let phi = simulator.drag("B", 1.0, 0.0, 5.0).unwrap();
     assert_eq!(
         json(&phi),
-        format!(r#"{{"phi":{}}}"#, std::f64::consts::FRAC_PI_2)
+        format!(r#"{{"input":{}}}"#, std::f64::consts::FRAC_PI_2)
     );
     let change = json(&simulator.drag("C", 1.0, 3.5, -0.4).unwrap());
     assert!(

@@ -48,6 +48,21 @@ fn thrown(problems: JsValue) -> Vec<(String, String)> {
         .collect()
 }
 
+/// Frame, handles, read-outs and plotted values at an input.
+fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
+    let flat = simulator.at(input)?;
+    let (lengths, mut rest) = flat.split_at(4);
+    Ok([0, 1, 2, 3].map(|list| {
+        let (one, after) = rest.split_at(lengths[list] as usize);
+        rest = after;
+        one.to_vec()
+    }))
+}
+
+fn frame(simulator: &Simulator, input: f64) -> Vec<f64> {
+    at(simulator, input).unwrap()[0].clone()
+}
+
 fn simulator() -> Simulator {
     let mut simulator = Simulator::new();
     simulator.set(state()).unwrap();
@@ -64,7 +79,7 @@ fn a_table_has_the_golden_numbers_and_reasons() {
         get(table, &format!("rows.{row}.values.{}", column(name)))
     };
     assert_eq!(number(&table, "rows.length"), 361.0);
-    assert_eq!(number(&table, "rows.5.phi_deg"), 5.0);
+    assert_eq!(number(&table, "rows.5.input"), 5.0);
     // The row at 5° of tests/data/mixer.csv.
     for (name, expected, tolerance) in [
         ("coupler.angle", 0.583_469_077_417_292_1, 1e-12),
@@ -85,6 +100,9 @@ fn a_table_has_the_golden_numbers_and_reasons() {
         put(&state, "document", key, length.into());
     }
     simulator.set(state).unwrap();
+    // There is a step at least.
+    let table = simulator.sweep(0).unwrap();
+    assert_eq!(number(&table, "rows.length"), 2.0);
     let table = simulator.sweep(4).unwrap();
     let codes = [0, 1, 2, 3, 4].map(|row| {
         let reason = get(&table, &format!("rows.{row}.reason"));
@@ -111,19 +129,13 @@ fn summary_reads_as_the_papers_conclusions() {
         let document = get(&presets(), &format!("{preset}.document"));
         Reflect::set(&state, &"document".into(), &document).unwrap();
         let summary = simulator.set(state).unwrap();
-        let stroke = |name: &str| number(&summary, &format!("{name}.0.stroke")).to_degrees();
-        assert!(
-            (stroke("swing") - rocker).abs() < 1e-9,
-            "{}",
-            stroke("swing")
-        );
-        assert!(
-            (stroke("wheels.0.swing") - wheel5).abs() < 1e-7,
-            "{}",
-            stroke("wheels.0.swing")
-        );
+        for (output, expected, within) in [(0, rocker, 1e-9), (1, wheel5, 1e-7)] {
+            let stroke = number(&summary, &format!("outputs.{output}.swing.0.stroke"));
+            let off = stroke.to_degrees() - expected;
+            assert!(off.abs() < within, "{output}: {off}");
+        }
         assert_eq!(
-            get(&summary, "grashof").as_string().unwrap(),
+            get(&summary, "four_bars.0.grashof").as_string().unwrap(),
             "crank_rocker"
         );
     }
@@ -133,7 +145,7 @@ fn summary_reads_as_the_papers_conclusions() {
 fn readouts_carry_their_names() {
     let simulator = simulator();
     let names = simulator.readout_names().unwrap();
-    let values = simulator.readouts(0.0).unwrap();
+    let [_, _, values, _] = at(&simulator, 0.0).unwrap();
     assert_eq!(names.len(), values.len());
     let value = |name: &str| values[names.iter().position(|n| n == name).unwrap()];
     // The first row of the golden table, −u for external mesh.
@@ -146,7 +158,7 @@ fn readouts_carry_their_names() {
 #[wasm_bindgen_test]
 fn bad_input_names_the_field_and_changes_nothing() {
     let mut simulator = simulator();
-    let before = simulator.frame(1.0).unwrap();
+    let before = frame(&simulator, 1.0);
     let number = JsValue::from_f64;
     for (field, value, code) in [
         ("l1", number(f64::NAN), "not_a_number"),
@@ -164,7 +176,7 @@ fn bad_input_names_the_field_and_changes_nothing() {
         put(&state, "document", field, value);
         let problems = thrown(simulator.set(state).unwrap_err());
         assert_eq!(problems, [(code.to_owned(), field.to_owned())]);
-        assert_eq!(simulator.frame(1.0).unwrap(), before);
+        assert_eq!(frame(&simulator, 1.0), before);
     }
     for (place, field, value, code) in [
         ("wheels.1", "z", number(-3.0), "not_positive"),
@@ -187,7 +199,7 @@ fn bad_input_names_the_field_and_changes_nothing() {
             problems,
             [(code.to_owned(), format!("{list}[{index}].{field}"))]
         );
-        assert_eq!(simulator.frame(1.0).unwrap(), before);
+        assert_eq!(frame(&simulator, 1.0), before);
     }
 }
 
@@ -207,8 +219,8 @@ fn wheels_are_summed_up_one_by_one() {
     // There and back, over one turn of the crank.
     let stroke = 87.904_535_205_78;
     for (wheel, ratio) in [(0, 2.0), (1, 1.5)] {
-        let of = |key: &str| number(&summary, &format!("wheels.{wheel}.{key}"));
-        assert_eq!(of("ratio"), -ratio);
+        assert_eq!(number(&summary, &format!("ratios.{wheel}")), -ratio);
+        let of = |key: &str| number(&summary, &format!("outputs.{}.{key}", wheel + 1));
         assert!((of("swing.0.stroke").to_degrees() - ratio * stroke).abs() < 1e-7);
         assert!((of("turns.0") - ratio * stroke / 180.0).abs() < 1e-10);
     }
@@ -223,20 +235,31 @@ fn wheels_are_summed_up_one_by_one() {
 fn points_are_put_on_links_and_dragged_along() {
     let mut simulator = Simulator::new();
     simulator.set(full()).unwrap();
-    let places = simulator.joints(1.0).unwrap();
-    assert_eq!(places.len(), 2 * 5);
-    let [x, y] = [places[8] + 0.02, places[9] - 0.03];
     let state = full();
+    let summary = simulator.set(state.clone()).unwrap();
+    let handles: Array = get(&summary, "handles").unchecked_into();
+    let names: Vec<String> = handles
+        .iter()
+        .map(|handle| get(&handle, "name").as_string().unwrap())
+        .collect();
+    let place = |simulator: &Simulator, name: &str| {
+        let [_, places, ..] = at(simulator, 1.0).unwrap();
+        let index = names.iter().position(|one| one == name).unwrap();
+        [places[2 * index], places[2 * index + 1]]
+    };
+    let [x, y] = place(&simulator, "P1");
+    let [x, y] = [x + 0.02, y - 0.03];
     let dragged = simulator.drag("P1", 1.0, x, y).unwrap();
     let tracers = get(&dragged, "document.tracers");
     assert_eq!(get(&tracers, "0.link").as_string().unwrap(), "wheel6");
     put(&state, "document", "tracers", tracers);
     simulator.set(state).unwrap();
-    let places = simulator.joints(1.0).unwrap();
-    assert!((places[8] - x).hypot(places[9] - y) < 1e-14);
+    let [found_x, found_y] = place(&simulator, "P1");
+    assert!((found_x - x).hypot(found_y - y) < 1e-14);
 
     // A new one on the coupler's middle.
-    let [x, y] = [0.5 * (places[2] + places[4]), 0.5 * (places[3] + places[5])];
+    let [b, c] = ["B", "C"].map(|name| place(&simulator, name));
+    let [x, y] = [0, 1].map(|axis| 0.5 * (b[axis] + c[axis]));
     let tracers = get(&simulator.trace(1.0, x, y).unwrap(), "document.tracers");
     assert_eq!(get(&tracers, "1.link").as_string().unwrap(), "coupler");
     assert!((number(&tracers, "1.x") - 0.425).abs() < 1e-12);
@@ -250,7 +273,7 @@ fn points_are_put_on_links_and_dragged_along() {
 #[wasm_bindgen_test]
 fn broken_states_are_refused_with_a_path() {
     let mut simulator = simulator();
-    let before = simulator.frame(1.0).unwrap();
+    let before = frame(&simulator, 1.0);
     let path = |problems: JsValue| get(&problems, "0.path").as_string().unwrap();
     for (at, key, value, expected) in [
         ("document", "l2", "long".into(), "document.l2"),
@@ -272,7 +295,7 @@ fn broken_states_are_refused_with_a_path() {
         let problems = thrown(simulator.set(nothing).unwrap_err());
         assert_eq!(problems[0].0, "bad_state");
     }
-    assert_eq!(simulator.frame(1.0).unwrap(), before);
+    assert_eq!(frame(&simulator, 1.0), before);
 }
 
 #[wasm_bindgen_test]
@@ -283,32 +306,28 @@ fn angles_without_a_pose_are_thrown() {
     put(&state, "document", "l3", 0.3.into());
     let summary = simulator.set(state).unwrap();
     assert_eq!(get(&summary, "cycle.full").as_bool(), Some(false));
-    assert_eq!(thrown(simulator.frame(3.1).unwrap_err())[0].0, "apart");
+    assert_eq!(thrown(simulator.at(3.1).unwrap_err())[0].0, "apart");
     assert_eq!(
-        thrown(simulator.frame(f64::NAN).unwrap_err())[0].0,
+        thrown(simulator.at(f64::NAN).unwrap_err())[0].0,
         "not_a_number"
     );
-    let end = number(&summary, "dead_points.0");
-    assert!(simulator.frame(end).is_ok());
-    assert_eq!(
-        thrown(simulator.readouts(end).unwrap_err())[0].0,
-        "dead_point"
-    );
+    let end = number(&summary, "dead_points.0.input");
+    let [place, _, readouts, plotted] = at(&simulator, end).unwrap();
+    assert!(!place.is_empty() && readouts.is_empty() && plotted.is_empty());
+    assert_eq!(thrown(simulator.why(end).unwrap())[0].0, "dead_point");
     let home = number(&summary, "home");
     let [phi, _] = simulator.advance(home, 100.0).unwrap()[..] else {
         panic!("two numbers")
     };
-    assert!(simulator.frame(phi).is_ok());
+    assert!(simulator.at(phi).is_ok());
+    assert_eq!(thrown(simulator.why(home).unwrap()), []);
 }
 
 #[wasm_bindgen_test]
 fn nothing_is_set_before_set() {
     let simulator = Simulator::new();
-    assert_eq!(thrown(simulator.frame(0.0).unwrap_err())[0].0, "bad_state");
-    assert_eq!(
-        thrown(simulator.readouts(0.0).unwrap_err())[0].0,
-        "bad_state"
-    );
+    assert_eq!(thrown(simulator.at(0.0).unwrap_err())[0].0, "bad_state");
+    assert_eq!(thrown(simulator.why(0.0).unwrap_err())[0].0, "bad_state");
     assert_eq!(thrown(simulator.scene().unwrap_err())[0].0, "bad_state");
     assert_eq!(
         thrown(simulator.advance(0.0, 1.0).unwrap_err())[0].0,
@@ -346,7 +365,7 @@ fn chart(simulator: &Simulator, extra: &str) -> (JsValue, CanvasRenderingContext
 fn plots_are_chosen() {
     let mut simulator = simulator();
     let crank = 1.0_f64;
-    let analogues = simulator.plotted(crank).unwrap();
+    let [.., analogues] = at(&simulator, crank).unwrap();
     assert_eq!(analogues.len(), 6);
     let (layout, _) = chart(&simulator, "");
     let texts = |path: &str, key: &str| -> Vec<String> {
@@ -376,7 +395,7 @@ fn plots_are_chosen() {
     put(&state, "view", "omega", (-3.0).into());
     put(&state, "view", "epsilon", 2.0.into());
     simulator.set(state.clone()).unwrap();
-    let rates = simulator.plotted(crank).unwrap();
+    let [.., rates] = at(&simulator, crank).unwrap();
     for (analogue, rate) in analogues.chunks(3).zip(rates.chunks(3)) {
         assert_eq!(rate[0], analogue[0]);
         assert_eq!(rate[1], -3.0 * analogue[1]);
@@ -386,7 +405,7 @@ fn plots_are_chosen() {
     put(&state, "view", "plot", "C1".into());
     put(&state, "view", "axes", "analogues".into());
     simulator.set(state.clone()).unwrap();
-    let plotted = simulator.plotted(crank).unwrap();
+    let [.., plotted] = at(&simulator, crank).unwrap();
     let expected = [
         crank.cos(),
         -crank.sin(),
@@ -414,7 +433,7 @@ fn plots_are_chosen() {
         let problems = thrown(simulator.set(bad).unwrap_err());
         assert_eq!(problems, [(code.to_owned(), key.to_owned())]);
     }
-    assert_eq!(simulator.plotted(crank).unwrap(), plotted);
+    assert_eq!(at(&simulator, crank).unwrap()[3], plotted);
 }
 
 /// plotters' curves stand where the layout says: the pixel under φ₃ at 60° is
@@ -427,7 +446,7 @@ fn chart_draws_where_its_layout_says() {
     let (layout, context) = chart(&simulator, "");
     assert_eq!(number(&layout, "panels.0.left"), 44.0);
     let crank = 60.0_f64.to_radians();
-    let values = simulator.readouts(crank).unwrap();
+    let [_, _, values, _] = at(&simulator, crank).unwrap();
     let names = simulator.readout_names().unwrap();
     let orders = ["rocker.angle", "rocker.angle′", "rocker.angle″"];
     for (panel, name) in orders.into_iter().enumerate() {

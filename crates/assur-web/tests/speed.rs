@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use assur::mechanism;
-use assur::motion::{Motion, extrema};
+use assur::mechanism::{self, LinkId, PointId, Quantity};
+use assur::mixer::{Case, Mixer};
+use assur::motion::{Input, Motion};
 use assur::{Assembly, FourBar, Pose};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -28,6 +29,8 @@ type Columns = [Vec<f64>; 6];
 #[wasm_bindgen_test(unsupported = test)]
 fn speed() {
     let linkage = FourBar::new(LENGTHS).unwrap();
+    let moving = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+    let rocker = Quantity::named(moving.mechanism(), "rocker.angle").unwrap();
     let mut columns: Columns = std::array::from_fn(|_| vec![0.0; SAMPLES]);
     let mut contestants: Vec<(&str, usize, Box<dyn FnMut()>)> = Vec::new();
     let mut own = columns.clone();
@@ -54,7 +57,7 @@ fn speed() {
         "engine, all extrema of a motion",
         1,
         Box::new(move || {
-            black_box(extrema(&linkage, Assembly::First, |pose| pose.rocker));
+            black_box(moving.features(&[rocker], Input::ANALOGUES));
         }),
     ));
     for (name, linkage, places) in [
@@ -112,7 +115,7 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
 fn motion(name: &str) -> Motion {
     let document = assur_file::from_catalogue(name).unwrap().unwrap();
     let mechanism = document.mechanism().unwrap();
-    Motion::new(&mechanism, mechanism.drawn_assembly())
+    Motion::new(mechanism)
 }
 
 /// The columns of a linkage, with both derivatives of each: the angles of its links
@@ -120,8 +123,8 @@ fn motion(name: &str) -> Motion {
 /// the moving points and the angle of the output.
 struct Full {
     pose: mechanism::Pose<3>,
-    points: Vec<usize>,
-    links: Vec<usize>,
+    points: Vec<PointId>,
+    links: Vec<LinkId>,
     columns: Vec<[f64; 3]>,
 }
 
@@ -129,12 +132,12 @@ impl Full {
     fn new(motion: &Motion, places: bool) -> Self {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(motion.cycle().home()).unwrap();
-        let moves = |point: &usize| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
-        let points = (0..mechanism.points().len()).filter(|point| places && moves(point));
-        let points: Vec<usize> = points.collect();
-        let links = mechanism.links().len();
-        let links: Vec<usize> = (0..links)
-            .filter(|link| !places || link + 1 == links)
+        let moves = |point: &PointId| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
+        let points = mechanism.point_ids().filter(|point| places && moves(point));
+        let points: Vec<PointId> = points.collect();
+        let last = mechanism.links().len() - 1;
+        let links: Vec<LinkId> = (mechanism.link_ids())
+            .filter(|link| !places || link.index() == last)
             .collect();
         Self {
             columns: vec![[0.0; 3]; (2 * points.len() + links.len()) * DEGREES],

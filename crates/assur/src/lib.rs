@@ -9,7 +9,8 @@
 //! The crate is pure: no serialisation, screen, clock, I/O or randomness. Bad
 //! input is an [`Invalid`] that names the dimension at fault; an angle at which
 //! there is no pose is an [`Unsolved`] that says why. Nothing panics and no NaN
-//! leaves.
+//! leaves. Numbers of links and points come from a [`mechanism::Mechanism`] and are
+//! of use with that one: only one of another mechanism could be out of range.
 //!
 //! ```
 //! use assur::{Assembly, FourBar};
@@ -20,13 +21,14 @@
 //! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
-pub mod catalog;
 mod four_bar;
 pub mod gears;
 mod geometry;
+mod index;
 mod invalid;
 mod jet;
 pub mod mechanism;
+pub mod mixer;
 pub mod motion;
 mod position;
 pub mod structure;

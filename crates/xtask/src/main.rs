@@ -7,6 +7,7 @@
 mod bench;
 mod browser;
 mod bundle;
+mod lessons;
 mod media;
 mod minify;
 mod scripts;

@@ -8,6 +8,7 @@ use std::{env, fs};
 use anyhow::{Context, Result};
 
 use crate::bundle::{STYLE_CLOSE, STYLE_OPEN};
+use crate::lessons;
 use crate::minify;
 use crate::scripts::{self, Sources};
 use crate::step::{announce, run};
@@ -42,15 +43,10 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     copy(&root.join("www"), &fresh)?;
     copy(&root.join("lang"), &fresh.join("lang"))?;
     fill_words(&fresh)?;
+    list_lessons(workspace, &fresh)?;
     join_scripts(&fresh)?;
     join_styles(&fresh)?;
-    let engines = fresh.join("pkg");
-    for (place, features) in [
-        (engines.clone(), &["--no-default-features"][..]),
-        (engines.join("linkages"), &[]),
-    ] {
-        bind(workspace, &compile(workspace, features)?, &place)?;
-    }
+    bind(workspace, &compile(workspace)?, &fresh.join("pkg"))?;
     minify_all(&fresh)?;
 
     remove(&site)?;
@@ -78,7 +74,7 @@ fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
 /// The types of what the module offers are not for the browser: the checker, and editors, find them
 /// where `tsconfig.json` says.
 fn keep_types(workspace: &Workspace, place: &Path) -> Result<()> {
-    let types = workspace.types();
+    let types = workspace.types().join("pkg");
     let unmovable = || format!("the types cannot be moved to {}", types.display());
     fs::create_dir_all(&types).with_context(unmovable)?;
     for name in ["assur_web.d.ts", "assur_web_bg.wasm.d.ts"] {
@@ -88,7 +84,7 @@ fn keep_types(workspace: &Workspace, place: &Path) -> Result<()> {
 }
 
 /// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.
-fn compile(workspace: &Workspace, features: &[&str]) -> Result<PathBuf> {
+fn compile(workspace: &Workspace) -> Result<PathBuf> {
     // In a file of their own, the flags add to those of the user and the command stays short.
     let flags = workspace.target().join("wasm-flags.toml");
     let mut list = path_remapping(workspace);
@@ -98,7 +94,6 @@ fn compile(workspace: &Workspace, features: &[&str]) -> Result<PathBuf> {
         .with_context(|| format!("{} cannot be written", flags.display()))?;
 
     let mut cargo = workspace.cargo(["build", "--profile", "page", "--package", "assur-web"]);
-    cargo.args(features);
     cargo.args(["--target", WASM, "--config"]).arg(flags);
     run(&mut cargo, "building the wasm side")?;
     Ok(workspace
@@ -130,6 +125,15 @@ fn fill_words(site: &Path) -> Result<()> {
     let index = site.join("index.html");
     let filled = Words::load(&site.join("lang"))?.fill(&read(&index)?, VERSION)?;
     write(&index, &filled)
+}
+
+/// Writes the list of the lessons, and its types for the checker.
+fn list_lessons(workspace: &Workspace, site: &Path) -> Result<()> {
+    let list = lessons::list(&site.join("lessons"))?;
+    write(&site.join(lessons::LIST), &list)?;
+    let types = workspace.types().join("lessons");
+    fs::create_dir_all(&types).with_context(|| unwritable(&types))?;
+    write(&types.join("index.d.ts"), lessons::TYPES)
 }
 
 /// Puts the scripts together, before those of the wasm side are beside them.
@@ -218,7 +222,7 @@ fn remove(directory: &Path) -> Result<()> {
 }
 
 /// Copies a directory with all that is in it, hidden files aside.
-fn copy(from: &Path, to: &Path) -> Result<()> {
+pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     let unreadable = || format!("{} cannot be read", from.display());
     fs::create_dir_all(to).with_context(|| format!("{} cannot be made", to.display()))?;
     for entry in fs::read_dir(from).with_context(unreadable)? {

@@ -67,9 +67,9 @@ impl Workspace {
         self.target.join("site")
     }
 
-    /// Where `tsconfig.json` looks for the types of the wasm side.
+    /// Where `tsconfig.json` looks for the types of modules that the build writes.
     pub(crate) fn types(&self) -> PathBuf {
-        self.root.join("target").join("types").join("pkg")
+        self.root.join("target").join("types")
     }
 
     pub(crate) fn bundle(&self) -> PathBuf {

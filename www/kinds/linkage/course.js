@@ -10,7 +10,7 @@ import { setChartFont } from "assur/plots/text.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Course} Course
+ * @typedef {import("assur/engine.js").Profile} Profile
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
@@ -28,19 +28,19 @@ const INSET = Object.freeze({ width: 0.42, height: 0.36 });
  * Lays the dwell over the plots of an output whose document gives its band.
  * @type {import("assur/plots/chart.js").Overlay}
  */
-export function paintCourse(context, panels, { lesson, state, summary, words }, engine, theme) {
-  if (lesson !== "linkage" || state.lesson !== "linkage") return;
-  const { course } = summary;
-  if (!state.document.band || !course?.dwell) return;
+export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {
+  if (kind !== "linkage" || state.kind !== "linkage") return;
+  const { profile } = summary;
+  if (!state.document.band || !profile?.dwell) return;
   const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
-  for (const panel of panels) paintDwell(context, panel, course.dwell, value, words, theme);
+  for (const panel of panels) paintDwell(context, panel, profile.dwell, value, words, theme);
 }
 
 /**
  * Shades the dwell on a plot; over the first one stands what it looks like magnified, as in fig. 2 of the paper.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {NonNullable<Profile["dwell"]>} dwell
  * @param {(phi: number) => number | undefined} value of the output at a crank angle
  * @param {Words} words
  * @param {Theme} theme
@@ -64,7 +64,7 @@ function paintDwell(context, panel, dwell, value, words, theme) {
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {NonNullable<Course["dwell"]>} dwell
+ * @param {NonNullable<Profile["dwell"]>} dwell
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
@@ -109,7 +109,7 @@ function paintInset(context, panel, { arc: [from, to], band: [least, most] }, va
   context.fillText(`↕ ${words.numbers.upTo(panel.kind === "angle" ? degrees(most - least) : most - least, 3)}${panel.kind === "angle" ? "°" : ""}`, left + width - 4, top + 3);
 }
 
-/** What is said of the course, in the order of the table. */
+/** What is said of the profile, in the order of the table. */
 const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
 
 /** The colours of the phases. */
@@ -148,20 +148,20 @@ export class CourseView {
   render(snapshot) {
     this.#design.render(snapshot);
     const { state, summary, words, problems, stale } = snapshot;
-    const { course, plotted } = summary;
+    const { profile, plotted } = summary;
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
-    const band = state.document.band ?? course?.width;
+    const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
-    const shown = [course, words, wrong, band, stale];
+    const shown = [profile, words, wrong, band, stale];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    if (!course) return;
-    this.#row.show(band ?? course.width, words, wrong);
+    if (!profile) return;
+    this.#row.show(band ?? profile.width, words, wrong);
     if (stale) return;
     const angle = plotted[0].endsWith(".angle");
     const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
     const turned = (/** @type {number} */ phi) => `${words.numbers.upTo(degrees(phi), 3)}°`;
-    const { stroke, dwell } = course;
+    const { stroke, dwell } = profile;
     write(this.#name, words.text("dwell.of", { name: plotted[0].replace(/\.angle$/, "") }));
     const none = words.text("dwell.none");
     const texts = {
@@ -170,11 +170,11 @@ export class CourseView {
       residual: dwell ? said(dwell.band[1] - dwell.band[0]) : none,
     };
     for (const name of ROWS) write(/** @type {HTMLElement} */ (this.#outputs.get(name)), texts[name]);
-    this.#draw(course, summary, turned, words);
+    this.#draw(profile, summary, turned, words);
   }
 
   /**
-   * @param {Course} course
+   * @param {Profile} profile
    * @param {Snapshot["summary"]} summary
    * @param {(phi: number) => string} turned
    * @param {Words} words

@@ -15,7 +15,7 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{
  *   judged: number, accepted: boolean, before: number,
- *   reached: { arc: number, stroke: number, residual: number, conditioning: number },
+ *   reached: { arc: number, stroke: number, residual: number, singularity_margin: number },
  *   end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null,
  * }>} Progress as Design.step of the engine has it
  */
@@ -92,21 +92,21 @@ export class DesignView {
     const { state, summary, words, stale } = snapshot;
     if (this.#worker && !this.#holds(state)) this.#finish("stopped");
     this.#build(snapshot);
-    const { course } = summary;
+    const { profile } = summary;
     const { arc, stroke } = this.#now();
     this.#rows?.arc.show(this.#wish.arc ?? arc, words, false);
     this.#rows?.stroke.show(this.#wish.stroke ?? stroke, words, false);
-    this.#start.disabled = stale || !summary.cycle.full || typeof course?.stroke !== "number";
+    this.#start.disabled = stale || !summary.cycle.full || typeof profile?.stroke !== "number";
     this.#show();
     if (before?.words !== words) this.#tell();
   }
 
   /** Arc and stroke of what is shown, as they are written. */
   #now() {
-    const { course, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
+    const { profile, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
     const angle = plotted[0]?.endsWith(".angle") ?? true;
-    const arc = course?.dwell ? course.dwell.arc[1] - course.dwell.arc[0] : 0;
-    const stroke = course?.stroke ?? 0;
+    const arc = profile?.dwell ? profile.dwell.arc[1] - profile.dwell.arc[0] : 0;
+    const stroke = profile?.stroke ?? 0;
     return { angle, arc: degrees(arc), stroke: angle ? degrees(stroke) : stroke };
   }
 
@@ -185,8 +185,8 @@ export class DesignView {
     });
     worker.addEventListener("error", () => this.#hear({ problems: [{ code: "not_arrived" }] }));
     worker.postMessage({
-      engine: import.meta.resolve("assur/pkg/linkages/assur_web.js"),
-      wasm: import.meta.resolve("assur/pkg/linkages/assur_web_bg.wasm"),
+      engine: import.meta.resolve("assur/pkg/assur_web.js"),
+      wasm: import.meta.resolve("assur/pkg/assur_web_bg.wasm"),
       state,
       wishes,
     });
@@ -252,7 +252,7 @@ export class DesignView {
     const { angle } = this.#now();
     const said = this.#problems.map((problem) => sentence(problem, words));
     if (this.#progress) {
-      const { judged, before, reached: { arc, stroke, residual, conditioning } } = this.#progress;
+      const { judged, before, reached: { arc, stroke, residual, singularity_margin } } = this.#progress;
       said.push(words.text("design.progress", {
         judged: numbers.exact(judged),
         arc: `${numbers.upTo(degrees(arc), 2)}°`,
@@ -262,7 +262,7 @@ export class DesignView {
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
       // 1 where no group is solved by iteration.
-      const tight = Math.abs(conditioning);
+      const tight = Math.abs(singularity_margin);
       if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
       this.#told.dataset.value = String(residual);
     } else if (this.#worker) said.push(words.text("design.coming"));

@@ -10,7 +10,7 @@ export function openGallery(page) {
   const { engine, words, store } = page;
   document.getElementById("gallery-dialog")?.remove();
   const state = store.get();
-  const current = state.lesson === "mixer" ? "mixer" : engine.original(state.document)?.id;
+  const current = state.kind === "mixer" ? "mixer" : engine.original(state.document)?.id;
   const entry = (/** @type {string} */ id, /** @type {string} */ key, /** @type {() => void} */ open) => {
     const button = make("button", { id: `gallery-${id}`, class: "segment", "aria-pressed": String(id === current), "data-t": key });
     if (id === current) button.autofocus = true;

@@ -4,7 +4,7 @@ import { byId, make } from "assur/core/dom.js";
 import { edited, withDocument } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/engine.js").MotionSummary} Summary
  * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot

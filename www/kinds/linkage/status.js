@@ -1,9 +1,10 @@
 // The status line of a linkage: its structure, its assembly, what its crank cannot pass.
+import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
-import { byId, make, setData } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 
 /**
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/engine.js").MotionSummary} Summary
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/state.js").State<"linkage">} LinkageState
@@ -11,50 +12,39 @@ import { byId, make, setData } from "assur/core/dom.js";
 
 /** @type {Readonly<Record<string, (summary: Summary, words: Words, state: LinkageState) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
-  mobility: ({ mobility }, words) => words.numbers.exact(mobility),
+  mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, _, { view }) => (view.groups ? coloured(groups) : formula),
   "linkage-assembly": ({ assembly, assemblies }, words) =>
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
+  "linkage-grashof": ({ four_bars: bars }, words) =>
+    bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${links.join(", ")})` : "")).join("; "),
+  "linkage-swing": ({ outputs }, words) =>
+    outputs.filter(({ name, swing }) => name.endsWith(".angle") && swing.every((one) => one !== null)).map(({ name, swing }) => {
+      const strokes = swing.map((one) => angle(one?.stroke ?? 0, words)).join(", ");
+      return `${strokes} (${name.replace(/\.angle$/, "")})`;
+    }).join("; "),
+  "linkage-time-ratio": ({ outputs }, words) =>
+    outputs.flatMap(({ name, time_ratio: ratio }) =>
+      ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${name.replace(/\.angle$/, "")})`],
+    ).join("; "),
+  "linkage-transmission": ({ transmissions }, words) => transmissions.map(({ joint, min }) => `${angle(min, words)} (${joint})`).join("; "),
   "linkage-range": ({ cycle }, words) => (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => angle(end, words)).join("…")).join(", ")),
   "linkage-dead": ({ dead_points: dead }, words) =>
-    dead.map(({ phi, kind, links }) => `${angle(phi, words)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
+    dead.map(({ input, kind, links }) => `${angle(input, words)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
   "linkage-change": ({ change_points: points }, words) => points.map((phi) => angle(phi, words)).join(", "),
 });
 
-const TITLES = Object.freeze({
-  "linkage-assembly": "assembly", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
-});
+const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
+  "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-time-ratio": "time-ratio",
+  "linkage-transmission": "transmission", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
+}));
 
-export class LinkageStatus {
-  #list = byId("status", HTMLElement);
-  /** @type {{ name: string, entry: HTMLElement, output: HTMLElement }[]} */
-  #entries = [];
-  #shown = "";
-
-  constructor() {
-    for (const name of Object.keys(ENTRIES)) {
-      const output = make("dd", { id: `out-${name}` });
-      const title = make("dt", { "data-t": `status.${/** @type {Record<string, string>} */ (TITLES)[name] ?? name}` });
-      const entry = make("div", { class: "entry of-linkage" }, [title, " ", output, " "]);
-      this.#list.append(entry);
-      this.#entries.push({ name, entry, output });
-    }
-  }
-
-  /** @param {Snapshot} snapshot */
-  render({ state, summary, words, revision, stale }) {
-    setData(this.#list, "faded", String(stale));
-    if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
-    const shown = `${revision} ${words.lang}`;
-    if (shown === this.#shown) return;
-    this.#shown = shown;
-    for (const { name, entry, output } of this.#entries) {
-      const said = ENTRIES[name](summary, words, state);
-      entry.hidden = said === "";
-      output.replaceChildren(...(typeof said === "string" ? [said] : said));
-    }
-  }
+/** @returns {StatusLine<Snapshot>} */
+export function linkageStatus() {
+  return new StatusLine("of-linkage", Object.entries(ENTRIES).map(([name, say]) => ({
+    name, title: `status.${TITLES[name] ?? name}`, say: ({ summary, words, state }) => ({ text: say(summary, words, state) }),
+  })));
 }
 
 /**

@@ -25,7 +25,7 @@ export class LinkageTitle {
 
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
   render({ state, words }) {
-    const mixer = state.lesson === "mixer";
+    const mixer = state.kind === "mixer";
     const name = mixer ? "" : nameOf(this.#engine, state.document, words);
     const shown = [mixer, name, words];
     if (shown.every((part, i) => part === this.#shown[i])) return;

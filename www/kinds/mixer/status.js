@@ -1,6 +1,6 @@
 // The status line: what kind of mechanism it is and what it does over a turn.
+import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
-import { byId, make, setData, write } from "assur/core/dom.js";
 import { LISTS, wheelLink } from "assur/state/state.js";
 
 /**
@@ -20,64 +20,43 @@ const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
 /** @type {[string, Say][]} */
 const WHEEL_SWINGS = WHEELS.map((index) => [
   `swing-${wheelLink(index)}`,
-  ({ wheels }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
+  ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
 ]);
 
 /** @type {Readonly<Record<string, Say>>} */
 const ENTRIES = Object.freeze({
-  grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
+  grashof: ({ four_bars: [{ grashof }] }, words) => ({ text: words.text(`grashof.${grashof}`) }),
   assembly: (_, words, { document }) => ({
     text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
     value: document.assembly,
   }),
-  "swing-rocker": ({ swing }, words) => swingEntry(swing, words),
+  "swing-rocker": ({ outputs: [{ swing }] }, words) => swingEntry(swing, words),
   ...Object.fromEntries(WHEEL_SWINGS),
   overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
-  turns: ({ wheels }, words) => ({
+  turns: ({ outputs: [, ...wheels] }, words) => ({
     text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
     value: wheels[0].turns[0],
   }),
-  ratio: ({ wheels }, words) => ({ text: wheels.map(({ ratio }) => words.numbers.upTo(ratio, 4)).join("; "), value: wheels[0].ratio }),
-  "time-ratio": ({ time_ratio: ratio }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
-  transmission: ({ transmission }, words) => angleEntry(transmission.min, words),
+  ratio: ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] }),
+  "time-ratio": ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
+  transmission: ({ transmissions: [{ min }] }, words) => angleEntry(min, words),
   range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
-  "dead-points": ({ dead_points: points }, words) => anglesEntry(points, words),
+  "dead-points": ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words),
   "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
 });
 
-export class StatusLine {
-  #list = byId("status", HTMLElement);
-  /** @type {{ name: string, entry: HTMLElement, output: HTMLElement }[]} */
-  #entries = [];
-  #shown = "";
-
-  constructor() {
-    for (const name of Object.keys(ENTRIES)) {
-      const output = make("dd", { id: `out-${name}` });
-      const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
-      const title = make("dt", { "data-t": wheel ? "name.wheels.z" : `status.${name}`, "data-n": wheel ?? "" });
-      const entry = make("div", { class: name === "overlaps" ? "entry of-mixer warning" : "entry of-mixer" }, [title, " ", output, " "]);
-      this.#list.append(entry);
-      this.#entries.push({ name, entry, output });
-    }
-  }
-
-  /** @param {Snapshot} snapshot */
-  render({ summary, state, words, revision, stale }) {
-    setData(this.#list, "faded", String(stale));
-    // What is not the state's own mechanism keeps the words it had.
-    if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
-    const shown = `${revision} ${words.lang}`;
-    if (shown === this.#shown) return;
-    this.#shown = shown;
-    for (const { name, entry, output } of this.#entries) {
-      const said = ENTRIES[name](summary, words, state);
-      entry.hidden = said === null;
-      write(output, said?.text ?? "");
-      if (said?.value === undefined) output.removeAttribute("data-value");
-      else output.dataset.value = String(said.value);
-    }
-  }
+/** @returns {StatusLine<Snapshot>} */
+export function mixerStatus() {
+  return new StatusLine("of-mixer", Object.entries(ENTRIES).map(([name, say]) => {
+    const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
+    return {
+      name,
+      title: wheel ? "name.wheels.z" : `status.${name}`,
+      n: wheel,
+      class: name === "overlaps" ? "warning" : "",
+      say: ({ summary, words, state }) => say(summary, words, state),
+    };
+  }));
 }
 
 /**

@@ -10,8 +10,12 @@ use super::{Series, Settings};
 
 /// Samples of an arc of the crank.
 const SAMPLES: usize = 720;
-/// Every so many samples a difference is shown beside the exact derivative.
+/// Every so many samples a difference is shown next to the exact derivative.
 const DIFFERENCED: usize = 10;
+
+/// Values that differ by less than this share of what a plot shows look the same:
+/// the dots at them lie on each other.
+const TOLD_APART: f64 = 0.02;
 
 /// The quantities of a chart at one crank angle.
 #[derive(Clone, Debug)]
@@ -194,10 +198,31 @@ fn range(values: impl Iterator<Item = f64>) -> Range {
 }
 
 impl Curve {
-    /// The marks between `min` and `max`.
+    /// The marks between `min` and `max` that can be told apart, in ascending crank
+    /// angle. In a dwell one follows the other at all but the same value: there the
+    /// first and the last of them stand for all, and the curve's greatest or least
+    /// value for itself.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
-        self.marks.iter().filter(inside).copied().collect()
+        let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();
+        marks.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+        let level = TOLD_APART * (max - min);
+        let by_value = |a: &&Mark, b: &&Mark| a.value.total_cmp(&b.value);
+        let peaks = [marks.iter().max_by(by_value), marks.iter().min_by(by_value)];
+        let peaks = peaks.map(Option::<&Mark>::copied);
+        let mut kept = Vec::new();
+        let mut rest = &marks[..];
+        while let Some(first) = rest.first() {
+            let alike = |mark: &&Mark| (mark.value - first.value).abs() < level;
+            let (dwell, beyond) = rest.split_at(rest.iter().take_while(alike).count().max(1));
+            let last = dwell.len() - 1;
+            let ends = dwell.iter().enumerate();
+            let ends =
+                ends.filter(|(k, mark)| [0, last].contains(k) || peaks.contains(&Some(**mark)));
+            kept.extend(ends.map(|(_, mark)| *mark));
+            rest = beyond;
+        }
+        kept
     }
 
     /// The runs cut to the values between `min` and `max`.
@@ -233,111 +258,4 @@ impl Curve {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::f64::consts::TAU;
-
-    use assur::FourBar;
-
-    use super::*;
-    use crate::list::Role;
-
-    /// The plots of q = sin φ₁ over a full turn.
-    fn sine(input: Input, differenced: bool) -> [Plot; 3] {
-        let cycle = FourBar::new([0.37, 0.85, 0.55, 0.85]).unwrap().cycle();
-        let series = Series {
-            name: "sine".to_owned(),
-            role: Role::Ink,
-            features: Default::default(),
-        };
-        let sample = |crank| {
-            let jets = vec![Jet::linear(crank, 1.0).sin_cos().0];
-            Some(Sample { jets, clear: true })
-        };
-        let settings = Settings {
-            input,
-            physical: true,
-            differenced,
-        };
-        plots(&cycle, &[series], &sample, settings)
-    }
-
-    /// Centred differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact
-    /// derivative, and not it.
-    #[test]
-    fn differences_are_of_the_samples() {
-        let input = Input {
-            speed: -3.0,
-            acceleration: 2.0,
-        };
-        for input in [Input::ANALOGUES, input] {
-            let [value, first, second] = sine(input, true);
-            assert!(value.curves[0].differences.is_empty());
-            assert!(first.curves[0].differences.is_empty());
-            let differences = &second.curves[0].differences;
-            assert_eq!(differences.len(), SAMPLES / DIFFERENCED);
-            let h = TAU / SAMPLES as f64;
-            let square = input.speed * input.speed;
-            for (crank, shown) in differences {
-                let steady = -square * crank.sin() * h.sin() / h;
-                let expected = steady + input.acceleration * crank.cos();
-                assert!((shown - expected).abs() < 1e-11 * square, "{crank}");
-            }
-            let exact = second.curves[0].runs[0].clone();
-            let off = differences.iter().map(|(crank, shown)| {
-                let at = exact.iter().find(|(at, _)| at == crank).unwrap();
-                (shown - at.1).abs() / square
-            });
-            let most = off.fold(0.0, f64::max);
-            assert!((1e-6..1e-4).contains(&most), "{most:e}");
-        }
-        assert!(
-            sine(Input::ANALOGUES, false)[2].curves[0]
-                .differences
-                .is_empty()
-        );
-    }
-
-    /// Every curve has what it is by time: q, ω₁ q′, ω₁² q″ + ε₁ q′.
-    #[test]
-    fn curves_are_rates() {
-        let input = Input {
-            speed: -3.0,
-            acceleration: 2.0,
-        };
-        let plots = sine(input, false);
-        for (order, plot) in plots.iter().enumerate() {
-            for (crank, value) in &plot.curves[0].runs[0] {
-                let (sin, cos) = crank.sin_cos();
-                let expected = [sin, -3.0 * cos, -9.0 * sin + 2.0 * cos][order];
-                assert!((value - expected).abs() < 1e-14 * 9.0, "{order} {crank}");
-            }
-        }
-    }
-
-    #[test]
-    fn curves_are_cut_at_the_bounds() {
-        let curve = Curve {
-            runs: vec![vec![
-                (0.0, 0.0),
-                (1.0, 4.0),
-                (2.0, 0.0),
-                (3.0, -4.0),
-                (4.0, 4.0),
-            ]],
-            ..Curve::default()
-        };
-        let parts = curve.within(-1.0, 1.0);
-        let expected = [
-            vec![(0.0, 0.0), (0.25, 1.0)],
-            vec![(1.75, 1.0), (2.0, 0.0), (2.25, -1.0)],
-            vec![(3.375, -1.0), (3.625, 1.0)],
-        ];
-        assert_eq!(parts, expected);
-    }
-
-    #[test]
-    fn a_constant_has_room() {
-        let range = range([1.0, 1.0].into_iter());
-        assert!(range.min < 0.9 && range.max > 1.1);
-    }
-}
+mod tests;

@@ -1,26 +1,17 @@
 //! Which points are joints, which links are drawn how.
 
-use assur::mechanism::{Draft, FRAME, Mechanism, Pose};
-use assur::structure::{Step, Structure};
+use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
+use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Colours of links that are not driven, or of Assur groups, in turn.
-const ROLES: [Role; 6] = [
-    Role::Coupler,
-    Role::Rocker,
-    Role::Wheel5,
-    Role::Wheel6,
-    Role::Wheel8,
-    Role::Wheel9,
-];
+/// Within this angle of the line beyond a link's end nothing else of the link may
+/// be, for a name to stand there.
+const BEYOND: f64 = 0.9;
 
-/// A link, or the frame: none.
-pub(super) type LinkOrFrame = Option<usize>;
-
-/// What is known of a draft before it is drawn. Bodies are links that are fixed to
+/// What is known of a mechanism before it is drawn. Bodies are links that are fixed to
 /// no other, or the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
@@ -28,6 +19,8 @@ pub(super) struct Layout {
     drawn_roles: Vec<Role>,
     outlines: Vec<Vec<Point>>,
     bars: Vec<bool>,
+    /// Whether a link's centre of mass is given.
+    weighed: Vec<bool>,
     points: Vec<Pinned>,
 }
 
@@ -38,58 +31,58 @@ struct Pinned {
     bodies: Vec<LinkOrFrame>,
     /// The first link that lists it.
     link: LinkOrFrame,
+    /// Whether a link carries it and it joins nothing.
+    tracer: bool,
     centre: bool,
+    /// Whether a centre of mass is shown.
+    shown: bool,
     block: bool,
-    neighbours: Vec<usize>,
+    /// The shaft of a wheel that is drawn plainly.
+    shaft: bool,
+    /// A link on which it turns about a fixed point, and that point.
+    pivot: Option<(LinkId, PointId)>,
+    /// Whether it is the far end of that link.
+    end: bool,
+    neighbours: Vec<PointId>,
 }
 
 impl Layout {
-    pub(super) fn new(
-        draft: &Draft,
-        mechanism: &Mechanism,
-        home: &Pose<1>,
-        in_groups: bool,
-    ) -> Self {
-        let points = (0..draft.points.len()).map(|point| pinned(draft, mechanism, point));
-        let roles = roles(draft);
+    pub(super) fn new(mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
+        let points = mechanism.point_ids();
+        let points = points.map(|point| pinned(mechanism, home, view, point));
+        let roles = roles::own(mechanism, &view.annotations);
+        let links = mechanism.draft().links.iter();
         let mut layout = Self {
-            drawn_roles: if in_groups {
-                group_roles(draft, mechanism)
+            drawn_roles: if view.overlays.groups {
+                roles::of_groups(mechanism)
             } else {
                 roles.clone()
             },
             roles,
             outlines: Vec::new(),
             bars: Vec::new(),
+            weighed: links.map(|link| link.centre_of_mass.is_some()).collect(),
             points: points.collect(),
         };
-        for link in 0..draft.links.len() {
+        for link in mechanism.link_ids() {
             let joints = mechanism.points_of(link).iter();
             let joints = joints.filter(|point| layout.is_joint(**point)).count();
             layout.bars.push(joints > 1);
-            layout
-                .outlines
-                .push(layout.outlined(draft, mechanism, home, link));
+            layout.outlines.push(layout.outlined(mechanism, home, link));
         }
         layout
     }
 
     /// The corners of a link: two of a bar, three and more of a plate; none of
     /// one that lies on what it is fixed to.
-    fn outlined(
-        &self,
-        draft: &Draft,
-        mechanism: &Mechanism,
-        home: &Pose<1>,
-        link: usize,
-    ) -> Vec<Point> {
+    fn outlined(&self, mechanism: &Mechanism, home: &Pose<1>, link: LinkId) -> Vec<Point> {
         let own = mechanism.points_of(link).iter();
-        let own: Vec<usize> = own
+        let own: Vec<PointId> = own
             .copied()
             .filter(|point| self.is_joint(*point) || !self.is_centre(*point))
             .collect();
-        let fixed = draft.links[link].fixed_to.is_some();
-        let listed = |point: &usize| self.link_of(*point) != Some(link);
+        let fixed = mechanism.draft().links[link.index()].fixed_to.is_some();
+        let listed = |point: &PointId| self.link_of(*point) != Some(link);
         if fixed && own.iter().all(listed) {
             return Vec::new();
         }
@@ -100,179 +93,234 @@ impl Layout {
     }
 
     /// The colour of a link's own, by which plots tell links apart.
-    pub(super) fn role(&self, link: usize) -> Role {
-        self.roles.get(link).copied().unwrap_or(Role::Coupler)
+    pub(super) fn role(&self, link: LinkId) -> Role {
+        self.roles[link.index()]
     }
 
     /// The colour it is drawn in: its own, or that of its Assur group.
-    pub(super) fn drawn_role(&self, link: usize) -> Role {
-        let drawn = self.drawn_roles.get(link).copied();
-        drawn.unwrap_or(Role::Coupler)
+    pub(super) fn drawn_role(&self, link: LinkId) -> Role {
+        self.drawn_roles[link.index()]
     }
 
-    pub(super) fn outline(&self, link: usize) -> &[Point] {
-        &self.outlines[link]
+    pub(super) fn outline(&self, link: LinkId) -> &[Point] {
+        &self.outlines[link.index()]
+    }
+
+    /// Where the centres of mass of the links are for which none is given: in the
+    /// middle of a bar, at the centroid of a plate.
+    pub(super) fn middles(&self, mechanism: &Mechanism) -> impl Iterator<Item = (LinkId, Point)> {
+        let own = mechanism.link_ids().filter(|link| {
+            let weighed = self.weighed[link.index()];
+            mechanism.root_of(*link) == Some(*link) && !weighed
+        });
+        own.filter_map(|link| Some((link, parts::centroid(self.outline(link))?)))
     }
 
     /// Whether a link joins two hinges or more.
-    pub(super) fn is_bar(&self, link: usize) -> bool {
-        self.bars[link]
+    pub(super) fn is_bar(&self, link: LinkId) -> bool {
+        self.bars[link.index()]
     }
 
     /// The first link that lists a point.
-    pub(super) fn link_of(&self, point: usize) -> LinkOrFrame {
-        self.points[point].link
+    pub(super) fn link_of(&self, point: PointId) -> LinkOrFrame {
+        self.points[point.index()].link
     }
 
-    pub(super) fn neighbours(&self, point: usize) -> &[usize] {
-        &self.points[point].neighbours
+    /// Whether it is a tracer: a point that a link carries and that joins nothing.
+    pub(super) fn is_tracer(&self, point: PointId) -> bool {
+        self.points[point.index()].tracer
     }
 
-    /// Whether bodies are hinged there.
-    pub(super) fn is_joint(&self, point: usize) -> bool {
-        self.points[point].bodies.len() > 1
+    /// A link on which a point turns about a fixed one, and that one.
+    pub(super) fn pivot(&self, point: PointId) -> Option<(LinkId, PointId)> {
+        self.points[point.index()].pivot
+    }
+
+    /// The fixed point about which a link turns beyond whose end a joint's name
+    /// can stand.
+    pub(super) fn end_of(&self, point: PointId) -> Option<PointId> {
+        let pinned = &self.points[point.index()];
+        let ends = pinned.end && self.is_joint(point);
+        pinned.pivot.filter(|_| ends).map(|(_, pivot)| pivot)
+    }
+
+    /// The link whose colour a point has: that on which it turns about a fixed
+    /// point, else the first.
+    pub(super) fn carrier(&self, point: PointId) -> LinkOrFrame {
+        let turned = self.pivot(point).map(|(link, _)| link);
+        turned.or(self.link_of(point))
+    }
+
+    pub(super) fn neighbours(&self, point: PointId) -> &[PointId] {
+        &self.points[point.index()].neighbours
+    }
+
+    /// Whether bodies are hinged there; a plain shaft of a wheel is drawn with it.
+    pub(super) fn is_joint(&self, point: PointId) -> bool {
+        self.points[point.index()].bodies.len() > 1 && !self.is_shaft(point)
+    }
+
+    pub(super) fn is_shaft(&self, point: PointId) -> bool {
+        self.points[point.index()].shaft
     }
 
     /// Whether something is hinged on the frame there.
-    pub(super) fn is_support(&self, point: usize) -> bool {
+    pub(super) fn is_support(&self, point: PointId) -> bool {
         self.is_joint(point) && !self.moves(point)
     }
 
     /// Whether it is not a point of the frame.
-    pub(super) fn moves(&self, point: usize) -> bool {
-        !self.points[point].bodies.contains(&None)
+    pub(super) fn moves(&self, point: PointId) -> bool {
+        !self.points[point.index()].bodies.contains(&None)
     }
 
-    pub(super) fn is_centre(&self, point: usize) -> bool {
-        self.points[point].centre
+    pub(super) fn is_centre(&self, point: PointId) -> bool {
+        self.points[point.index()].centre
     }
 
     /// Whether a block is drawn around it.
-    pub(super) fn is_on_block(&self, point: usize) -> bool {
-        self.points[point].block
+    pub(super) fn is_on_block(&self, point: PointId) -> bool {
+        self.points[point.index()].block
     }
 
-    /// Whether anything is seen there: points that only give a line of the frame
-    /// are not.
-    pub(super) fn is_drawn(&self, point: usize) -> bool {
-        self.link_of(point).is_some()
+    /// Whether anything is seen there: points that only give a line of the frame,
+    /// and centres of mass that are not shown, are not.
+    pub(super) fn is_drawn(&self, point: PointId) -> bool {
+        let hidden = self.is_centre(point) && !self.points[point.index()].shown;
+        let seen = !hidden || self.is_joint(point);
+        let on_link = self.link_of(point).is_some() || self.is_tracer(point);
+        seen && on_link && !self.is_shaft(point)
     }
 
     /// A point at which two bodies are hinged.
-    pub(super) fn hinge(&self, a: LinkOrFrame, b: LinkOrFrame) -> Option<usize> {
+    pub(super) fn hinge(
+        &self,
+        mechanism: &Mechanism,
+        a: LinkOrFrame,
+        b: LinkOrFrame,
+    ) -> Option<PointId> {
         let both = |pinned: &Pinned| pinned.bodies.contains(&a) && pinned.bodies.contains(&b);
-        self.points.iter().position(both)
+        let mut points = mechanism.point_ids().zip(&self.points);
+        points.find_map(|(point, pinned)| both(pinned).then_some(point))
     }
 }
 
-fn pinned(draft: &Draft, mechanism: &Mechanism, point: usize) -> Pinned {
-    let name = &draft.points[point].name;
+fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) -> Pinned {
+    let draft = mechanism.draft();
+    let mut links = lists(mechanism, point);
     let mut bodies: Vec<LinkOrFrame> = Vec::new();
-    if draft.frame.contains(name) {
+    if is_fixed(mechanism, point) {
         bodies.push(None);
     }
     let mut neighbours = Vec::new();
-    let mut first = None;
-    for link in 0..draft.links.len() {
-        let points = mechanism.points_of(link);
-        if points.contains(&point) {
-            let body = body_of(draft, Some(link));
-            if !bodies.contains(&body) {
-                bodies.push(body);
-            }
-            first = first.or(Some(link));
-            neighbours.extend(points.iter().copied().filter(|other| *other != point));
+    for link in &links {
+        let body = mechanism.root_of(*link);
+        if !bodies.contains(&body) {
+            bodies.push(body);
         }
+        let others = mechanism.points_of(*link).iter().copied();
+        neighbours.extend(others.filter(|other| *other != point));
     }
-    let mut links = draft.links.iter();
+    let first = links.first().copied();
+    // A wheel that is nothing else: its centre is its only point.
+    let tags = &view.annotations.tags;
+    let plain = |link: &LinkId| {
+        let name = mechanism.link_name(*link);
+        tags.iter().any(|tag| tag.link == name) && mechanism.points_of(*link) == [point]
+    };
+    let shaft = !links.is_empty() && links.iter().all(plain);
+    let moves = !bodies.contains(&None);
+    links.retain(|_| moves);
+    let pivots = links.iter().filter_map(|link| {
+        let pivot = pivot_of(mechanism, *link)?;
+        Some((*link, pivot))
+    });
+    let fixed = |link: LinkId| mechanism.root_of(link) != Some(link);
+    let pivot = pivots.min_by_key(|(link, _)| fixed(*link));
+    let name = mechanism.point_name(point);
+    let mut centres = draft
+        .links
+        .iter()
+        .filter_map(|link| link.centre_of_mass.as_ref());
     Pinned {
-        centre: links.any(|link| link.centre_of_mass.as_ref() == Some(name)),
-        block: draft.slides.iter().any(|slide| slide.point == *name),
+        shown: view.overlays.centres || view.traced.contains(&point),
+        tracer: mechanism.tracer(point).is_some(),
+        centre: centres.any(|centre| centre == name),
+        block: draft.slides.iter().any(|slide| slide.point == name),
         bodies,
         link: first,
+        shaft,
+        end: pivot.is_some_and(|(link, pivot)| is_end(mechanism, home, link, pivot, point)),
+        pivot,
         neighbours,
     }
 }
 
-/// The link that a link is fixed to in the end.
-pub(super) fn body_of(draft: &Draft, link: LinkOrFrame) -> LinkOrFrame {
-    let mut body = link;
-    for _ in 0..draft.links.len() {
-        match body.and_then(|link| draft.links[link].fixed_to.as_ref()) {
-            Some(base) => body = index_of(draft, base),
-            None => break,
+/// The links that list a point, or the one that carries it.
+fn lists(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
+    match mechanism.tracer(point) {
+        Some(tracer) => mechanism.link(&tracer.link).into_iter().collect(),
+        None => {
+            let links = mechanism.link_ids();
+            let lists = links.filter(|link| mechanism.points_of(*link).contains(&point));
+            lists.collect()
         }
     }
-    body
 }
 
-/// The index of a link; none for the frame.
-pub(super) fn index_of(draft: &Draft, name: &str) -> LinkOrFrame {
-    if name == FRAME {
-        return None;
-    }
-    draft.links.iter().position(|link| link.name == name)
-}
-
-/// The driven link is a crank by its colour, the others take theirs in turn; what
-/// is fixed to a link has its.
-fn roles(draft: &Draft) -> Vec<Role> {
-    let driven = |name: &String| {
-        draft.drivers.iter().any(|driver| match driver {
-            assur::mechanism::DraftDriver::Crank { link, .. } => link == name,
-            assur::mechanism::DraftDriver::Slide { slide, .. } => {
-                let slide = draft.slides.get(*slide);
-                slide.is_some_and(|slide| slide.link == *name)
-            }
-        })
-    };
-    let mut turn = ROLES.into_iter().cycle();
-    let mut own = |link: &assur::mechanism::DraftLink| {
-        if link.fixed_to.is_some() {
-            Role::Secondary
-        } else if driven(&link.name) {
-            Role::Crank
-        } else {
-            turn.next().unwrap_or(Role::Coupler)
+/// Whether the frame lists a point, or carries it.
+fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
+    match mechanism.tracer(point) {
+        Some(tracer) => tracer.link == FRAME,
+        None => {
+            let mut frame = mechanism.draft().frame.iter();
+            frame.any(|name| name == mechanism.point_name(point))
         }
-    };
-    let roles: Vec<Role> = draft.links.iter().map(&mut own).collect();
-    (0..roles.len())
-        .map(|link| body_of(draft, Some(link)).map_or(Role::Secondary, |body| roles[body]))
-        .collect()
+    }
 }
 
-/// The colours of drivers and Assur groups, in the order of the structure.
-pub(super) fn step_roles(structure: &Structure) -> impl Iterator<Item = Role> {
-    let mut turn = ROLES.into_iter().cycle();
-    structure.steps.iter().map(move |step| match step {
-        Step::Driver { .. } => Role::Crank,
-        Step::Group(_) => turn.next().unwrap_or(Role::Coupler),
+/// The fixed point about which a link turns.
+fn pivot_of(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
+    let body = mechanism.root_of(link)?;
+    let links = mechanism.link_ids();
+    let same = links.filter(|other| mechanism.root_of(*other) == Some(body));
+    let mut points = same.flat_map(|link| mechanism.points_of(link));
+    points.find(|point| is_fixed(mechanism, **point)).copied()
+}
+
+/// Whether nothing of a link is beyond a point of it, seen from another.
+fn is_end(
+    mechanism: &Mechanism,
+    home: &Pose<1>,
+    link: LinkId,
+    from: PointId,
+    point: PointId,
+) -> bool {
+    let place = |point: PointId| mechanism.place(home, point).place();
+    let (at, outward) = (place(point), place(point) - place(from));
+    let mut others = mechanism.points_of(link).iter();
+    others.all(|other| {
+        let off = place(*other) - at;
+        *other == point || off.dot(&outward) < BEYOND.cos() * off.norm() * outward.norm()
     })
 }
 
-/// Of each link the colour of the step that places it; what is fixed to the frame
-/// has none.
-fn group_roles(draft: &Draft, mechanism: &Mechanism) -> Vec<Role> {
-    let structure = mechanism.structure();
-    let roles: Vec<Role> = step_roles(structure).collect();
-    let of_body = |name: &str| {
-        let mut bodies = 1..structure.step_of.len();
-        let body = bodies.find(|body| mechanism.body_name(*body) == name)?;
-        roles.get(structure.step_of[body]?).copied()
-    };
-    let role = |link: usize| {
-        let body = body_of(draft, Some(link))?;
-        of_body(&draft.links[body].name)
-    };
-    let links = 0..draft.links.len();
-    links
-        .map(|link| role(link).unwrap_or(Role::Secondary))
-        .collect()
+/// The link that a link is fixed to in the end.
+pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
+    link.and_then(|link| mechanism.root_of(link))
+}
+
+/// The number of what is drawn on a link, or on the frame, in a display list.
+pub(super) fn number(link: LinkOrFrame) -> usize {
+    link.map_or(0, |link| link.index() + 1)
 }
 
 /// Where a link's own coordinates are: its first point and its angle.
-pub(super) fn body(mechanism: &Mechanism, pose: &Pose<1>, link: LinkOrFrame) -> (Point, f64) {
+pub(super) fn body<const N: usize>(
+    mechanism: &Mechanism,
+    pose: &Pose<N>,
+    link: LinkOrFrame,
+) -> (Point, f64) {
     let first = link.and_then(|link| Some((link, *mechanism.points_of(link).first()?)));
     first.map_or((Point::origin(), 0.0), |(link, point)| {
         let angle = mechanism.angle(pose, link).value();
@@ -281,11 +329,11 @@ pub(super) fn body(mechanism: &Mechanism, pose: &Pose<1>, link: LinkOrFrame) -> 
 }
 
 /// Where a point is in the coordinates of a link.
-pub(super) fn local(
+pub(super) fn local<const N: usize>(
     mechanism: &Mechanism,
-    pose: &Pose<1>,
+    pose: &Pose<N>,
     link: LinkOrFrame,
-    point: usize,
+    point: PointId,
 ) -> Point {
     let (origin, angle) = body(mechanism, pose, link);
     Point::origin() + turned(mechanism.place(pose, point).place() - origin, -angle)

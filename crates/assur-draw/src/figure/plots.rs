@@ -1,35 +1,34 @@
 //! Plots of a linkage's quantities.
 
-use assur::Jet;
-use assur::mechanism::Quantity;
-use assur::motion::{DeadPointKind, features};
+use std::f64::consts::PI;
 
-use super::{Figure, OFF};
+use assur::mechanism::{Pose, Quantity, RrrDyad};
+use assur::motion::{DeadPoint, DeadPointKind};
+
+use super::{Figure, paths};
 use crate::chart::{Chart, Kind, Sample, Series, Settings};
 use crate::list::Role;
 
-/// Next to dead points derivatives grow without bound: ranges are taken this
-/// share of the way off the ends.
-const CLEAR: f64 = 0.04;
+/// Next to dead points derivatives grow without bound: ranges are taken where the
+/// transmission angle of the dyad that comes into line exceeds this.
+const CLEAR: f64 = 15.0 * PI / 180.0;
+/// Where it is no dyad of hinges, ranges keep this share of an arc off its end.
+const CLEAR_SHARE: f64 = 0.04;
+
+/// What tells that derivatives are far from growing without bound at a dead point.
+enum Clear {
+    /// Its transmission angle.
+    Dyad(RrrDyad),
+    /// The way from this input.
+    Way { input: f64, least: f64 },
+}
 
 impl Figure {
     /// The chart of quantities of one kind over the motion, with the input going as
     /// `settings` say.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let unit = |quantity: &Quantity| {
-            if quantity.is_angle() {
-                1.0
-            } else {
-                mechanism.size()
-            }
-        };
-        let units: Vec<f64> = quantities.iter().map(unit).collect();
-        let jets = |input: f64| -> Option<Vec<Jet<5>>> {
-            let pose = motion.pose::<5>(input).ok()?;
-            Some(quantities.iter().map(|q| q.of(mechanism, &pose)).collect())
-        };
-        let found = features(motion.cycle(), &jets, &units, settings.input);
+        let found = motion.features(quantities, settings.input);
         let series = quantities.iter().zip(found);
         let series = series.map(|(quantity, features)| Series {
             name: quantity.name(mechanism, 0),
@@ -40,25 +39,12 @@ impl Figure {
             },
             features,
         });
-        let ends: Vec<f64> = motion
-            .dead_points()
-            .iter()
-            .filter(|end| end.kind != DeadPointKind::Range)
-            .map(|end| end.input)
-            .collect();
-        let [from, to] = motion.cycle().arcs()[0];
+        let ends = self.ends();
         let sample = |input: f64| {
-            let kept = if ends.is_empty() {
-                input
-            } else {
-                let off = OFF * (to - from);
-                input.clamp(from + off, to - off)
-            };
-            let pose = motion.pose::<3>(kept).ok()?;
-            let off = |end: &f64| (input - end).abs() > CLEAR * (to - from);
+            let pose = motion.pose::<3>(self.off_the_ends(input)).ok()?;
             Some(Sample {
                 jets: quantities.iter().map(|q| q.of(mechanism, &pose)).collect(),
-                clear: ends.iter().all(off),
+                clear: ends.iter().all(|end| self.is_clear(end, input, &pose)),
             })
         };
         let kind = match quantities.first() {
@@ -66,5 +52,54 @@ impl Figure {
             _ => Kind::Angle,
         };
         Chart::new(motion.cycle(), kind, series.collect(), &sample, settings)
+    }
+
+    /// The dead points.
+    fn ends(&self) -> Vec<Clear> {
+        let (motion, mechanism) = (&self.motion, self.motion.mechanism());
+        let ends = motion.dead_points().iter();
+        let ends = ends.filter(|end| end.kind != DeadPointKind::Range);
+        let dyads = mechanism.rrr_dyads();
+        let clear = |end: &DeadPoint| {
+            let [from, to] = self.arc(end.input);
+            let links: Vec<&str> = motion.links_at(end).collect();
+            let in_line = |dyad: &&RrrDyad| {
+                let mut own = dyad.links.iter();
+                own.all(|link| links.contains(&mechanism.link_name(*link)))
+            };
+            let way = Clear::Way {
+                input: end.input,
+                least: CLEAR_SHARE * (to - from),
+            };
+            let dyad = dyads.iter().find(in_line);
+            dyad.map_or(way, |dyad| Clear::Dyad(*dyad))
+        };
+        ends.map(clear).collect()
+    }
+
+    fn is_clear(&self, end: &Clear, input: f64, pose: &Pose<3>) -> bool {
+        match end {
+            Clear::Dyad(dyad) => self.motion.mechanism().transmission_angle(pose, dyad) > CLEAR,
+            Clear::Way { input: end, least } => (input - end).abs() > *least,
+        }
+    }
+
+    /// The arc of the motion that an input is in.
+    fn arc(&self, input: f64) -> [f64; 2] {
+        let arcs = self.motion.cycle().arcs();
+        let mut holding = arcs
+            .iter()
+            .filter(|[from, to]| (*from..=*to).contains(&input));
+        *holding.next().unwrap_or(&arcs[0])
+    }
+
+    /// An input, but for the very ends of an arc.
+    fn off_the_ends(&self, input: f64) -> f64 {
+        if self.motion.cycle().is_full() {
+            return input;
+        }
+        let [from, to] = self.arc(input);
+        let off = paths::OFF * (to - from);
+        input.clamp(from + off, to - off)
     }
 }

@@ -1,9 +1,10 @@
 //! Blocks and the guides they slide on.
 
-use assur::mechanism::{Draft, Mechanism, Pose};
+use assur::mechanism::{DraftSlide, LinkId, LinkOrFrame, Mechanism, Pose};
 use assur::{Point, Vector};
 
-use super::layout::{self, Layout, LinkOrFrame};
+use super::layout::{self, Layout};
+use super::paths::Run;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
@@ -17,7 +18,7 @@ pub(super) struct Guide {
     on_role: Role,
     /// On the link that has the line: the ends of the way.
     ends: [Point; 2],
-    link: usize,
+    link: LinkId,
     role: Role,
     /// On the link that slides: its point, the block's middle and the line's
     /// direction.
@@ -26,27 +27,26 @@ pub(super) struct Guide {
     direction: Vector,
 }
 
-/// The prismatic pairs of a draft, with the ways that are used over the motion.
+/// The prismatic pairs of a mechanism, with the ways that are used over the motion.
 pub(super) fn guides(
-    draft: &Draft,
     layout: &Layout,
     mechanism: &Mechanism,
     home: &Pose<1>,
-    samples: &[Vec<Pose<1>>],
+    runs: &[Run],
 ) -> Vec<Guide> {
-    let index = |name: &str| draft.points.iter().position(|point| point.name == name);
-    let guide = |slide: &assur::mechanism::DraftSlide| -> Option<Guide> {
-        let link = layout::index_of(draft, &slide.link)?;
-        let on = layout::index_of(draft, &slide.on);
-        let point = index(&slide.point)?;
-        let [from, to] = [index(&slide.line[0])?, index(&slide.line[1])?];
+    let guide = |slide: &DraftSlide| -> Option<Guide> {
+        let link = mechanism.link(&slide.link)?;
+        let on = mechanism.link(&slide.on);
+        let point = mechanism.point(&slide.point)?;
+        let [from, to] = [&slide.line[0], &slide.line[1]].map(|point| mechanism.point(point));
+        let [from, to] = [from?, to?];
         let [start, end] = [from, to].map(|k| layout::local(mechanism, home, on, k));
         let along = (end - start).normalize();
         let way = |pose: &Pose<1>| {
             let at = layout::local(mechanism, pose, on, point);
             (at - start).dot(&along)
         };
-        let ways = samples.iter().flatten().map(way);
+        let ways = runs.iter().flatten().map(|(_, pose)| way(pose));
         let [low, high] = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| {
             [low.min(way), high.max(way)]
         });
@@ -68,7 +68,7 @@ pub(super) fn guides(
             direction: layout::turned(along, on_angle - angle),
         })
     };
-    draft.slides.iter().filter_map(guide).collect()
+    mechanism.draft().slides.iter().filter_map(guide).collect()
 }
 
 impl Guide {
@@ -83,7 +83,7 @@ impl Guide {
         let [from, to] = self.ends;
         let along = self.along();
         let [from, to] = [from - along * (4.0 * u), to + along * (4.0 * u)];
-        list.body(self.on.map_or(0, |link| link + 1));
+        list.body(layout::number(self.on));
         if self.on.is_some() {
             parts::bar(list, self.on_role, from, to, 0.7 * u);
         } else {
@@ -99,7 +99,7 @@ impl Guide {
     }
 
     pub(super) fn draw_block(&self, list: &mut List, u: f64) {
-        list.body(self.link + 1);
+        list.body(layout::number(Some(self.link)));
         if (self.point - self.middle).norm() > 0.1 * u {
             parts::bar(list, self.role, self.point, self.middle, 0.9 * u);
         }

@@ -2,20 +2,22 @@
 //! mesh. A wheel is drawn on its link; an idler is a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
-use assur::mechanism::{Draft, DraftGear, Mechanism, Pose};
+use assur::mechanism::{DraftGear, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
-use super::layout::{self, Layout, LinkOrFrame};
+use super::View;
+use super::layout::{self, Layout};
+use crate::annotations::Tag;
 use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
 /// What a ring has beyond its pitch circle, in modules.
 const RING: f64 = 2.75;
-/// Modules that differ by less than this beside their size are one.
+/// Modules that differ by less than this, relative to their size, are one.
 const SAME: f64 = 1e-3;
 
-/// The wheels of a draft.
+/// The wheels of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gearing {
     wheels: Vec<Drawn>,
@@ -26,16 +28,20 @@ pub(super) struct Gearing {
 /// A wheel on its link.
 #[derive(Clone, Debug)]
 struct Drawn {
-    link: usize,
+    link: LinkId,
     role: Role,
     /// Its centre on the link, the point it turns about, and where a tooth is.
     centre: Point,
-    hinge: usize,
+    hinge: PointId,
     lead: f64,
     teeth: u32,
     ring: bool,
     module: f64,
     mates: Vec<(u32, bool)>,
+    /// Stirrer blades on it.
+    blades: usize,
+    /// Whether nothing else of its link is drawn about its centre.
+    shaft: bool,
 }
 
 /// A wheel between two others, in no link's list.
@@ -46,34 +52,44 @@ struct Idler {
     centre: Point,
     wheel: Wheel,
     /// The driving wheel's link and where its tooth is.
-    driver: usize,
+    driver: LinkId,
     lead: f64,
     module: f64,
     mates: Vec<(u32, bool)>,
 }
 
 impl Drawn {
+    /// The radius that holds all of it.
+    fn rim(&self) -> f64 {
+        let beyond = if self.ring { RING } else { 1.0 };
+        (0.5 * f64::from(self.teeth) + beyond) * self.module
+    }
+
     /// Whether it is this wheel of this link, of this module. (A link may hold
     /// several.)
-    fn is(&self, link: usize, wheel: &Wheel, module: f64) -> bool {
+    fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
     }
 }
 
 impl Gearing {
-    pub(super) fn new(
-        draft: &Draft,
-        layout: &Layout,
-        mechanism: &Mechanism,
-        home: &Pose<1>,
-    ) -> Self {
+    pub(super) fn new(layout: &Layout, mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
+        let draft = mechanism.draft();
         let mut gearing = Self {
             links: draft.links.len(),
             ..Self::default()
         };
         for gear in &draft.gears {
-            gearing.add(draft, layout, mechanism, home, gear);
+            gearing.add(layout, mechanism, home, gear);
+        }
+        // A link may hold several wheels: blades are on one of them.
+        for (name, count) in &view.annotations.blades {
+            let link = mechanism.link(name);
+            let mut wheels = gearing.wheels.iter_mut();
+            if let Some(wheel) = wheels.find(|wheel| Some(wheel.link) == link) {
+                wheel.blades = *count;
+            }
         }
         gearing
     }
@@ -81,18 +97,17 @@ impl Gearing {
     /// Adds what is not there yet of a coupling; none where it cannot be drawn.
     fn add(
         &mut self,
-        draft: &Draft,
         layout: &Layout,
         mechanism: &Mechanism,
         home: &Pose<1>,
         gear: &DraftGear,
     ) -> Option<()> {
-        let link = |name: &String| layout::index_of(draft, name);
+        let link = |name: &String| mechanism.link(name);
         let [first, second] = [link(&gear.links[0])?, link(&gear.links[1])?];
         let carrier = link(&gear.carrier);
-        let hinge = |wheel: usize| {
-            let body = layout::body_of(draft, Some(wheel));
-            layout.hinge(body, layout::body_of(draft, carrier))
+        let hinge = |wheel: LinkId| {
+            let on = layout::body_of(mechanism, carrier);
+            layout.hinge(mechanism, mechanism.root_of(wheel), on)
         };
         let hinges = [hinge(first)?, hinge(second)?];
         let [from, to] = hinges.map(|point| layout::local(mechanism, home, carrier, point));
@@ -107,8 +122,8 @@ impl Gearing {
 
         // Angles seen from the carrier.
         let (_, turn) = layout::body(mechanism, home, carrier);
-        let seen = |link: usize| mechanism.angle(home, link).value() - turn;
-        let lead = |link: usize, wheel: &Wheel| {
+        let seen = |link: LinkId| mechanism.angle(home, link).value() - turn;
+        let lead = |link: LinkId, wheel: &Wheel| {
             let same = |drawn: &&Drawn| drawn.is(link, wheel, module);
             self.wheels.iter().find(same).map(|drawn| drawn.lead)
         };
@@ -142,6 +157,8 @@ impl Gearing {
                     ring: wheel.ring,
                     module,
                     mates: Vec::new(),
+                    blades: 0,
+                    shaft: layout.is_shaft(hinges[k]),
                 });
                 self.wheels.len() - 1
             });
@@ -161,29 +178,72 @@ impl Gearing {
         Some(())
     }
 
-    pub(super) fn is_wheel(&self, link: usize) -> bool {
+    pub(super) fn is_wheel(&self, link: LinkId) -> bool {
         self.wheels.iter().any(|drawn| drawn.link == link)
     }
 
-    /// Corners of the squares around the wheels in these poses.
-    pub(super) fn reach(&self, mechanism: &Mechanism, samples: &[Vec<Pose<1>>]) -> Vec<Point> {
-        let mut corners = Vec::new();
-        for pose in samples.iter().flatten() {
-            for drawn in &self.wheels {
-                let at = mechanism.place(pose, drawn.hinge).place();
-                let beyond = if drawn.ring { RING } else { 1.0 };
-                let radius = (0.5 * f64::from(drawn.teeth) + beyond) * drawn.module;
-                corners.extend([at - Vector::repeat(radius), at + Vector::repeat(radius)]);
-            }
-        }
-        corners
+    /// Corners of the squares around the wheels and idlers in a pose.
+    pub(super) fn reach<const N: usize>(
+        &self,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+    ) -> impl Iterator<Item = Point> {
+        let wheels = self.wheels.iter().map(|drawn| {
+            let at = mechanism.place(pose, drawn.hinge).place();
+            (at, drawn.rim())
+        });
+        let idlers = self.idlers(mechanism, pose).zip(&self.idlers);
+        let idlers = idlers.map(|((at, _), idler)| {
+            let rim = 0.5 * f64::from(idler.wheel.teeth) + 1.0;
+            (at, rim * idler.module)
+        });
+        wheels.chain(idlers).flat_map(|(at, rim)| {
+            let corner = Vector::repeat(rim);
+            [at - corner, at + corner]
+        })
+    }
+
+    /// How far a place is from each wheel, and the wheel's link.
+    pub(super) fn distances<const N: usize>(
+        &self,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        place: Point,
+    ) -> impl Iterator<Item = (f64, LinkId)> {
+        self.wheels.iter().map(move |drawn| {
+            let off = (place - mechanism.place(pose, drawn.hinge).place()).norm();
+            let beyond = (off - drawn.rim()).max(0.0);
+            let inner = (0.5 * f64::from(drawn.teeth) - 1.0) * drawn.module;
+            let distance = if drawn.ring {
+                beyond.max(inner - off)
+            } else {
+                beyond
+            };
+            (distance, drawn.link)
+        })
+    }
+
+    /// Where the number of a wheel stands.
+    pub(super) fn tagged<const N: usize>(
+        &self,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        link: LinkId,
+        tag: &Tag,
+    ) -> Option<Point> {
+        let drawn = self.wheels.iter().find(|drawn| drawn.link == link)?;
+        let outward = if drawn.ring { 1.0 } else { 0.84 };
+        let radius = 0.5 * outward * f64::from(drawn.teeth) * drawn.module;
+        let (sin, cos) = tag.direction.sin_cos();
+        let at = mechanism.place(pose, drawn.hinge).place();
+        Some(at + Vector::new(cos, sin) * radius)
     }
 
     /// Where the idlers are.
-    pub(super) fn idlers(
+    pub(super) fn idlers<const N: usize>(
         &self,
         mechanism: &Mechanism,
-        pose: &Pose<1>,
+        pose: &Pose<N>,
     ) -> impl Iterator<Item = (Point, f64)> {
         self.idlers.iter().map(|idler| {
             let (origin, turn) = layout::body(mechanism, pose, idler.carrier);
@@ -197,16 +257,25 @@ impl Gearing {
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);
         for drawn in rings.chain(self.wheels.iter().filter(|drawn| !drawn.ring)) {
-            list.body(drawn.link + 1);
+            list.body(layout::number(Some(drawn.link)));
             let teeth = Teeth::new(drawn.teeth, drawn.ring, &drawn.mates);
             let place = |p: Point| drawn.centre + layout::turned(p.coords, drawn.lead);
             let outline = teeth.outline(drawn.module).into_iter().map(place);
             let mut loops = vec![outline.collect()];
             if drawn.ring {
-                let rim = (0.5 * f64::from(drawn.teeth) + RING) * drawn.module;
-                loops.push(parts::round(rim, 180).into_iter().map(place).collect());
+                let rim = parts::round(drawn.rim(), 180);
+                loops.push(rim.into_iter().map(place).collect());
             }
             list.polygons(drawn.role, Look::Pale, &loops);
+            let reach = 0.72 * teeth.pitch_radius() * drawn.module;
+            let slender = (0.075 * reach).min(0.8 * u);
+            for blade in parts::blades(drawn.blades, reach, slender) {
+                let blade = blade.into_iter().map(place).collect();
+                list.polygons(drawn.role, Look::Soft, &[blade]);
+            }
+            if drawn.shaft {
+                list.circle(Role::Ink, Look::Hollow, drawn.centre, 0.7 * u);
+            }
         }
         for (k, idler) in self.idlers.iter().enumerate() {
             list.body(1 + self.links + k);
@@ -218,98 +287,4 @@ impl Gearing {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::f64::consts::PI;
-
-    use assur::motion::Motion;
-
-    use super::*;
-
-    /// An arm with a sun on the frame and a planet, in a ring, and a train beside it.
-    fn draft() -> Draft {
-        // Where the second wheel's module is the same in both of its meshes.
-        let module = 2.0 * 10.0_f64.sqrt() / 94.0;
-        let mut draft = Draft::default()
-            .point("O", 0.0, 0.0)
-            .point("Q", 0.1, 0.4)
-            .point("P", 1.0, 0.2)
-            .point("M", 1.2, 0.5)
-            .point("E", 3.0, 1.0)
-            .point("F", 3.0 + 19.5 * module, 1.0)
-            .fixed(&["O", "Q", "E", "F"])
-            .bar("arm", &["O", "P"])
-            .bar("planet", &["P", "M"])
-            .bar("ring", &["O"])
-            .bar("second", &["E"])
-            .bar("third", &["F"])
-            .crank("arm");
-        let mut sun = assur::mechanism::DraftLink {
-            name: "sun".to_owned(),
-            points: vec!["O".to_owned(), "Q".to_owned()],
-            ..Default::default()
-        };
-        sun.fixed_to = Some("frame".to_owned());
-        draft.links.push(sun);
-        for (links, carrier, teeth, mesh) in [
-            // Not in the order in which they turn each other.
-            (["third", "second"], "frame", [15.0, 24.0], Mesh::External),
-            (["sun", "planet"], "arm", [30.0, 20.0], Mesh::External),
-            (["planet", "ring"], "arm", [20.0, 70.0], Mesh::Internal),
-            (["ring", "second"], "frame", [70.0, 24.0], Mesh::External),
-        ] {
-            draft.gears.push(DraftGear {
-                links: links.map(str::to_owned),
-                carrier: carrier.to_owned(),
-                teeth,
-                mesh,
-            });
-        }
-        draft
-    }
-
-    /// Where two wheels touch, a tooth's middle stands against a gap's, at every
-    /// input, though some wheels mesh with two others.
-    #[test]
-    fn teeth_meet_gaps_all_along_a_train() {
-        let draft = draft();
-        let mechanism = Mechanism::new(&draft).unwrap();
-        let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-        let home = motion.pose::<1>(motion.home()).unwrap();
-        let layout = Layout::new(&draft, &mechanism, &home, false);
-        let gearing = Gearing::new(&draft, &layout, &mechanism, &home);
-        // The ring has an outer rim of teeth as well, for the train.
-        assert_eq!(gearing.wheels.len(), 6);
-        for input in [0.0, 0.3, 1.7, 4.0] {
-            let pose = motion.pose::<1>(input).unwrap();
-            for gear in &draft.gears {
-                let internal = gear.mesh == Mesh::Internal;
-                let drawn = [0, 1].map(|k| {
-                    let link = layout::index_of(&draft, &gear.links[k]).unwrap();
-                    let ring = internal && gear.teeth[k] > gear.teeth[1 - k];
-                    let mut wheels = gearing.wheels.iter();
-                    wheels
-                        .find(|one| one.link == link && one.ring == ring)
-                        .unwrap()
-                });
-                let [a, b] = drawn.map(|one| mechanism.place(&pose, one.hinge).place());
-                let line = (b - a).y.atan2((b - a).x);
-                let phase = |one: &Drawn, contact: f64| {
-                    let angle = mechanism.angle(&pose, one.link).value() + one.lead;
-                    (contact - angle) * f64::from(one.teeth) / (2.0 * PI)
-                };
-                let [first, second] = drawn;
-                let sum = if internal {
-                    let contact = if second.ring { line + PI } else { line };
-                    phase(first, contact) - phase(second, contact)
-                } else {
-                    phase(first, line) + phase(second, line + PI)
-                };
-                let off = (sum - 0.5) - (sum - 0.5).round();
-                assert!(off.abs() < 1e-9, "{:?} at {input}: {off}", gear.links);
-                let [r, s] = drawn.map(|one| 0.5 * f64::from(one.teeth) * one.module);
-                let apart = if internal { (r - s).abs() } else { r + s };
-                assert!((apart - (b - a).norm()).abs() < 1e-12);
-            }
-        }
-    }
-}
+mod tests;

@@ -37,6 +37,29 @@ impl Cycle {
         }
     }
 
+    /// Both cycles in one, the arcs of the other told by whole turns so that they
+    /// come after these, and by how much they have grown; none where a driver turns
+    /// fully or arcs overlap.
+    pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
+        let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);
+        let ([from, to], [first, last]) = (ends(self)?, ends(other)?);
+        if self.full || other.full || self.period != other.period {
+            return None;
+        }
+        let shift = self
+            .period
+            .map_or(0.0, |turn| turn * ((to - first) / turn).ceil());
+        let after =
+            first + shift >= to && self.period.is_none_or(|turn| last + shift <= from + turn);
+        let before = self.period.is_none() && last <= from;
+        let later = other.arcs.iter().map(|arc| arc.map(|end| end + shift));
+        let mut arcs: Vec<[f64; 2]> = self.arcs.iter().copied().chain(later).collect();
+        arcs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let period = self.period;
+        let full = false;
+        (after || before).then_some((Self { period, full, arcs }, shift))
+    }
+
     /// True where the crank turns fully.
     pub fn is_full(&self) -> bool {
         self.full

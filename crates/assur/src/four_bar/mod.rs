@@ -89,7 +89,7 @@ pub struct FourBar {
 impl FourBar {
     /// Shortest and longest link, in any unit.
     const LENGTH: (f64, f64) = (1e-9, 1e9);
-    /// The shortest link may be this small beside the longest.
+    /// The shortest link may be this small relative to the longest.
     const RATIO: f64 = 1e-9;
 
     /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in
@@ -170,15 +170,6 @@ impl FourBar {
         [self.k[1] * self.k[2], self.slack[1] * self.slack[2]]
     }
 
-    /// True where P or Q comes so close to a double zero that its square root
-    /// would lose digits to the dyad RRR: at a change point, or next to one.
-    pub(crate) fn nears_change_point(&self) -> bool {
-        let [_, l2, l3, _] = self.lengths;
-        let near = NEAR_CHANGE * (l2 + l3).powi(2);
-        let ends = [self.p_ends(), self.q_ends()];
-        ends.iter().flatten().any(|end| end.abs() < near)
-    }
-
     /// 4 l₁ l₄, the weight of cos² and sin² of the half angle in P and Q.
     fn weight(&self) -> f64 {
         4.0 * self.lengths[0] * self.lengths[3]
@@ -202,9 +193,6 @@ impl FourBar {
         self.frame_less_crank == 0.0 && self.coupler_less_rocker == 0.0
     }
 }
-
-/// An end of P or Q this small, beside the square of l₂ + l₃, is near zero.
-const NEAR_CHANGE: f64 = 1e-2;
 
 impl Dimension {
     /// The lengths, in the order of l₁ … l₄.

@@ -174,7 +174,7 @@ impl FourBar {
     }
 
     /// The same for a deltoid, where l₅ = √Q divides out: signed like the root,
-    /// it lets the motion pass smoothly beside the crank angle at which B is on D.
+    /// it lets the motion pass smoothly near the crank angle at which B is on D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,

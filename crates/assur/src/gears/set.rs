@@ -164,7 +164,7 @@ impl GearPair {
         self.driver_wheel().ring
     }
 
-    /// What the pair has beside its driver.
+    /// What the pair has besides its driver.
     fn discs(&self) -> Vec<Disc> {
         let mates = self.train().into_iter().skip(1);
         mates
@@ -289,8 +289,8 @@ mod tests {
         assert!((free(&[18.0], &[-40.0]) - 140.0).abs() < 1e-9);
         assert!((free(&[18.0; 2], &[-40.0, 50.0]) + 175.0).abs() < 1e-9);
         // A large wheel takes more of the gap: the middle is off the bisector.
-        let beside = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
-        assert!(beside < 80.0 && beside > 40.0, "{beside}");
+        let inner = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
+        assert!(inner < 80.0 && inner > 40.0, "{inner}");
         let last = free(&[18.0; 5], &SIXTY[..5]);
         assert!((last + 100.0).abs() < 1e-9, "{last}");
     }

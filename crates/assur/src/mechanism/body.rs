@@ -1,21 +1,23 @@
 //! The rigid bodies of a draft: which points each holds, and where.
 
+use crate::Vector;
 use crate::gears::Mesh;
-use crate::position::{Anchor, Side, Track, conjugate, product};
-use crate::structure::{Driver, Graph, Pair};
-use crate::{Point, Vector};
+use crate::index::{BodyId, LinkId, List, PointId, SlideId};
+use crate::position::{Anchor, Orientation, Side, Track, conjugate, product};
+use crate::structure::{self, Graph, Pair};
 
-use super::draft::{Draft, DraftDriver, FRAME};
+use super::draft::Defect;
+use super::resolved::{Driver, Resolved};
 
-/// Bodies with their points, in local coordinates; 0 is the frame, whose
-/// coordinates are those of the drawing.
+/// Bodies with their points, in local coordinates; those of the frame are those of
+/// the drawing.
 #[derive(Clone, Debug)]
 pub(super) struct Bodies {
-    /// The points of each body, by index, in the order of its links.
-    points: Vec<Vec<(usize, Vector)>>,
+    /// The points of each body, in the order of its links.
+    points: List<BodyId, Vec<(PointId, Vector)>>,
     /// Where each body's origin is drawn, and its turn there.
-    drawn: Vec<(Vector, Vector)>,
-    pub(super) slides: Vec<Slide>,
+    drawn: List<BodyId, (Vector, Vector)>,
+    pub(super) slides: List<SlideId, Slide>,
     pub(super) gears: Vec<Gear>,
 }
 
@@ -23,10 +25,12 @@ pub(super) struct Bodies {
 #[derive(Clone, Debug)]
 pub(super) struct Slide {
     /// The body with the line and the one that slides.
-    pub(super) bodies: [usize; 2],
+    pub(super) bodies: [BodyId; 2],
     /// The line on the first: a point and the direction, of length 1.
     start: Vector,
     heading: Vector,
+    /// How far apart the two points are that give the line.
+    length: f64,
     /// The point on the second, the direction of the line there, and how far the
     /// point stays to the left of the line.
     point: Vector,
@@ -37,154 +41,156 @@ pub(super) struct Slide {
 /// A gear coupling between bodies.
 #[derive(Clone, Debug)]
 pub(super) struct Gear {
-    pub(super) bodies: [usize; 2],
-    pub(super) carrier: usize,
+    pub(super) bodies: [BodyId; 2],
+    pub(super) carrier: BodyId,
     pub(super) teeth: [f64; 2],
     pub(super) mesh: Mesh,
 }
 
 /// Where a link is: its body, and what its angle has more than the body's.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seat {
-    pub(super) body: usize,
+pub(super) struct Placement {
+    pub(super) body: BodyId,
     pub(super) lead: f64,
 }
 
 impl Bodies {
-    /// The bodies of a draft whose references are sound, and the seat of each link.
-    pub(super) fn new(draft: &Draft) -> (Self, Vec<Seat>) {
-        let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
-        let at = |name: &String| draft.place(name).unwrap_or_default().coords;
-        let frame: Vec<(usize, Vector)> = draft
-            .frame
-            .iter()
-            .filter_map(|name| Some((index(name)?, at(name))))
-            .collect();
+    /// The bodies of a draft, and where each link is.
+    ///
+    /// # Errors
+    /// A slide by a point that its link has not.
+    pub(super) fn new(draft: &Resolved<'_>) -> Result<(Self, List<LinkId, Placement>), Defect> {
+        let place = |point: &PointId| (*point, draft.places[*point]);
+        let frame = draft.frame.iter().map(place).collect();
         let mut bodies = Self {
-            points: vec![frame],
-            drawn: vec![(Vector::zeros(), Vector::x())],
-            slides: Vec::new(),
+            points: vec![frame].into(),
+            drawn: vec![(Vector::zeros(), Vector::x())].into(),
+            slides: List::default(),
             gears: Vec::new(),
         };
-        let mut seats: Vec<Option<Seat>> = vec![None; draft.links.len()];
-        // Links of their own first: what is fixed to another comes after it.
-        for (seat, link) in seats.iter_mut().zip(&draft.links) {
-            if link.fixed_to.is_some() {
-                continue;
-            }
-            let origin = at(&link.points[0]);
-            let turn = match link.points.get(1) {
-                Some(second) => (at(second) - origin).normalize(),
-                None => guide(draft, &link.name).unwrap_or(Vector::x()),
-            };
-            let local = |k: usize, name: &String| match &link.shape {
-                Some(shape) => in_shape(shape, k),
-                None => product(at(name) - origin, conjugate(turn)),
-            };
-            let points = link.points.iter().enumerate();
-            let points = points.filter_map(|(k, name)| Some((index(name)?, local(k, name))));
-            *seat = Some(Seat {
-                body: bodies.points.len(),
-                lead: 0.0,
-            });
-            bodies.points.push(points.collect());
-            bodies.drawn.push((origin, turn));
+        for link in draft.bodies.iter().flatten() {
+            bodies.make(draft, *link);
         }
-        // Chains of fixed links end after as many rounds as there are links.
-        for _ in 0..draft.links.len() {
-            for (k, link) in draft.links.iter().enumerate() {
-                let Some(base) = &link.fixed_to else { continue };
-                let base = if base == FRAME {
-                    Some(Seat { body: 0, lead: 0.0 })
-                } else {
-                    let found = draft.links.iter().position(|other| other.name == *base);
-                    found.and_then(|found| seats[found])
-                };
-                let (None, Some(Seat { body, .. })) = (seats[k], base) else {
-                    continue;
-                };
-                let (origin, turn) = bodies.drawn[body];
-                for name in &link.points {
-                    let Some(point) = index(name) else { continue };
-                    if bodies.local(body, point).is_none() {
-                        let local = product(at(name) - origin, conjugate(turn));
-                        bodies.points[body].push((point, local));
-                    }
-                }
-                let ends = link
-                    .points
-                    .iter()
-                    .filter_map(|name| bodies.local(body, index(name)?));
-                let ends: Vec<Vector> = ends.take(2).collect();
-                let lead = match ends[..] {
-                    [first, second] => (second - first).y.atan2((second - first).x),
-                    _ => 0.0,
-                };
-                seats[k] = Some(Seat { body, lead });
-            }
+        let placements = draft.links.iter().map(|link| Placement {
+            body: link.body,
+            lead: if link.is_fixed {
+                bodies.fix(draft, link.body, &link.points)
+            } else {
+                0.0
+            },
+        });
+        let placements = placements.collect();
+        for slide in draft.slides.ids() {
+            let slide = bodies.slide(draft, slide)?;
+            bodies.slides.push(slide);
         }
-        let seats: Vec<Seat> = seats
-            .into_iter()
-            .map(|seat| seat.unwrap_or(Seat { body: 0, lead: 0.0 }))
-            .collect();
-        bodies.couple(draft, &seats);
-        (bodies, seats)
+        bodies.gears.extend(draft.gears.iter().map(|gear| Gear {
+            bodies: gear.links.map(|link| draft.body(link)),
+            carrier: draft.body(gear.carrier),
+            teeth: gear.teeth,
+            mesh: gear.mesh,
+        }));
+        Ok((bodies, placements))
     }
 
-    fn couple(&mut self, draft: &Draft, seats: &[Seat]) {
-        let body = |name: &String| body_of(draft, seats, name);
-        let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
-        for slide in &draft.slides {
-            let [on, moving] = [body(&slide.on), body(&slide.link)];
-            let [from, to] = slide
-                .line
-                .each_ref()
-                .map(|name| index(name).and_then(|point| self.local(on, point)));
-            let point = index(&slide.point).and_then(|point| self.local(moving, point));
-            let (Some(start), Some(to), Some(point)) = (from, to, point) else {
-                continue;
-            };
-            let heading = (to - start).normalize();
-            let [on_turn, moving_turn] = [on, moving].map(|body| self.drawn[body].1);
-            let along = product(heading, on_turn);
-            let [line, at] = [&slide.line[0], &slide.point]
-                .map(|name| draft.place(name).unwrap_or_default().coords);
-            let off = product(at - line, conjugate(along)).y;
-            self.slides.push(Slide {
-                bodies: [on, moving],
-                start,
-                heading,
-                point,
-                direction: product(along, conjugate(moving_turn)),
-                // A point drawn on the line is meant to be on it.
-                off: if off.abs() <= 1e-12 * draft.size() {
-                    0.0
-                } else {
-                    off
-                },
-            });
+    /// The body of a link of its own: the first point is its origin, and from there
+    /// its axis goes to the second one or, without a second, along its guide.
+    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) {
+        let link = &draft.links[id];
+        let origin = draft.places[link.first];
+        let heading =
+            |[from, to]: [PointId; 2]| (draft.places[to] - draft.places[from]).normalize();
+        let turn = match link.points.get(1) {
+            Some(second) => heading([link.first, *second]),
+            None => {
+                let mut slides = draft.slides.iter();
+                let guide = slides.find(|slide| slide.link == Some(id));
+                guide.map_or(Vector::x(), |slide| heading(slide.line))
+            }
+        };
+        let drawn = |point: &PointId| product(draft.places[*point] - origin, conjugate(turn));
+        let locals: Vec<Vector> = match draft.shape(id) {
+            Some(shape) => {
+                let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
+                in_own_axes(&shape)
+            }
+            None => link.points.iter().map(drawn).collect(),
+        };
+        self.points
+            .push(link.points.iter().copied().zip(locals).collect());
+        self.drawn.push((origin, turn));
+    }
+
+    /// Adds the points of a link that is fixed to a body; the angle of the link on it.
+    fn fix(&mut self, draft: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
+        let (origin, turn) = self.drawn[body];
+        for point in points {
+            if self.local(body, *point).is_none() {
+                let local = product(draft.places[*point] - origin, conjugate(turn));
+                self.points[body].push((*point, local));
+            }
         }
-        for gear in &draft.gears {
-            self.gears.push(Gear {
-                bodies: gear.links.each_ref().map(body),
-                carrier: body(&gear.carrier),
-                teeth: gear.teeth,
-                mesh: gear.mesh,
-            });
+        let ends = points.iter().filter_map(|point| self.local(body, *point));
+        match ends.take(2).collect::<Vec<_>>()[..] {
+            [first, second] => (second - first).y.atan2((second - first).x),
+            _ => 0.0,
         }
     }
 
-    pub(super) fn count(&self) -> usize {
-        self.points.len()
+    fn slide(&self, draft: &Resolved<'_>, id: SlideId) -> Result<Slide, Defect> {
+        let slide = &draft.slides[id];
+        let on_link = |link, point| {
+            let local = self.local(draft.body(link), point);
+            local.ok_or_else(|| Defect::NotOnLink {
+                link: draft.link_name(link).to_owned(),
+                point: draft.point_name(point).to_owned(),
+            })
+        };
+        let [from, to] = slide.line;
+        let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, to)?];
+        let point = on_link(slide.link, slide.point)?;
+        let heading = (to - start).normalize();
+        let bodies = [slide.on, slide.link].map(|link| draft.body(link));
+        let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
+        let along = product(heading, on_turn);
+        let off = draft.places[slide.point] - draft.places[from];
+        let off = product(off, conjugate(along)).y;
+        Ok(Slide {
+            bodies,
+            start,
+            heading,
+            length: (to - start).norm(),
+            point,
+            direction: product(along, conjugate(turn)),
+            // A point drawn on the line is meant to be on it.
+            off: if off.abs() <= 1e-12 * draft.draft.size() {
+                0.0
+            } else {
+                off
+            },
+        })
+    }
+
+    pub(super) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {
+        self.points.ids()
+    }
+
+    /// How all bodies are turned in the drawing.
+    pub(super) fn orientations(&self) -> List<BodyId, Orientation> {
+        let drawn = self.ids().map(|body| Orientation {
+            angle: self.drawn_angle(body),
+            turn: self.drawn_turn(body),
+        });
+        drawn.collect()
     }
 
     /// The points of a body.
-    pub(super) fn of(&self, body: usize) -> &[(usize, Vector)] {
+    pub(super) fn of(&self, body: BodyId) -> &[(PointId, Vector)] {
         &self.points[body]
     }
 
     /// Where a point is on a body, if it is one of its.
-    pub(super) fn local(&self, body: usize, point: usize) -> Option<Vector> {
+    pub(super) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.points[body].iter();
         points
             .find(|(index, _)| *index == point)
@@ -194,35 +200,32 @@ impl Bodies {
     /// A point on the first of the bodies that has it and is accepted.
     pub(super) fn anchor_of(
         &self,
-        point: usize,
-        accepted: impl Fn(usize) -> bool,
+        point: PointId,
+        accepted: impl Fn(BodyId) -> bool,
     ) -> Option<Anchor> {
-        (0..self.count())
-            .filter(|body| accepted(*body))
-            .find_map(|body| {
-                Some(Anchor {
-                    body,
-                    local: self.local(body, point)?,
-                })
+        self.ids().filter(|body| accepted(*body)).find_map(|body| {
+            Some(Anchor {
+                body,
+                local: self.local(body, point)?,
             })
+        })
     }
 
-    /// Which pair joins which bodies.
-    pub(super) fn graph(&self, points: usize) -> Graph {
-        let hinge = |point: usize| -> Option<Pair> {
-            let joined = (0..self.count()).filter(|body| self.local(*body, point).is_some());
-            let joined: Vec<usize> = joined.collect();
+    /// Which pair joins which bodies; links of the graph are bodies.
+    pub(super) fn graph(&self, points: impl Iterator<Item = PointId>) -> Graph {
+        let hinge = |point: PointId| -> Option<Pair> {
+            let joined = self.ids().filter(|body| self.local(*body, point).is_some());
+            let joined: Vec<usize> = joined.map(BodyId::index).collect();
             (joined.len() > 1).then_some(Pair::Revolute(joined))
         };
-        let slides = self
-            .slides
-            .iter()
-            .map(|slide| Pair::Prismatic(slide.bodies));
-        let gears = self.gears.iter().map(|gear| Pair::Gear(gear.bodies));
+        let slides = self.slides.iter();
+        let slides = slides.map(|slide| Pair::Prismatic(slide.bodies.map(BodyId::index)));
+        let gears = self.gears.iter();
+        let gears = gears.map(|gear| Pair::Gear(gear.bodies.map(BodyId::index)));
         Graph {
-            links: self.count(),
-            ground: 0,
-            pairs: (0..points)
+            links: self.points.len(),
+            ground: BodyId::FRAME.index(),
+            pairs: points
                 .filter_map(hinge)
                 .chain(slides)
                 .chain(gears)
@@ -233,34 +236,32 @@ impl Bodies {
     /// A driver as the structure knows it: its pair and bodies.
     pub(super) fn driver(
         &self,
-        draft: &Draft,
-        seats: &[Seat],
-        driver: &DraftDriver,
+        draft: &Resolved<'_>,
+        driver: &Driver,
         graph: &Graph,
-    ) -> Option<Driver> {
+    ) -> Option<structure::Driver> {
         let links = match driver {
-            DraftDriver::Crank { link, base } => {
-                [base, link].map(|name| body_of(draft, seats, name))
-            }
-            DraftDriver::Slide { slide, .. } => self.slides.get(*slide)?.bodies,
+            Driver::Crank { link, base } => [*base, *link].map(|link| draft.body(link)),
+            Driver::Slide { slide, .. } => self.slides[*slide].bodies,
         };
+        let links = links.map(BodyId::index);
         let pair = graph.pairs.iter().position(|pair| match (pair, driver) {
-            (Pair::Revolute(joined), DraftDriver::Crank { .. }) => {
+            (Pair::Revolute(joined), Driver::Crank { .. }) => {
                 links.iter().all(|link| joined.contains(link))
             }
-            (Pair::Prismatic(joined), DraftDriver::Slide { .. }) => *joined == links,
+            (Pair::Prismatic(joined), Driver::Slide { .. }) => *joined == links,
             _ => false,
         })?;
-        Some(Driver { pair, links })
+        Some(structure::Driver { pair, links })
     }
 
     /// The turn of a body in the drawing.
-    pub(super) fn drawn_turn(&self, body: usize) -> Vector {
+    pub(super) fn drawn_turn(&self, body: BodyId) -> Vector {
         self.drawn[body].1
     }
 
     /// The angle of a body in the drawing.
-    pub(super) fn drawn_angle(&self, body: usize) -> f64 {
+    pub(super) fn drawn_angle(&self, body: BodyId) -> f64 {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)
     }
@@ -273,16 +274,16 @@ impl Bodies {
     }
 
     /// Where a body hinged on the frame has that hinge: on the frame and on itself.
-    pub(super) fn crank_hinge(&self, body: usize) -> Option<(Vector, Vector)> {
+    pub(super) fn crank_hinge(&self, body: BodyId) -> Option<(Vector, Vector)> {
         self.of(body)
             .iter()
-            .find_map(|(point, hinge)| Some((self.local(0, *point)?, *hinge)))
+            .find_map(|(point, hinge)| Some((self.local(BodyId::FRAME, *point)?, *hinge)))
     }
 }
 
 impl Slide {
     /// The other body, if this is one of the two.
-    pub(super) fn joins(&self, body: usize) -> Option<usize> {
+    pub(super) fn joins(&self, body: BodyId) -> Option<BodyId> {
         match self.bodies {
             [on, moving] if on == body => Some(moving),
             [on, moving] if moving == body => Some(on),
@@ -290,8 +291,18 @@ impl Slide {
         }
     }
 
+    /// The point of the body that slides.
+    pub(super) fn point(&self) -> Vector {
+        self.point
+    }
+
+    /// How far apart the two points are that give the line.
+    pub(super) fn line_length(&self) -> f64 {
+        self.length
+    }
+
     /// The line as it lies on one of the two bodies: a point and the direction.
-    pub(super) fn line_on(&self, body: usize) -> (Vector, Vector) {
+    pub(super) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)
         } else {
@@ -301,7 +312,7 @@ impl Slide {
     }
 
     /// How one of the two bodies slides along the line of the other, solved one.
-    pub(super) fn track(&self, body: usize) -> Track {
+    pub(super) fn track(&self, body: BodyId) -> Track {
         let other = usize::from(body == self.bodies[0]);
         let (start, heading) = self.line_on(self.bodies[other]);
         let (point, direction) = self.line_on(body);
@@ -319,7 +330,7 @@ impl Slide {
     }
 
     /// One of the two bodies as a side of a dyad with this slide between its links.
-    pub(super) fn side(&self, body: usize, outer: Anchor, hinge: Vector) -> Side {
+    pub(super) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
         let (through, direction) = self.line_on(body);
         Side::new(body, outer, hinge, through, direction)
     }
@@ -333,34 +344,17 @@ impl Track {
     }
 }
 
-/// The body of a link; 0 for the frame.
-pub(super) fn body_of(draft: &Draft, seats: &[Seat], name: &str) -> usize {
-    let link = draft.links.iter().position(|link| link.name == name);
-    link.map_or(0, |link| seats[link].body)
-}
-
-/// The direction of the line that a link without a second point slides along.
-fn guide(draft: &Draft, link: &str) -> Option<Vector> {
-    let slide = draft.slides.iter().find(|slide| slide.link == link)?;
-    let [from, to] = slide.line.each_ref().map(|name| draft.place(name));
-    Some((to? - from?).normalize())
-}
-
-/// A place of a shape with the first one moved to the origin and the second one
+/// The places of a shape with the first one moved to the origin and the second one
 /// turned onto the axis.
-fn in_shape(shape: &[Point], k: usize) -> Vector {
-    let axis = shape
-        .get(1)
-        .map_or(Vector::x(), |second| (second - shape[0]).normalize());
-    product(shape[k] - shape[0], conjugate(axis))
-}
-
-/// The link that a driver turns or moves.
-pub(super) fn driven<'a>(draft: &'a Draft, driver: &'a DraftDriver) -> Option<&'a str> {
-    match driver {
-        DraftDriver::Crank { link, .. } => Some(link),
-        DraftDriver::Slide { slide, .. } => {
-            draft.slides.get(*slide).map(|slide| slide.link.as_str())
-        }
-    }
+fn in_own_axes(shape: &[Vector]) -> Vec<Vector> {
+    let [first, rest @ ..] = shape else {
+        return Vec::new();
+    };
+    let axis = rest
+        .first()
+        .map_or(Vector::x(), |second| (second - first).normalize());
+    let shape = shape.iter();
+    shape
+        .map(|at| product(at - first, conjugate(axis)))
+        .collect()
 }

@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use super::body::driven;
-use super::draft::{Defect, Draft, DraftDriver, FRAME};
+use super::draft::{Defect, Draft, DraftDriver, DraftGear, DraftPoint, DraftSlide, FRAME, extent};
+use super::tracer;
 use crate::gears::{Mesh, TEETH};
 
 /// Coordinates and lengths beyond this are no drawing.
 const FARTHEST: f64 = 1e9;
-/// Two points of a link closer than this beside the size of the drawing coincide.
+/// Two points of a link closer than this relative to the size of the drawing coincide.
 const CLOSEST: f64 = 1e-9;
 
 /// Every reason, none where the references of the draft are sound.
@@ -17,9 +17,10 @@ pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
     let mut found = Vec::new();
     names(draft, &mut found);
     numbers(draft, &mut found);
+    found.extend(tracer::defects(draft, sound));
     for link in &draft.links {
         points_of(draft, &link.name, &link.points, &mut found);
-        shape(draft, link, &mut found);
+        shape(link, &mut found);
     }
     points_of(draft, FRAME, &draft.frame, &mut found);
     pairs(draft, &mut found);
@@ -77,8 +78,12 @@ fn names(draft: &Draft, found: &mut Vec<Defect>) {
     );
 }
 
+/// Whether a coordinate or a length can be.
+fn sound(value: f64) -> bool {
+    value.is_finite() && value.abs() <= FARTHEST
+}
+
 fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
-    let sound = |value: f64| value.is_finite() && value.abs() <= FARTHEST;
     for point in &draft.points {
         if !sound(point.at.x) || !sound(point.at.y) {
             found.push(Defect::NotFinite(point.name.clone()));
@@ -96,8 +101,8 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
             range: [from, to], ..
         } = driver
             && !(sound(*from) && sound(*to) && from < to)
+            && let Some(name) = draft.driven(driver)
         {
-            let name = driven(draft, driver).unwrap_or_default();
             found.push(Defect::NotFinite(name.to_owned()));
         }
     }
@@ -105,21 +110,28 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
 
 /// The points of a link, or of the frame: none twice, no two at one place.
 fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defect>) {
-    let own = draft.link(link).and_then(|link| link.shape.as_ref());
-    let place = |k: usize| match own {
-        Some(shape) => shape.get(k).copied(),
-        None => draft.place(&points[k]),
+    // What is fixed to a link has its points where that one has them.
+    let own = draft.link(root_of(draft, link));
+    let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
+    let in_shape = |name: &String| {
+        let (own, shape) = own?;
+        let index = own.points.iter().position(|point| point == name)?;
+        shape.get(index).copied()
+    };
+    let coincide = |a: &String, b: &String| {
+        // A link may be small in the drawing: its own shape tells its size.
+        let (ends, size) = match (in_shape(a), in_shape(b), own) {
+            (Some(a), Some(b), Some((_, shape))) => ((Some(a), Some(b)), extent(shape.iter())),
+            _ => ((draft.place(a), draft.place(b)), draft.size()),
+        };
+        matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= CLOSEST * size)
     };
     for (k, point) in points.iter().enumerate() {
-        for (earlier, other) in points[..k].iter().enumerate() {
+        for other in &points[..k] {
             if point == other {
                 let (link, point) = (link.to_owned(), point.clone());
                 found.push(Defect::Repeated { link, point });
-            } else if link != FRAME
-                && k < 2
-                && let (Some(a), Some(b)) = (place(earlier), place(k))
-                && (a - b).norm() <= CLOSEST * draft.size()
-            {
+            } else if link != FRAME && k < 2 && coincide(other, point) {
                 let (link, points) = (link.to_owned(), [other.clone(), point.clone()]);
                 found.push(Defect::Coincident { link, points });
             }
@@ -127,7 +139,7 @@ fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defec
     }
 }
 
-fn shape(_: &Draft, link: &super::DraftLink, found: &mut Vec<Defect>) {
+fn shape(link: &super::DraftLink, found: &mut Vec<Defect>) {
     let places = link.shape.as_ref().map(Vec::len);
     if places.is_some_and(|places| places != link.points.len()) {
         found.push(Defect::Shape(link.name.clone()));
@@ -140,69 +152,18 @@ fn shape(_: &Draft, link: &super::DraftLink, found: &mut Vec<Defect>) {
     }
 }
 
-/// Slides, gears, drivers and links fixed to others.
+/// Links fixed to others, slides, gears and drivers.
 fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
-    let has = |link: &str, point: &String| {
-        // A link has the points of those fixed to it and of what it is fixed to.
-        let root = root_of(draft, link);
-        let mut links = draft
-            .links
-            .iter()
-            .filter(|other| root_of(draft, &other.name) == root);
-        root == FRAME && draft.frame.contains(point)
-            || links.any(|other| other.points.contains(point))
-    };
     for link in &draft.links {
         if root_of(draft, &link.name).is_empty() {
             found.push(Defect::WithItself(link.name.clone()));
         }
     }
     for slide in &draft.slides {
-        let on_line = slide.line.iter().map(|point| (&slide.on, point));
-        for (link, point) in on_line.chain([(&slide.link, &slide.point)]) {
-            if !has(link, point) {
-                let (link, point) = (link.clone(), point.clone());
-                found.push(Defect::NotOnLink { link, point });
-            }
-        }
-        if slide.link == slide.on {
-            found.push(Defect::WithItself(slide.link.clone()));
-        }
-        if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| draft.place(name))
-            && (a - b).norm() <= CLOSEST * draft.size()
-        {
-            let (link, points) = (slide.on.clone(), slide.line.clone());
-            found.push(Defect::Coincident { link, points });
-        }
+        guided(draft, slide, found);
     }
-    let hinged = |first: &str, second: &str| {
-        draft
-            .points
-            .iter()
-            .any(|p| has(first, &p.name) && has(second, &p.name))
-    };
     for gear in &draft.gears {
-        let counts = gear
-            .teeth
-            .map(|z| z.is_finite() && z.fract() == 0.0 && (TEETH.0..=TEETH.1).contains(&z));
-        for (k, link) in gear.links.iter().enumerate() {
-            if !counts[k] {
-                let (link, value) = (link.clone(), gear.teeth[k]);
-                found.push(Defect::Teeth { link, value });
-            }
-            if *link == gear.carrier {
-                found.push(Defect::WithItself(link.clone()));
-            } else if !hinged(link, &gear.carrier) {
-                let links = [link.clone(), gear.carrier.clone()];
-                found.push(Defect::NotHinged { links });
-            }
-        }
-        if gear.links[0] == gear.links[1] {
-            found.push(Defect::WithItself(gear.links[0].clone()));
-        }
-        if gear.mesh == Mesh::Internal && gear.teeth[0] == gear.teeth[1] {
-            found.push(Defect::Concentric(gear.links.clone()));
-        }
+        meshing(draft, gear, found);
     }
     if draft.drivers.is_empty() {
         found.push(Defect::NoDriver);
@@ -212,7 +173,7 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
             DraftDriver::Crank { link, base } if link == base => {
                 found.push(Defect::WithItself(link.clone()));
             }
-            DraftDriver::Crank { link, base } if !hinged(link, base) => {
+            DraftDriver::Crank { link, base } if !hinged(draft, [link, base]) => {
                 let links = [link.clone(), base.clone()];
                 found.push(Defect::NotHinged { links });
             }
@@ -222,6 +183,63 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
             _ => {}
         }
     }
+}
+
+fn guided(draft: &Draft, slide: &DraftSlide, found: &mut Vec<Defect>) {
+    let on_line = slide.line.iter().map(|point| (&slide.on, point));
+    for (link, point) in on_line.chain([(&slide.link, &slide.point)]) {
+        if !has(draft, link, point) {
+            let (link, point) = (link.clone(), point.clone());
+            found.push(Defect::NotOnLink { link, point });
+        }
+    }
+    if slide.link == slide.on {
+        found.push(Defect::WithItself(slide.link.clone()));
+    }
+    if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| draft.place(name))
+        && (a - b).norm() <= CLOSEST * draft.size()
+    {
+        let (link, points) = (slide.on.clone(), slide.line.clone());
+        found.push(Defect::Coincident { link, points });
+    }
+}
+
+fn meshing(draft: &Draft, gear: &DraftGear, found: &mut Vec<Defect>) {
+    for (link, value) in gear.links.iter().zip(gear.teeth) {
+        let counts = value.is_finite() && value.fract() == 0.0;
+        if !counts || !(TEETH.0..=TEETH.1).contains(&value) {
+            let link = link.clone();
+            found.push(Defect::Teeth { link, value });
+        }
+        if *link == gear.carrier {
+            found.push(Defect::WithItself(link.clone()));
+        } else if !hinged(draft, [link, &gear.carrier]) {
+            let links = [link.clone(), gear.carrier.clone()];
+            found.push(Defect::NotHinged { links });
+        }
+    }
+    if gear.links[0] == gear.links[1] {
+        found.push(Defect::WithItself(gear.links[0].clone()));
+    }
+    if gear.mesh == Mesh::Internal && gear.teeth[0] == gear.teeth[1] {
+        found.push(Defect::Concentric(gear.links.clone()));
+    }
+}
+
+/// Whether a link has a point, itself or by what is fixed to it or it is fixed to.
+fn has(draft: &Draft, link: &str, point: &String) -> bool {
+    let root = root_of(draft, link);
+    let mut links = draft
+        .links
+        .iter()
+        .filter(|other| root_of(draft, &other.name) == root);
+    root == FRAME && draft.frame.contains(point) || links.any(|other| other.points.contains(point))
+}
+
+/// Whether two links share a point.
+fn hinged(draft: &Draft, links: [&str; 2]) -> bool {
+    let shared = |point: &DraftPoint| links.iter().all(|link| has(draft, link, &point.name));
+    draft.points.iter().any(shared)
 }
 
 /// The link that a link is fixed to in the end: itself, another, or the frame;

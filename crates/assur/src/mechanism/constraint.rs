@@ -5,21 +5,22 @@
 
 use std::f64::consts::TAU;
 
-use super::body::{Bodies, Seat, body_of};
-use super::draft::{Draft, DraftSlide, FRAME};
+use super::body::{Bodies, Placement, Slide};
+use super::resolved::{self, Resolved};
 use super::{Mechanism, Pose};
 use crate::Jet;
 use crate::gears::Mesh;
-use crate::position::{Stand, conjugate, product};
+use crate::index::{BodyId, LinkId, List, PointId};
+use crate::position::{Orientation, conjugate, product};
 
-/// A link, by index, or the frame: none.
-pub type LinkOrFrame = Option<usize>;
+/// A link, or the frame: none.
+pub type LinkOrFrame = Option<LinkId>;
 
-/// One constraint equation: what is demanded, and the constant on its right.
+/// One constraint equation: what stays constant, and the constant on its right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// What stays constant; points and links by index.
-    pub demand: Demand,
+    /// What stays constant.
+    pub kind: ConstraintKind,
     /// The constant: in the square of the unit of lengths, or radians.
     pub constant: f64,
 }
@@ -27,13 +28,13 @@ pub struct Constraint {
 /// What stays constant while a mechanism moves. A subscript PQ is a difference,
 /// `x_PQ = x_P − x_Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Demand {
+pub enum ConstraintKind {
     /// `x_PQ² + y_PQ² = l²`: a link keeps two of its points apart.
     Distance {
         /// The link.
-        link: usize,
+        link: LinkId,
         /// P and Q.
-        points: [usize; 2],
+        points: [PointId; 2],
     },
     /// `x_QP y_SP − y_QP x_SP = h·PQ`: S keeps its distance h to the left of the
     /// line PQ.
@@ -41,9 +42,9 @@ pub enum Demand {
         /// The link that slides.
         link: LinkOrFrame,
         /// S.
-        point: usize,
+        point: PointId,
         /// P and Q.
-        line: [usize; 2],
+        line: [PointId; 2],
     },
     /// `θ − θ₀ = α`: a link that slides keeps its angle against what has the line.
     Direction {
@@ -79,42 +80,39 @@ impl Sides {
     }
 }
 
-/// The equations of sound bodies, in the order of links, slides and gears. `stands`
-/// says how the bodies stand in the drawn pose: wheels are mounted there.
-pub(super) fn all(
-    draft: &Draft,
-    bodies: &Bodies,
-    seats: &[Seat],
-    stands: &[Stand],
-) -> Vec<Constraint> {
-    let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
-    let link_of = |name: &String| draft.links.iter().position(|link| link.name == *name);
-    let on_slides = |body: usize, point: usize| {
-        let gives = |slide: &DraftSlide| {
-            let line = slide.line.each_ref().map(index);
-            body_of(draft, seats, &slide.link) == body && index(&slide.point) == Some(point)
-                || body_of(draft, seats, &slide.on) == body && line.contains(&Some(point))
-        };
-        draft.slides.iter().any(gives)
-    };
-    let mut joined = vec![0; draft.points.len()];
-    for (point, _) in (0..bodies.count()).flat_map(|body| bodies.of(body)) {
-        joined[*point] += 1;
+/// What a mechanism's equations are read from.
+pub(super) struct Parts<'a> {
+    pub(super) draft: &'a Resolved<'a>,
+    pub(super) bodies: &'a Bodies,
+    pub(super) placements: &'a List<LinkId, Placement>,
+    /// How the bodies are turned in the drawn pose: wheels are mounted there.
+    pub(super) orientations: &'a List<BodyId, Orientation>,
+}
+
+impl Parts<'_> {
+    /// The equations in the order of links, slides and gears.
+    pub(super) fn constraints(&self) -> Vec<Constraint> {
+        let Self { draft, bodies, .. } = self;
+        let links = draft.bodies.iter().flatten();
+        let links = links.flat_map(|link| self.distances(*link));
+        let slides = draft.slides.iter().zip(bodies.slides.iter());
+        let slides = slides.flat_map(|(drawn, slide)| self.guided(drawn, slide));
+        let gears = draft.gears.iter().map(|gear| self.mesh(gear));
+        links.chain(slides).chain(gears).collect()
     }
-    let mut found = Vec::new();
-    for (link, (drawn, seat)) in draft.links.iter().zip(seats).enumerate() {
-        if drawn.fixed_to.is_some() {
-            continue;
-        }
-        let points = bodies.of(seat.body).iter();
-        let points: Vec<_> = points
-            .filter(|(point, _)| joined[*point] > 1 || on_slides(seat.body, *point))
-            .collect();
-        // Two for each point more than the first two: rigid, and none too many.
+
+    /// Distances between the joints of a link with a body of its own: two for each
+    /// point more than the first two make it rigid, and none is too many.
+    fn distances(&self, link: LinkId) -> Vec<Constraint> {
+        let body = self.draft.links[link].body;
+        let points = self.bodies.of(body).iter();
+        let points = points.filter(|(point, _)| self.is_joint(body, *point));
+        let points: Vec<_> = points.collect();
+        let mut found = Vec::new();
         for (k, (point, place)) in points.iter().enumerate() {
             for (other, base) in &points[..k.min(2)] {
                 found.push(Constraint {
-                    demand: Demand::Distance {
+                    kind: ConstraintKind::Distance {
                         link,
                         points: [*other, *point],
                     },
@@ -122,45 +120,56 @@ pub(super) fn all(
                 });
             }
         }
+        found
     }
-    for (drawn, slide) in draft.slides.iter().zip(&bodies.slides) {
+
+    /// Whether a point of a body is hinged on another one, slides, or gives a line.
+    fn is_joint(&self, body: BodyId, point: PointId) -> bool {
+        let Self { draft, bodies, .. } = self;
+        let having = bodies.ids().map(|other| bodies.of(other).iter());
+        let having = having.flatten().filter(|(other, _)| *other == point);
+        let slides = |slide: &resolved::Slide| {
+            draft.body(slide.link) == body && slide.point == point
+                || draft.body(slide.on) == body && slide.line.contains(&point)
+        };
+        having.count() > 1 || draft.slides.iter().any(slides)
+    }
+
+    /// What a link's angle has more than its body's.
+    fn lead(&self, link: LinkOrFrame) -> f64 {
+        link.map_or(0.0, |link| self.placements[link].lead)
+    }
+
+    /// A slide keeps its point's distance from the line, and its direction.
+    fn guided(&self, drawn: &resolved::Slide, slide: &Slide) -> [Constraint; 2] {
         let [on, moving] = slide.bodies;
-        let [link, base] = [&drawn.link, &drawn.on].map(link_of);
-        let ends = drawn.line.each_ref().map(index);
-        let ([Some(p), Some(q)], Some(point)) = (ends, index(&drawn.point)) else {
-            continue;
-        };
-        let on_line = [p, q].map(|end| bodies.local(on, end));
-        let ([Some(from), Some(to)], Some(place)) = (on_line, bodies.local(moving, point)) else {
-            continue;
-        };
+        let (link, point) = (drawn.link, drawn.point);
         let (_, heading) = slide.line_on(on);
         let (through, direction) = slide.line_on(moving);
-        let off = product(place - through, conjugate(direction)).y;
-        found.push(Constraint {
-            demand: Demand::Offset {
-                link,
-                point,
-                line: [p, q],
-            },
-            constant: off * (to - from).norm(),
-        });
+        let off = product(slide.point() - through, conjugate(direction)).y;
         let turn = product(heading, conjugate(direction));
-        let lead = |link: LinkOrFrame| link.map_or(0.0, |link| seats[link].lead);
-        found.push(Constraint {
-            demand: Demand::Direction { link, on: base },
-            constant: turn.y.atan2(turn.x) + lead(link) - lead(base),
-        });
+        let lead = self.lead(link) - self.lead(drawn.on);
+        [
+            Constraint {
+                kind: ConstraintKind::Offset {
+                    link,
+                    point,
+                    line: drawn.line,
+                },
+                constant: off * slide.line_length(),
+            },
+            Constraint {
+                kind: ConstraintKind::Direction { link, on: drawn.on },
+                constant: turn.y.atan2(turn.x) + lead,
+            },
+        ]
     }
-    for gear in &draft.gears {
-        let links = gear.links.each_ref().map(link_of);
-        let carrier = Some(&gear.carrier)
-            .filter(|name| *name != FRAME)
-            .and_then(link_of);
+
+    fn mesh(&self, gear: &resolved::Gear) -> Constraint {
+        let (links, carrier) = (gear.links, gear.carrier);
         let angle = |link: LinkOrFrame| {
-            link.map_or(0.0, |link| {
-                stands[seats[link].body].angle + seats[link].lead
-            })
+            let body = self.draft.body(link);
+            self.orientations[body].angle + self.lead(link)
         };
         let sense = if gear.mesh == Mesh::External {
             1.0
@@ -169,16 +178,15 @@ pub(super) fn all(
         };
         let teeth = [gear.teeth[0], sense * gear.teeth[1]];
         let [a, b] = links.map(|link| angle(link) - angle(carrier));
-        found.push(Constraint {
-            demand: Demand::Mesh {
+        Constraint {
+            kind: ConstraintKind::Mesh {
                 links,
                 carrier,
                 teeth,
             },
             constant: teeth[0] * a + teeth[1] * b,
-        });
+        }
     }
-    found
 }
 
 impl Mechanism {
@@ -199,7 +207,7 @@ impl Mechanism {
         constraint: &Constraint,
         order: usize,
     ) -> Sides {
-        let between = |p: usize, q: usize| {
+        let between = |p: PointId, q: PointId| {
             let [p, q] = [p, q].map(|point| self.place(pose, point));
             [p.x - q.x, p.y - q.y]
         };
@@ -209,20 +217,20 @@ impl Mechanism {
             let off = (left.value() - constraint.constant) / TAU;
             left + -TAU * off.round()
         };
-        let left = match constraint.demand {
-            Demand::Distance { points: [p, q], .. } if order > 0 => {
+        let left = match constraint.kind {
+            ConstraintKind::Distance { points: [p, q], .. } if order > 0 => {
                 return differentiated(between(p, q), order);
             }
-            Demand::Distance { points: [p, q], .. } => {
+            ConstraintKind::Distance { points: [p, q], .. } => {
                 let [x, y] = between(p, q);
                 x.square() + y.square()
             }
-            Demand::Offset { point, line, .. } => {
+            ConstraintKind::Offset { point, line, .. } => {
                 let [along, to] = [line[1], point].map(|point| between(point, line[0]));
                 along[0] * to[1] - along[1] * to[0]
             }
-            Demand::Direction { link, on } => turns(angle(link) - angle(on)),
-            Demand::Mesh {
+            ConstraintKind::Direction { link, on } => turns(angle(link) - angle(on)),
+            ConstraintKind::Mesh {
                 links,
                 carrier,
                 teeth,

@@ -1,7 +1,7 @@
 //! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::{Mechanism, Pose};
+use super::DraftTracer;
 use crate::gears::Mesh;
 use crate::{Point, Vector};
 
@@ -21,8 +21,10 @@ pub struct Draft {
     pub slides: Vec<DraftSlide>,
     /// Gear couplings.
     pub gears: Vec<DraftGear>,
-    /// What is driven. The input is the first one's coordinate.
+    /// What is driven. The input is the driver's coordinate; a mechanism has one.
     pub drivers: Vec<DraftDriver>,
+    /// Points that links carry and that join nothing: tracer points.
+    pub tracers: Vec<DraftTracer>,
 }
 
 /// A point. The drawing shows one pose: it says which of the assemblies is meant
@@ -171,6 +173,12 @@ pub enum Defect {
         /// What is locked.
         links: Vec<String>,
     },
+    /// More than one driver, as many as there are freedoms: the motion has one
+    /// input, and none of these further links may silently be locked to it.
+    FurtherDrivers {
+        /// What the second and every further driver turns or moves.
+        links: Vec<String>,
+    },
     /// Guides that are parallel where they must cross.
     ParallelGuides {
         /// The links that slide on them.
@@ -248,31 +256,16 @@ impl Draft {
         self
     }
 
-    /// The same linkage drawn in a pose of its mechanism.
-    #[must_use]
-    pub fn drawn_in(&self, mechanism: &Mechanism, pose: &Pose<1>) -> Self {
-        let mut draft = self.clone();
-        for (index, drawn) in draft.points.iter_mut().enumerate() {
-            drawn.at = mechanism.place(pose, index).place();
-        }
-        draft
-    }
-
-    /// The same linkage drawn in a pose of its mechanism, with one point, by its
-    /// number, drawn elsewhere: the links that list it are then as drawn, the
-    /// others keep their dimensions.
-    #[must_use]
-    pub fn redrawn(&self, mechanism: &Mechanism, pose: &Pose<1>, point: usize, to: Point) -> Self {
-        let mut draft = self.drawn_in(mechanism, pose);
-        if let Some(moved) = draft.points.get_mut(point) {
-            moved.at = to;
-            for link in &mut draft.links {
-                if link.points.contains(&moved.name) {
-                    link.shape = None;
-                }
+    /// The link that a driver turns or moves; none where the driven slide does not
+    /// exist.
+    pub fn driven<'a>(&'a self, driver: &'a DraftDriver) -> Option<&'a str> {
+        match driver {
+            DraftDriver::Crank { link, .. } => Some(link),
+            DraftDriver::Slide { slide, .. } => {
+                let slide = self.slides.get(*slide);
+                slide.map(|slide| slide.link.as_str())
             }
         }
-        draft
     }
 
     /// Where a point is drawn.
@@ -288,11 +281,16 @@ impl Draft {
 
     /// The diagonal of the drawing: the size of the mechanism.
     pub(crate) fn size(&self) -> f64 {
-        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
-        for point in &self.points {
-            low = low.inf(&point.at.coords);
-            high = high.sup(&point.at.coords);
-        }
-        (high - low).norm()
+        extent(self.points.iter().map(|point| &point.at))
     }
+}
+
+/// The diagonal of the box around places.
+pub(super) fn extent<'a>(places: impl Iterator<Item = &'a Point>) -> f64 {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
+    for place in places {
+        low = low.inf(&place.coords);
+        high = high.sup(&place.coords);
+    }
+    (high - low).norm()
 }

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::Vector;
+use crate::index::{BodyId, List, PointId, SlideId};
 use crate::position::{Anchor, Equation, Form, Group, Input, conjugate, product, quotient};
 
 use super::body::{Bodies, Slide};
@@ -12,12 +13,12 @@ use super::body::{Bodies, Slide};
 /// coupling is inside the group, or the equations are not as many as the unknowns.
 pub(super) fn group(
     bodies: &Bodies,
-    members: &[usize],
-    solved: &[bool],
+    members: &[BodyId],
+    solved: &List<BodyId, bool>,
     offset: usize,
-    drawn: impl Fn(usize) -> Vector,
+    drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
-    let inside = |body: &usize| members.contains(body);
+    let inside = |body: &BodyId| members.contains(body);
     if bodies
         .gears
         .iter()
@@ -66,10 +67,14 @@ pub(super) fn group(
 
 /// How a body follows from what is known.
 enum Follows {
-    /// Two of its points are known.
-    Points([usize; 2]),
-    /// A point, and the direction by a slide.
-    Slide { point: usize, slide: usize },
+    /// Two of its points are known, where they are on it.
+    Points([(PointId, Vector); 2]),
+    /// A point, and the direction by a slide along another body.
+    Slide {
+        point: (PointId, Vector),
+        slide: SlideId,
+        other: BodyId,
+    },
 }
 
 /// One equation, or two, in forms of its own.
@@ -88,14 +93,14 @@ enum Condition {
 
 struct Plan<'a> {
     bodies: &'a Bodies,
-    solved: &'a [bool],
+    solved: &'a List<BodyId, bool>,
     inputs: Vec<Input>,
     /// Where points are.
-    points: BTreeMap<usize, Form>,
+    points: BTreeMap<PointId, Form>,
     /// Origin and turn of the bodies placed so far.
-    placed: BTreeMap<usize, [Form; 2]>,
+    placed: BTreeMap<BodyId, [Form; 2]>,
     /// Slides that have given a direction.
-    by_slide: Vec<usize>,
+    by_slide: Vec<SlideId>,
     conditions: Vec<Condition>,
     /// The drawn values of the unknowns.
     home: Vec<Vector>,
@@ -103,9 +108,9 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
-        // The frame stands still.
+        // The frame does not move.
         let (Input::Place(anchor) | Input::Direction(anchor)) = input;
-        if anchor.body == 0 {
+        if anchor.body == BodyId::FRAME {
             return Form {
                 constant: anchor.local,
                 ..Form::default()
@@ -130,39 +135,36 @@ impl Plan<'_> {
         }
     }
 
-    fn is_placed(&self, body: usize) -> bool {
+    fn is_placed(&self, body: BodyId) -> bool {
         self.solved[body] || self.placed.contains_key(&body)
     }
 
     /// A slide whose other body is placed.
-    fn guided(&self, body: usize) -> Option<usize> {
-        self.bodies
-            .slides
-            .iter()
-            .position(|slide| slide.joins(body).is_some_and(|other| self.is_placed(other)))
+    fn guided(&self, body: BodyId) -> Option<(SlideId, BodyId)> {
+        let mut slides = self.bodies.slides.enumerate();
+        slides.find_map(|(slide, joint)| {
+            let other = joint.joins(body).filter(|other| self.is_placed(*other))?;
+            Some((slide, other))
+        })
     }
 
-    fn follows(&self, body: usize) -> Option<Follows> {
-        let known: Vec<usize> = self
-            .bodies
-            .of(body)
-            .iter()
-            .map(|(point, _)| *point)
-            .filter(|point| self.points.contains_key(point))
-            .collect();
-        match (known[..].first(), known.get(1), self.guided(body)) {
-            (Some(point), _, Some(slide)) => Some(Follows::Slide {
-                point: *point,
+    fn follows(&self, body: BodyId) -> Option<Follows> {
+        let mut known = self.bodies.of(body).iter().copied();
+        let mut known = || known.find(|(point, _)| self.points.contains_key(point));
+        let first = known()?;
+        match self.guided(body) {
+            Some((slide, other)) => Some(Follows::Slide {
+                point: first,
                 slide,
+                other,
             }),
-            (Some(first), Some(second), None) => Some(Follows::Points([*first, *second])),
-            _ => None,
+            None => Some(Follows::Points([first, known()?])),
         }
     }
 
     /// How little is lacking to place a body: a guide or a point known, then the
     /// more points it has, the more will follow from it.
-    fn readiness(&self, body: usize) -> (usize, usize) {
+    fn readiness(&self, body: BodyId) -> (usize, usize) {
         let known = self
             .bodies
             .of(body)
@@ -173,8 +175,8 @@ impl Plan<'_> {
     }
 
     /// Makes an unknown of what a body lacks next.
-    fn assume(&mut self, body: usize, members: &[usize], drawn: &impl Fn(usize) -> Vector) {
-        let joints = |point: usize| {
+    fn assume(&mut self, body: BodyId, members: &[BodyId], drawn: &impl Fn(PointId) -> Vector) {
+        let joints = |point: PointId| {
             members
                 .iter()
                 .filter(|other| self.bodies.local(**other, point).is_some())
@@ -199,11 +201,9 @@ impl Plan<'_> {
         self.settle(body, [origin, turn], &[point]);
     }
 
-    fn place(&mut self, body: usize, how: Follows) {
+    fn place(&mut self, body: BodyId, how: Follows) {
         match how {
-            Follows::Points([first, second]) => {
-                let [a, b] =
-                    [first, second].map(|point| self.bodies.local(body, point).unwrap_or_default());
+            Follows::Points([(first, a), (second, b)]) => {
                 let [p, q] = [first, second].map(|point| self.points[&point].clone());
                 let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
                 if !turn.unknowns.is_empty() {
@@ -213,13 +213,15 @@ impl Plan<'_> {
                 let origin = p.minus(&turn.by(a));
                 self.settle(body, [origin, turn], &[first, second]);
             }
-            Follows::Slide { point, slide } => {
+            Follows::Slide {
+                point: (point, local),
+                slide,
+                other,
+            } => {
                 let guide = &self.bodies.slides[slide];
-                let other = guide.joins(body).unwrap_or_default();
                 let (_, heading) = guide.line_on(other);
                 let (_, direction) = guide.line_on(body);
                 let turn = self.direction(other, heading).by(conjugate(direction));
-                let local = self.bodies.local(body, point).unwrap_or_default();
                 let origin = self.points[&point].minus(&turn.by(local));
                 self.by_slide.push(slide);
                 self.settle(body, [origin, turn], &[point]);
@@ -228,7 +230,7 @@ impl Plan<'_> {
     }
 
     /// Sets the forms of a body; a point that had one already must agree.
-    fn settle(&mut self, body: usize, [origin, turn]: [Form; 2], used: &[usize]) {
+    fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));
             if used.contains(point) {
@@ -248,7 +250,7 @@ impl Plan<'_> {
     }
 
     /// A direction of a body that is placed.
-    fn direction(&mut self, body: usize, heading: Vector) -> Form {
+    fn direction(&mut self, body: BodyId, heading: Vector) -> Form {
         match self.placed.get(&body) {
             Some([_, turn]) => turn.by(heading),
             None => self.input(Input::Direction(Anchor {
@@ -259,7 +261,7 @@ impl Plan<'_> {
     }
 
     /// A place on a body that is placed.
-    fn place_on(&mut self, body: usize, local: Vector) -> Form {
+    fn place_on(&mut self, body: BodyId, local: Vector) -> Form {
         match self.placed.get(&body) {
             Some([origin, turn]) => origin.plus(&turn.by(local)),
             None => self.input(Input::Place(Anchor { body, local })),
@@ -275,12 +277,9 @@ impl Plan<'_> {
                 .iter()
                 .any(|body| self.placed.contains_key(body))
         };
-        let slides = bodies
-            .slides
-            .iter()
-            .enumerate()
-            .filter(|(_, slide)| own(slide));
-        let slides: Vec<(usize, &Slide)> = slides.collect();
+        let slides = bodies.slides.enumerate();
+        let slides = slides.filter(|(_, slide)| own(slide));
+        let slides: Vec<(SlideId, &Slide)> = slides.collect();
         for (index, slide) in slides {
             let [on, moving] = slide.bodies;
             if !self.is_placed(on) || !self.is_placed(moving) {

@@ -2,52 +2,48 @@
 
 use super::{Mechanism, Pose};
 use crate::Jet;
+use crate::index::{LinkId, PointId};
 
-/// A value that changes along the motion. Links and points are numbered as in the
-/// draft.
+/// A value that changes along the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// The angle of a link, from its first to its second point, radians.
-    Angle(usize),
+    Angle(LinkId),
     /// The abscissa of a point, in the unit of the lengths.
-    X(usize),
+    X(PointId),
     /// Its ordinate.
-    Y(usize),
+    Y(PointId),
 }
 
 impl Quantity {
     /// All of a mechanism: the angles of the links, then x and y of each point.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
-        let points = (0..mechanism.points().len()).flat_map(|k| [Self::X(k), Self::Y(k)]);
-        let angles = (0..mechanism.links().len()).map(Self::Angle);
+        let points = mechanism.point_ids();
+        let points = points.flat_map(|point| [Self::X(point), Self::Y(point)]);
+        let angles = mechanism.link_ids().map(Self::Angle);
         angles.chain(points).collect()
     }
 
     /// The quantity of a name, such as `rocker.angle` or `C.x`.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (of, what) = name.rsplit_once('.')?;
-        let point = || mechanism.points().position(|point| point == of);
         match what {
-            "angle" => mechanism
-                .links()
-                .position(|link| link == of)
-                .map(Self::Angle),
-            "x" => point().map(Self::X),
-            "y" => point().map(Self::Y),
+            "angle" => mechanism.link(of).map(Self::Angle),
+            "x" => mechanism.point(of).map(Self::X),
+            "y" => mechanism.point(of).map(Self::Y),
             _ => None,
         }
     }
 
-    /// Its name, with `order` times a d before what it is: `C.ddx`. Empty where
-    /// the mechanism has no such link or point.
+    /// Its name, with `order` times a d before what it is: `C.ddx`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = match self {
-            Self::Angle(link) => (mechanism.links().nth(link), "angle"),
-            Self::X(point) => (mechanism.points().nth(point), "x"),
-            Self::Y(point) => (mechanism.points().nth(point), "y"),
+            Self::Angle(link) => (mechanism.link_name(link), "angle"),
+            Self::X(point) => (mechanism.point_name(point), "x"),
+            Self::Y(point) => (mechanism.point_name(point), "y"),
         };
         let prefix = "d".repeat(order);
-        of.map_or(String::new(), |of| format!("{of}.{prefix}{what}"))
+        format!("{of}.{prefix}{what}")
     }
 
     /// True for an angle, false for a length.

@@ -1,6 +1,6 @@
 //! The cyclogram: what a quantity does over a turn, bar by bar.
 
-use super::{Course, Dwell};
+use super::{Dwell, OutputProfile};
 
 /// What a quantity does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub struct Phase {
     pub values: [f64; 2],
 }
 
-impl Course<'_> {
+impl OutputProfile<'_> {
     /// The phases of a cycle: dwells at its extrema within a band of full width
     /// `tolerance`, the longest first where they would overlap, and what is between
     /// them. Empty where the tolerance is not greater than zero.

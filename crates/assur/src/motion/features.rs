@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Extremum, Input, Kind};
+use super::{Extremum, Input, Kind, Motion};
+use crate::mechanism::Quantity;
 use crate::{Cycle, Jet};
 
 /// What stands out of a quantity over a motion, in ascending crank angle.
@@ -30,8 +31,54 @@ const GRID: usize = 360;
 /// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
 /// vanishing diagonal, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
-/// A derivative that varies by less than this beside its size is constant.
+/// A derivative that varies by less than this relative to its size is constant.
 const CONSTANT: f64 = 1e-9;
+/// An angle with less of an offset to a multiple of another, radians, is that.
+const NO_OFFSET: f64 = 1e-12;
+
+impl Motion {
+    /// Zeros and extrema of quantities and of their first two derivatives by time,
+    /// as of [`features`]: found once for all that are multiples of the same one.
+    pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
+        let mechanism = self.mechanism();
+        let multiples = quantities.iter().map(|one| self.multiple(*one));
+        let multiples: Vec<(Quantity, f64)> = multiples.collect();
+        let mut bases: Vec<Quantity> = Vec::new();
+        for (base, _) in &multiples {
+            if !bases.contains(base) {
+                bases.push(*base);
+            }
+        }
+        let size = mechanism.size();
+        let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
+        let units: Vec<f64> = bases.iter().map(unit).collect();
+        let jets = |input: f64| -> Option<Vec<Jet<5>>> {
+            let pose = self.pose::<5>(input).ok()?;
+            Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
+        };
+        let found = features(self.cycle(), &jets, &units, input);
+        let scaled = |(base, factor): (Quantity, f64)| {
+            let mut known = bases.iter().zip(&found);
+            let found = known.find(|(one, _)| **one == base);
+            found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
+        };
+        multiples.into_iter().filter_map(scaled).collect()
+    }
+
+    /// The quantity that another is a multiple of, and how many times. With an offset
+    /// to it an angle has zeros of its own.
+    fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
+        let Quantity::Angle(link) = quantity else {
+            return (quantity, 1.0);
+        };
+        let multiple = self.mechanism().multiple_of(link);
+        if multiple.offset.abs() < NO_OFFSET {
+            (Quantity::Angle(multiple.of), multiple.factor)
+        } else {
+            (quantity, 1.0)
+        }
+    }
+}
 
 /// Zeros and extrema of quantities and of their first two derivatives by time
 /// over a cycle: `motion` gives the quantities at a crank angle, `units` the size
@@ -105,7 +152,7 @@ pub(super) fn turning_points(
 }
 
 /// Zeros and extrema of one function of the crank angle, from samples of the
-/// whole motion; beside `size` its values are seen.
+/// whole motion; `size` is what its values are relative to.
 fn features_of(
     cycle: &Cycle,
     sweeps: &[Vec<Option<Sample>>],

@@ -1,21 +1,229 @@
-//! What is read off a whole motion rather than one pose.
+//! A whole motion: the branch of poses that is reached from the drawn one without
+//! a jump, followed by continuity; and what is read off it.
 
+mod closed;
+mod continuation;
 mod cyclogram;
-mod dwell;
-mod extrema;
+mod dead_point;
+mod extremum;
 mod features;
 mod input;
-mod knots;
+mod interpolation;
+mod joined;
+mod limits;
+mod profile;
 mod root;
-pub mod sweep;
 mod table;
-mod trace;
-mod walk;
+mod transmission;
 
 pub use cyclogram::{Phase, PhaseKind};
-pub use dwell::{Course, Dwell};
-pub use extrema::{Extremum, Kind, extrema};
+pub use dead_point::{DeadPoint, DeadPointKind};
+pub use extremum::{Extremum, Kind};
 pub use features::{Features, features};
 pub use input::Input;
+pub use joined::Unjoinable;
+pub use limits::LimitPosition;
+pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
-pub use trace::{DeadPoint, DeadPointKind, Motion};
+pub use transmission::LeastTransmission;
+
+use std::f64::consts::{PI, TAU};
+
+use crate::Cycle;
+use crate::index::StepId;
+use crate::mechanism::{Cause, Mechanism, Pose, Unsolved};
+use crate::position::Step;
+use continuation::{Continuation, End};
+use interpolation::Knots;
+
+/// The motion of a mechanism in one of its assemblies. A pose depends on the
+/// input alone: which way each group is joined at every input has been found out
+/// once, by going through the motion.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    mechanism: Mechanism,
+    cycle: Cycle,
+    knots: Knots,
+    dead_points: Vec<DeadPoint>,
+    change_points: Vec<f64>,
+    home: f64,
+}
+
+impl Motion {
+    /// The motion of a mechanism from its drawn pose; from another assembly, that of
+    /// the mechanism drawn in it, [`Mechanism::assembly`].
+    pub fn new(mechanism: Mechanism) -> Self {
+        if mechanism.whole_closed_form() {
+            Self::in_closed_form(mechanism)
+        } else {
+            Self::followed(mechanism)
+        }
+    }
+
+    fn followed(mechanism: Mechanism) -> Self {
+        let mut forth = Continuation::new(&mechanism);
+        let mut knots = Knots::default();
+        let mut turned = 0.0;
+        let (cycle, dead_points) = match forth.go(1.0, &mut knots) {
+            End::Closed(turns) => {
+                knots.begin_at_zero(TAU * turns as f64);
+                (Cycle::turning(turns), Vec::new())
+            }
+            End::Dead(last) => {
+                let mut back = Continuation::new(&mechanism);
+                let mut before = Knots::default();
+                let first = match back.go(-1.0, &mut before) {
+                    End::Dead(first) => first,
+                    // It cannot turn fully one way only.
+                    End::Closed(_) => DeadPoint {
+                        input: mechanism.home(),
+                        ..last
+                    },
+                };
+                forth.change_points.extend(back.change_points);
+                knots.prepend(before);
+                let period = mechanism.turns().then_some(TAU);
+                // The arc is told by whole turns so that it begins within [−π, π).
+                let shift = period.map_or(0.0, |turn| turn * ((first.input + PI) / turn).floor());
+                knots.shift(-shift);
+                turned = shift;
+                let ends = [first, last].map(|end| DeadPoint {
+                    input: end.input - shift,
+                    ..end
+                });
+                let arc = ends.map(|end| end.input);
+                (Cycle::swinging(arc, period), ends.to_vec())
+            }
+        };
+        let passed = forth.change_points;
+        let home = cycle.wrap(mechanism.home() - turned);
+        let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
+        let passed = passed.into_iter();
+        let passed: Vec<f64> = passed.map(|at| motion.cycle.wrap(at - turned)).collect();
+        motion.change_points.extend(passed);
+        motion.change_points.sort_by(f64::total_cmp);
+        motion
+    }
+
+    /// A motion that has been found out, with the change points of its closed forms.
+    fn of(
+        mechanism: Mechanism,
+        cycle: Cycle,
+        knots: Knots,
+        dead_points: Vec<DeadPoint>,
+        home: f64,
+    ) -> Self {
+        let arcs = cycle.arcs().iter();
+        let change_points = arcs.flat_map(|arc| {
+            let closed = mechanism.closed_steps();
+            closed.flat_map(|closed| closed.change_points(*arc))
+        });
+        let mut motion = Self {
+            change_points: change_points.collect(),
+            mechanism,
+            cycle,
+            knots,
+            dead_points,
+            home,
+        };
+        if motion.pose::<1>(home).is_err() {
+            motion.home = motion.cycle.home();
+        }
+        motion
+    }
+
+    /// The mechanism that moves.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    /// The inputs over which it moves.
+    pub fn cycle(&self) -> &Cycle {
+        &self.cycle
+    }
+
+    /// The input of the drawn pose, told by as many whole turns as the cycle is; where
+    /// there is no pose at it, one far from the ends.
+    pub fn home(&self) -> f64 {
+        self.home
+    }
+
+    /// Where the driver must turn back; none where it turns fully.
+    pub fn dead_points(&self) -> &[DeadPoint] {
+        &self.dead_points
+    }
+
+    /// The links that are in line at a dead point, by name.
+    pub fn links_at(&self, dead: &DeadPoint) -> impl Iterator<Item = &str> {
+        self.mechanism.links_of(dead.step)
+    }
+
+    /// The inputs at which links come into line and pass through: there another
+    /// motion crosses this one.
+    pub fn change_points(&self) -> &[f64] {
+        &self.change_points
+    }
+
+    /// How far the groups that Newton's method solves stay from singular poses: the
+    /// least determinant of a Jacobian over the motion relative to its greatest, with
+    /// the sign that it keeps; 1 where there is no such group.
+    pub fn singularity_margin(&self) -> f64 {
+        let mut pose = self.mechanism.blank::<1>();
+        let mut ranges = self.mechanism.steps().alike(None);
+        for input in self.knots.inputs() {
+            if self.place(input, &mut pose).is_err() {
+                continue;
+            }
+            let (state, _) = pose.parts();
+            for (step, placing) in self.mechanism.steps().enumerate() {
+                if matches!(placing, Step::Group(_)) {
+                    let value = state.margins[step][0].value();
+                    let [low, high] = ranges[step].unwrap_or([value; 2]);
+                    ranges[step] = Some([low.min(value), high.max(value)]);
+                }
+            }
+        }
+        let ratios = ranges.iter().flatten().map(|[low, high]| {
+            if *low > 0.0 {
+                low / high
+            } else if *high < 0.0 {
+                -high / low
+            } else {
+                0.0
+            }
+        });
+        ratios.fold(1.0, |least: f64, ratio| {
+            least.abs().min(ratio.abs()).copysign(least * ratio)
+        })
+    }
+
+    /// The pose at an input, with `N − 1` derivatives by it.
+    ///
+    /// # Errors
+    /// Which links find no place, and why.
+    pub fn pose<const N: usize>(&self, input: f64) -> Result<Pose<N>, Unsolved> {
+        let mut pose = self.mechanism.blank();
+        self.place(input, &mut pose)?;
+        Ok(pose)
+    }
+
+    /// The same into a pose that was made before: nothing is allocated.
+    ///
+    /// # Errors
+    /// Which links find no place, and why; `pose` is then of no use.
+    pub fn place<const N: usize>(&self, input: f64, pose: &mut Pose<N>) -> Result<(), Unsolved> {
+        let wrapped = self.cycle.wrap(input);
+        let unsolved = |(step, cause)| Unsolved { input, step, cause };
+        if !wrapped.is_finite() {
+            return Err(unsolved((StepId::FIRST, Cause::Input)));
+        }
+        let (state, guess) = pose.parts();
+        let (signs, near) = self.knots.near(wrapped, guess);
+        let solved = self.mechanism.solve(wrapped, signs, near, state);
+        solved.map_err(unsolved)?;
+        if !self.cycle.contains(wrapped) {
+            return Err(unsolved((StepId::FIRST, Cause::Unreached)));
+        }
+        Ok(())
+    }
+}

@@ -1,4 +1,5 @@
-//! A root between two places where a function has other signs.
+//! A root between two places where a function has other signs; the place from which
+//! on something no longer holds.
 
 /// Steps after which a root is as good as it gets; halving alone takes about sixty.
 const STEPS: usize = 120;
@@ -36,6 +37,26 @@ pub(super) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
         part = part.clamp(least, 1.0 - least);
     }
     Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
+}
+
+/// Halves an interval until its ends are neighbours, or as good as that: its first
+/// end is before what is sought, the other one is not.
+pub(super) fn bisect<E>(
+    [mut low, mut high]: [f64; 2],
+    mut is_before: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    for _ in 0..120 {
+        let middle = 0.5 * (low + high);
+        if middle == low || middle == high {
+            break;
+        }
+        if is_before(middle)? {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok([low, high])
 }
 
 #[cfg(test)]

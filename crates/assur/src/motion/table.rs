@@ -17,11 +17,11 @@ impl Column {
     /// each point x and y, then both first, then both second derivatives.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let mut columns = Vec::new();
-        for link in 0..mechanism.links().len() {
+        for link in mechanism.link_ids() {
             let quantity = Quantity::Angle(link);
             columns.extend([0, 1, 2].map(|order| Self { quantity, order }));
         }
-        for point in 0..mechanism.points().len() {
+        for point in mechanism.point_ids() {
             for order in [0, 1, 2] {
                 let both = [Quantity::X(point), Quantity::Y(point)];
                 columns.extend(both.map(|quantity| Self { quantity, order }));

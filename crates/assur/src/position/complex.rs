@@ -49,7 +49,7 @@ impl<const N: usize> Complex<N> {
 
     /// Its value.
     pub(crate) fn value(&self) -> Vector {
-        self.0.first().copied().unwrap_or_default()
+        self.0[0]
     }
 
     pub(crate) fn conjugate(self) -> Self {

@@ -31,7 +31,7 @@ pub(crate) struct Elimination {
     size: usize,
     pivots: Vec<Pivot>,
     lists: Vec<Line>,
-    /// The sign of the determinant beside the product of the pivots.
+    /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
     /// Where something can be, as the elimination goes on; rows and columns left.
     filled: Vec<bool>,
@@ -41,7 +41,7 @@ pub(crate) struct Elimination {
     columns: Vec<usize>,
 }
 
-/// When it is planned, a pivot is at least this large beside the largest in its
+/// When it is planned, a pivot is at least this large relative to the largest in its
 /// column; when the plan is used, it may have become as small as this.
 const CHOSEN: f64 = 0.25;
 const SMALL: f64 = 1e-2;

@@ -1,15 +1,16 @@
 //! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
 //! closed form passes change points smoothly and needs no history.
 
-use super::{Angle, Arm, Complex, Obstacle, State};
-use crate::{Assembly, FourBar, Jet, Unsolved};
+use super::{Angle, Arm, Cause, Complex, Given, Sign, Solvable, State};
+use crate::index::BodyId;
+use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
 
 /// A four-bar within a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Closed {
     pub(crate) linkage: FourBar,
     /// The body of the crank, and what its angle lacks to φ₁ from the line AD.
-    pub(crate) crank: usize,
+    pub(crate) crank: BodyId,
     pub(crate) lead: f64,
     /// Coupler and rocker, and what the angles of their bodies lack to φ₂ and φ₃.
     pub(crate) arms: [Arm; 2],
@@ -17,26 +18,57 @@ pub(crate) struct Closed {
 }
 
 impl Closed {
-    pub(crate) fn solve<const N: usize>(
+    /// The four-bar of a crank, hinged at a place of the frame and on itself, and of
+    /// the coupler and rocker that join it to the frame.
+    pub(crate) fn new(
+        crank: BodyId,
+        (a, hinge): (Vector, Vector),
+        [coupler, rocker]: [Arm; 2],
+    ) -> Option<Self> {
+        let out = coupler.outer.local - hinge;
+        let base = rocker.outer.local - a;
+        let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
+        let linkage = FourBar::new(lengths).ok()?;
+        let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
+        let arms = [coupler, rocker];
+        let leads = arms.each_ref().map(|arm| {
+            let along = arm.to - arm.from;
+            frame - along.y.atan2(along.x)
+        });
+        Some(Self {
+            linkage,
+            crank,
+            lead: out - frame,
+            arms,
+            leads,
+        })
+    }
+}
+
+impl From<Sign> for Assembly {
+    fn from(sign: Sign) -> Self {
+        match sign {
+            Sign::Plus => Self::First,
+            Sign::Minus => Self::Second,
+        }
+    }
+}
+
+impl Solvable for Closed {
+    fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        sign: f64,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
         let crank = state.angle(self.crank);
-        let assembly = if sign > 0.0 {
-            Assembly::First
-        } else {
-            Assembly::Second
-        };
         let pose = self
             .linkage
-            .pose::<N>(assembly, crank.value() + self.lead)
+            .pose::<N>(given.sign.into(), crank.value() + self.lead)
             .map_err(|unsolved| match unsolved {
-                Unsolved::NotAnAngle => Obstacle::Input,
-                Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Obstacle::Apart { by },
-                Unsolved::Undetermined { .. } => Obstacle::Undetermined,
-                Unsolved::DeadPoint { .. } => Obstacle::DeadPoint,
+                Unsolved::NotAnAngle => Cause::Input,
+                Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Cause::Apart { by },
+                Unsolved::Undetermined { .. } => Cause::Undetermined,
+                Unsolved::DeadPoint { .. } => Cause::DeadPoint,
             })?;
         let [coupler, rocker] = &self.arms;
         let [b, d] = [coupler, rocker].map(|arm| state.place(arm.outer));
@@ -44,15 +76,36 @@ impl Closed {
         let [l2, l3] = [coupler.length(), rocker.length()];
         let square = (d - b).norm_squared().value();
         let margins = [(l2 + l3).powi(2) - square, square - (l2 - l3).powi(2)];
-        state.margins[step] = margins.map(Jet::constant);
-        let angle = pose.coupler + self.leads[0];
-        let turn = Complex::turn(angle);
-        state.turn[coupler.body] = turn;
-        state.origin[coupler.body] = b - turn.by(coupler.from);
-        state.angle[coupler.body] = Angle::Known(angle);
-        // The rocker ends where the coupler does: no second sine and cosine.
-        state.lay(rocker, d, b + turn.by(coupler.to - coupler.from) - d);
-        state.angle[rocker.body] = Angle::Known(pose.rocker + self.leads[1]);
+        state.margins[given.step] = margins.map(Jet::constant);
+        // Each stands by its own angle: laid between the joints, a short link would be
+        // turned by their rounding.
+        let angles = [pose.coupler + self.leads[0], pose.rocker + self.leads[1]];
+        for ((arm, at), angle) in self.arms.iter().zip([b, d]).zip(angles) {
+            let turn = Complex::turn(angle);
+            state.turn[arm.body] = turn;
+            state.origin[arm.body] = at - turn.by(arm.from);
+            state.angle[arm.body] = Angle::Known(angle);
+        }
         Ok(())
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.arms.each_ref().map(|arm| arm.body).into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.arms.iter().any(|arm| arm.outer.body == body)
+    }
+
+    fn winds(&self) -> bool {
+        false
+    }
+
+    fn has_sign(&self) -> bool {
+        true
+    }
+
+    fn stretches_and_folds(&self) -> bool {
+        true
     }
 }

@@ -8,21 +8,13 @@
 
 use std::ops::Range;
 
-use super::complex::{Complex, product};
+use super::complex::product;
 use super::elimination::Elimination;
-use super::{Anchor, Near, Obstacle, State, finite};
+use super::step::finite;
+use super::work::{Work, largest};
+use super::{Anchor, Cause, Equation, Form, Given, Nearby, Solvable, State};
+use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
-
-/// A complex-linear form of solved quantities and of the unknowns.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Form {
-    /// What does not change.
-    pub(crate) constant: Vector,
-    /// Indices of inputs with their coefficients.
-    pub(crate) inputs: Vec<(usize, Vector)>,
-    /// Indices of unknowns with their coefficients.
-    pub(crate) unknowns: Vec<(usize, Vector)>,
-}
 
 /// What a group takes from what is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,32 +25,17 @@ pub(crate) enum Input {
     Direction(Anchor),
 }
 
-/// An equation between forms, by their indices.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Equation {
-    /// |form|² = 1.
-    Unit(usize),
-    /// The real part of a form is 0, or its imaginary part.
-    Real(usize),
-    Imaginary(usize),
-    /// A point stays on a line: direction × way = 0.
-    Line {
-        direction: usize,
-        way: usize,
-    },
-}
-
 /// A group of bodies solved together.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
     pub(crate) inputs: Vec<Input>,
     /// How many complex unknowns, and where theirs begin among those of all groups.
-    unknowns: usize,
+    pub(super) unknowns: usize,
     offset: usize,
     /// Of each form what does not change; so many of them, the first, stand in
     /// equations.
-    constants: Vec<Vector>,
-    equated: usize,
+    pub(super) constants: Vec<Vector>,
+    pub(super) equated: usize,
     /// The terms of all forms one after the other: inputs, then unknowns where the
     /// form stands in an equation, and where it does not.
     taken: Vec<Term>,
@@ -68,7 +45,7 @@ pub(crate) struct Group {
     /// What an equation is left with becomes a length by this; none for angles.
     lengths: Vec<f64>,
     /// Each body with the forms of its origin and its turn.
-    pub(crate) bodies: Vec<(usize, [usize; 2])>,
+    pub(crate) bodies: Vec<(BodyId, [usize; 2])>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
     /// which unknown of which equation, and its elimination.
     pattern: Vec<bool>,
@@ -95,7 +72,7 @@ struct Entry {
     by: Vector,
 }
 
-/// Newton's method goes on until a step is this small beside the unknowns.
+/// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
 /// No more steps are taken, from a guess that is near or from a drawing.
 const MOST_STEPS: usize = 30;
@@ -111,7 +88,7 @@ impl Group {
         inputs: Vec<Input>,
         forms: &[Form],
         equations: Vec<(Equation, f64)>,
-        bodies: Vec<(usize, [usize; 2])>,
+        bodies: Vec<(BodyId, [usize; 2])>,
     ) -> Option<Self> {
         let size = 2 * unknowns;
         if equations.len() != size {
@@ -171,14 +148,14 @@ impl Group {
     }
 
     /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
-    /// determinant, and `state.doubt` to the size of the first correction.
+    /// determinant, and `state.first_correction`.
     #[inline(never)]
-    pub(crate) fn solve<const N: usize>(
+    fn solve_near<const N: usize>(
         &self,
         state: &mut State<N>,
-        near: Near<'_>,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        near: Nearby<'_>,
+        step: StepId,
+    ) -> Result<(), Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
@@ -198,11 +175,11 @@ impl Group {
         for order in 1..N {
             self.differentiate(&mut state.work, order);
         }
-        self.put(state, near)
+        self.settle(state, near)
     }
 
-    /// From now on the Jacobian is eliminated as it had to be where `state` was
-    /// solved last.
+    /// Takes over the order of elimination that the Jacobian needed in the pose that
+    /// `state` was solved for last.
     pub(crate) fn plan_as<const N: usize>(&mut self, state: &State<N>) {
         self.elimination.clone_from(&state.work.spare);
     }
@@ -211,9 +188,9 @@ impl Group {
     fn newton<const N: usize>(
         &self,
         state: &mut State<N>,
-        near: Near<'_>,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        near: Nearby<'_>,
+        step: StepId,
+    ) -> Result<(), Cause> {
         let work = &mut state.work;
         let length = state.scale.sqrt();
         let mut last = f64::INFINITY;
@@ -230,7 +207,7 @@ impl Group {
                 *left = [equation.left(&work.values), rate];
             }
             let left = largest(&work.left);
-            let determinant = self.factor(work).ok_or(Obstacle::DeadPoint)?;
+            let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
             state.margins[step] = [Jet::constant(determinant); 2];
             self.suited(work.planned, &work.spare).solve(
                 &work.jacobian,
@@ -239,10 +216,10 @@ impl Group {
             );
             let change = largest(&work.step);
             if !change.is_finite() {
-                return Err(Obstacle::DeadPoint);
+                return Err(Cause::DeadPoint);
             }
             if turn == 0 {
-                state.doubt = state.doubt.max(change / length);
+                state.first_correction = state.first_correction.max(change / length);
             }
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.
@@ -250,7 +227,7 @@ impl Group {
                 return Ok(());
             }
             if turn + 1 == MOST_STEPS {
-                return Err(Obstacle::Apart {
+                return Err(Cause::Apart {
                     by: self.missed(work, near),
                 });
             }
@@ -259,11 +236,11 @@ impl Group {
                 place[0] -= Vector::new(step[0][0], step[1][0]);
             }
         }
-        Err(Obstacle::DeadPoint)
+        Err(Cause::DeadPoint)
     }
 
     /// The unknowns as they are guessed.
-    fn guess<const N: usize>(&self, work: &mut Work<N>, near: Near<'_>) {
+    fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
         let own = near.natural[2 * self.offset..].chunks_exact(2);
         for (place, guess) in work.unknowns.iter_mut().zip(own) {
             place[0] = Vector::new(guess[0], guess[1]);
@@ -279,7 +256,7 @@ impl Group {
     }
 
     /// By how far joints miss each other where they are guessed.
-    fn missed<const N: usize>(&self, work: &mut Work<N>, near: Near<'_>) -> f64 {
+    fn missed<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate(work);
         let equations = self.equations.iter().zip(&self.lengths);
@@ -375,7 +352,7 @@ impl Group {
     }
 
     /// Puts what was found where it is looked for.
-    fn put<const N: usize>(&self, state: &mut State<N>, near: Near<'_>) -> Result<(), Obstacle> {
+    fn settle<const N: usize>(&self, state: &mut State<N>, near: Nearby<'_>) -> Result<(), Cause> {
         let work = &mut state.work;
         for term in &self.further {
             work.values[term.form] = work.values[term.form] + work.unknowns[term.of].by(term.by);
@@ -395,101 +372,29 @@ impl Group {
     }
 }
 
-impl Equation {
-    /// The forms that stand in it.
-    fn forms(&self) -> impl Iterator<Item = usize> + use<> {
-        let forms = match *self {
-            Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None],
-            Self::Line { direction, way } => [Some(direction), Some(way)],
-        };
-        forms.into_iter().flatten()
+impl Solvable for Group {
+    #[inline(always)]
+    fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        self.solve_near(state, given.near, given.step)
     }
 
-    /// What is left of it.
-    fn left<const N: usize>(&self, values: &[Complex<N>]) -> f64 {
-        let constant = match self {
-            Self::Unit(_) => 0.5,
-            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => 0.0,
-        };
-        self.coefficient(values, 0) - constant
+    /// The angles are told, and what is not finite found, with the unknowns.
+    #[inline(always)]
+    fn put<const N: usize>(&self, state: &mut State<N>, given: &Given<'_, N>) -> Result<(), Cause> {
+        self.solve(state, given)
     }
 
-    /// Its coefficient of an order.
-    fn coefficient<const N: usize>(&self, values: &[Complex<N>], order: usize) -> f64 {
-        match *self {
-            Self::Unit(form) => {
-                let v = &values[form];
-                let terms = (0..=order).map(|k| v[k].dot(&v[order - k]));
-                0.5 * terms.sum::<f64>()
-            }
-            Self::Real(form) => values[form][order].x,
-            Self::Imaginary(form) => values[form][order].y,
-            Self::Line { direction, way } => {
-                let [u, v] = [direction, way].map(|form| &values[form]);
-                (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
-            }
-        }
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.bodies.iter().map(|(body, _)| *body)
     }
-}
 
-/// The largest of the corrections; rates stand beside them.
-fn largest(values: &[[f64; 2]]) -> f64 {
-    values.iter().fold(0.0, |most, [value, _]| {
-        let value = value.abs();
-        if value > most { value } else { most }
-    })
-}
-
-/// Room for the sums of a group, made once and used for every sample.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Work<const N: usize> {
-    /// The counts of inputs, unknowns and forms that there is room for.
-    fits: [usize; 4],
-    inputs: Vec<Complex<N>>,
-    unknowns: Vec<Complex<N>>,
-    /// Of the forms that stand in equations what is known of their value; and all
-    /// forms: of orders not solved yet what is known.
-    known: Vec<Vector>,
-    values: Vec<Complex<N>>,
-    /// The derivatives of the equations by their forms, two for each equation.
-    slopes: Vec<Vector>,
-    /// What is left of the equations, and the step that this asks for; beside it
-    /// the same for the first derivative.
-    left: Vec<[f64; 2]>,
-    step: Vec<[f64; 2]>,
-    /// The same for a further derivative.
-    lack: Vec<[f64; 1]>,
-    gain: Vec<[f64; 1]>,
-    jacobian: Vec<f64>,
-    /// Whether it was eliminated as planned for the group; else as planned here.
-    planned: bool,
-    spare: Elimination,
-}
-
-impl<const N: usize> Work<N> {
-    fn fit(&mut self, group: &Group) {
-        let fits = [
-            group.inputs.len(),
-            group.unknowns,
-            group.equated,
-            group.constants.len(),
-        ];
-        if self.fits == fits {
-            return;
-        }
-        self.fits = fits;
-        let size = 2 * group.unknowns;
-        let nothing = Complex::constant(Vector::zeros());
-        self.inputs.resize(group.inputs.len(), nothing);
-        self.unknowns.resize(group.unknowns, nothing);
-        self.known.resize(group.equated, Vector::zeros());
-        self.values.resize(group.constants.len(), nothing);
-        self.slopes.resize(2 * size, Vector::zeros());
-        self.left.resize(size, [0.0; 2]);
-        self.step.resize(size, [0.0; 2]);
-        self.lack.resize(size, [0.0]);
-        self.gain.resize(size, [0.0]);
-        self.jacobian.resize(size * size, 0.0);
-        self.spare.fit(size);
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.inputs.iter().any(|input| match input {
+            Input::Place(anchor) | Input::Direction(anchor) => anchor.body == body,
+        })
     }
 }

@@ -3,8 +3,9 @@
 
 use super::complex::{Complex, conjugate};
 use super::rpr::Side;
-use super::{Obstacle, State, Track, crossing};
+use super::{Cause, Given, Solvable, State, Track, crossing};
 use crate::Vector;
+use crate::index::BodyId;
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
 #[derive(Clone, Debug, PartialEq)]
@@ -17,14 +18,14 @@ pub(crate) struct Rpp {
     pub(crate) through: Vector,
 }
 
-impl Rpp {
+impl Solvable for Rpp {
     /// Both angles follow from the solved line's; the point of j on its track is
     /// where that track crosses the line of the inner sliding, drawn through it.
-    pub(crate) fn solve<const N: usize>(
+    fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
         let Self { side, track, .. } = self;
         let (start, direction) = state.line(track);
         let turn_j = direction.by(conjugate(track.direction));
@@ -39,8 +40,16 @@ impl Rpp {
         // The line of i, moved by what lies between it and the track's point on j.
         let across = turn_j.by(track.point - self.through);
         let sliding = (b + shift(inner, side.off) + across, inner);
-        let at = crossing([guide, sliding], &mut state.margins[step])?;
+        let at = crossing([guide, sliding], &mut state.margins[given.step])?;
         state.slid(track, direction, at);
         Ok(())
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        [self.side.body, self.track.body].into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.side.outer.body == body || self.track.line.body == body
     }
 }

@@ -1,7 +1,8 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
 use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Dead, Obstacle, State, root};
+use super::{Anchor, Cause, Dead, Given, Solvable, State, root};
+use crate::index::BodyId;
 use crate::{Jet, Vector};
 
 /// Links i and j hinged at B and D (the slotted lever and the block of an
@@ -14,7 +15,7 @@ pub(crate) struct Rpr {
 /// A link of the dyad: its hinge, and the line of sliding seen from it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Side {
-    pub(crate) body: usize,
+    pub(crate) body: BodyId,
     pub(crate) outer: Anchor,
     /// The hinge on the link.
     pub(crate) hinge: Vector,
@@ -24,32 +25,31 @@ pub(crate) struct Side {
     pub(crate) off: f64,
 }
 
-impl Rpr {
+impl Solvable for Rpr {
     /// With u the direction of sliding, d = D − B and h the constant distance of
     /// the two parallels through B and D: d = u (w + ih), so w = σ √(d² − h²) and
     /// u = d (w − ih) / d².
-    pub(crate) fn solve<const N: usize>(
+    fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        sign: f64,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
         let [i, j] = &self.sides;
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
         let between = d - b;
         let square = between.norm_squared();
         let apart = i.off - j.off;
         let margin = square + -(apart * apart);
-        state.margins[step] = [margin, margin];
+        state.margins[given.step] = [margin, margin];
         let scale = (apart * apart).max(square.value());
         let by = apart.abs() - square.value().sqrt();
         if square.value() <= f64::EPSILON * f64::EPSILON * state.scale {
-            return Err(Obstacle::Undetermined);
+            return Err(Cause::Undetermined);
         }
         let run = root(margin, scale).map_err(|dead| match dead {
-            Dead::At => Obstacle::DeadPoint,
-            Dead::Beyond => Obstacle::OutOfReach { by },
-        })? * sign;
+            Dead::At => Cause::DeadPoint,
+            Dead::Beyond => Cause::OutOfReach { by },
+        })? * given.sign.factor();
         let along = Complex::new(run, Jet::constant(-apart));
         let direction = (between * along).scaled(square.recip());
         for (side, at) in [(i, b), (j, d)] {
@@ -59,12 +59,33 @@ impl Rpr {
         }
         Ok(())
     }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.sides.each_ref().map(|side| side.body).into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.sides.iter().any(|side| side.outer.body == body)
+    }
+
+    fn has_sign(&self) -> bool {
+        true
+    }
+
+    fn passes(&self) -> bool {
+        true
+    }
+
+    fn scale(&self) -> f64 {
+        let [i, j] = &self.sides;
+        (i.off - j.off).powi(2)
+    }
 }
 
 impl Side {
     /// The side with a line through `through` on the link.
     pub(crate) fn new(
-        body: usize,
+        body: BodyId,
         outer: Anchor,
         hinge: Vector,
         through: Vector,

@@ -2,7 +2,8 @@
 //! a solved line.
 
 use super::complex::Complex;
-use super::{Arm, Dead, Obstacle, State, Track, root};
+use super::{Arm, Cause, Dead, Given, Solvable, State, Track, root};
+use crate::index::BodyId;
 
 /// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider
 /// of a slider-crank).
@@ -13,30 +14,49 @@ pub(crate) struct Rrp {
     pub(crate) track: Track,
 }
 
-impl Rrp {
+impl Solvable for Rrp {
     /// In the line's own coordinates, B at (x, y) and C at (s, h), h constant:
     /// s = x + σ √(l² − (h − y)²).
-    pub(crate) fn solve<const N: usize>(
+    fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        sign: f64,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
         let length = self.arm.length();
         let b = state.place(self.arm.outer);
         let (start, direction) = state.line(&self.track);
         let from = (b - start) * direction.conjugate();
         let rise = -from.y() + self.track.off;
         let margin = -rise.square() + length * length;
-        state.margins[step] = [margin, margin];
+        state.margins[given.step] = [margin, margin];
         let by = rise.value().abs() - length;
         let run = root(margin, length * length).map_err(|dead| match dead {
-            Dead::At => Obstacle::DeadPoint,
-            Dead::Beyond => Obstacle::OutOfReach { by },
-        })? * sign;
+            Dead::At => Cause::DeadPoint,
+            Dead::Beyond => Cause::OutOfReach { by },
+        })? * given.sign.factor();
         let to_c = direction * Complex::new(run, rise);
         state.lay(&self.arm, b, to_c);
         state.slid(&self.track, direction, b + to_c);
         Ok(())
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        [self.arm.body, self.track.body].into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.arm.outer.body == body || self.track.line.body == body
+    }
+
+    fn has_sign(&self) -> bool {
+        true
+    }
+
+    fn passes(&self) -> bool {
+        true
+    }
+
+    fn scale(&self) -> f64 {
+        self.arm.length().powi(2)
     }
 }

@@ -1,8 +1,9 @@
 //! The dyad RRR: two links hinged on each other and on two solved points.
 
 use super::complex::Complex;
-use super::{Arm, Dead, Obstacle, State, clear};
+use super::{Arm, Cause, Dead, Given, Solvable, State, clear};
 use crate::Jet;
+use crate::index::BodyId;
 
 /// Links i and j with the joint C between them, i hinged at B, j at D.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,16 +11,15 @@ pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
 }
 
-impl Rrr {
+impl Solvable for Rrr {
     /// With d = D − B and r = |d|: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2
     /// and 16 S² = P Q, P = (l₂ + l₃)² − r², Q = r² − (l₂ − l₃)², S the area of BCD.
     /// The sign σ is that of S: C to the left of BD or to its right.
-    pub(crate) fn solve<const N: usize>(
+    fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        sign: f64,
-        step: usize,
-    ) -> Result<(), Obstacle> {
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
         let [i, j] = &self.arms;
         let [l2, l3] = [i.length(), j.length()];
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
@@ -28,21 +28,21 @@ impl Rrr {
         let (sum, difference) = (l2 + l3, l2 - l3);
         let p = -square + sum * sum;
         let q = square + -(difference * difference);
-        state.margins[step] = [p, q];
+        state.margins[given.step] = [p, q];
         let scale = sum * sum;
         if square.value() <= f64::EPSILON * f64::EPSILON * scale {
-            return Err(Obstacle::Undetermined);
+            return Err(Cause::Undetermined);
         }
         let distance = square.value().sqrt();
         let beyond = |dead: Dead, by: f64| match dead {
-            Dead::At => Obstacle::DeadPoint,
-            Dead::Beyond => Obstacle::Apart { by },
+            Dead::At => Cause::DeadPoint,
+            Dead::Beyond => Cause::Apart { by },
         };
         let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;
         let near = clear(q, scale).map_err(|dead| beyond(dead, difference.abs() - distance))?;
         let along = (square + (sum * difference)) * 0.5;
         let across = if far && near {
-            (p * q).sqrt() * (0.5 * sign)
+            (p * q).sqrt() * (0.5 * given.sign.factor())
         } else {
             Jet::constant(0.0)
         };
@@ -50,5 +50,30 @@ impl Rrr {
         state.lay(i, b, to_c);
         state.lay(j, d, to_c - diagonal);
         Ok(())
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.arms.each_ref().map(|arm| arm.body).into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.arms.iter().any(|arm| arm.outer.body == body)
+    }
+
+    fn has_sign(&self) -> bool {
+        true
+    }
+
+    fn passes(&self) -> bool {
+        true
+    }
+
+    fn stretches_and_folds(&self) -> bool {
+        true
+    }
+
+    fn scale(&self) -> f64 {
+        let [i, j] = &self.arms;
+        (i.length() + j.length()).powi(2)
     }
 }

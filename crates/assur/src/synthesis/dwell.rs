@@ -9,11 +9,11 @@
 
 use crate::Point;
 use crate::mechanism::{Defect, Draft, DraftLink, Mechanism, Quantity};
-use crate::motion::{Course, Motion};
+use crate::motion::{Motion, OutputProfile};
 
 /// What is wanted of the output, an angle (radians) or a coordinate (length).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wish {
+pub struct Target {
     /// The full width of the band within which the output counts as standing.
     pub tolerance: f64,
     /// The arc of the crank over which it stands at least, radians.
@@ -24,7 +24,7 @@ pub struct Wish {
 
 /// A dimension that may move.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Movable {
+pub enum Dimension {
     /// The length of a link with two points.
     Length {
         /// The link, by name.
@@ -44,30 +44,30 @@ pub enum Movable {
 
 /// A dimension with its least and its greatest value.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Freedom {
+pub struct DesignVariable {
     /// Which one.
-    pub dimension: Movable,
+    pub dimension: Dimension,
     /// How far it may go; its value at the start lies between.
     pub range: [f64; 2],
 }
 
 /// Why there is nothing to search.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Refused {
+pub enum SearchError {
     /// The tolerance, the arc (up to a turn) or the stroke is not greater than
     /// zero and finite.
     Tolerance,
-    /// See [`Refused::Tolerance`].
+    /// See [`SearchError::Tolerance`].
     Arc,
-    /// See [`Refused::Tolerance`].
+    /// See [`SearchError::Tolerance`].
     Stroke,
     /// The mechanism has no such output.
     Output,
     /// No dimension may move.
     Rigid,
-    /// The freedom of this index: no such link of two points or point of the frame.
+    /// The design variable of this index: no such link of two points or point of the frame.
     Dimension(usize),
-    /// The freedom of this index: its range is not finite, empty, or does not hold
+    /// The design variable of this index: its range is not finite, empty, or does not hold
     /// the value at the start; or a length may become zero.
     Range(usize),
     /// The draft is no mechanism.
@@ -78,19 +78,19 @@ pub enum Refused {
 
 /// What a mechanism does of what is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached {
+pub struct Evaluation {
     /// The longest arc of the crank within the tolerance, radians.
     pub arc: f64,
     /// From the least to the greatest value of the output.
     pub stroke: f64,
-    /// The root of the sum of the squared defects, each beside what is wanted; a
+    /// The root of the sum of the squared defects, each relative to what is wanted; a
     /// longer arc is no defect.
     pub residual: f64,
-    /// [`Motion::conditioning`].
-    pub conditioning: f64,
+    /// [`Motion::singularity_margin`].
+    pub singularity_margin: f64,
 }
 
-/// How the search stands after a step.
+/// The search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Candidates judged so far.
@@ -98,7 +98,7 @@ pub struct Progress {
     /// Whether the last one was better and is now the draft.
     pub accepted: bool,
     /// What the best one reaches.
-    pub reached: Reached,
+    pub evaluation: Evaluation,
     /// Why it is over, if it is.
     pub end: Option<End>,
 }
@@ -106,7 +106,7 @@ pub struct Progress {
 /// Why a search is over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// All that is wanted is reached.
+    /// All that is wanted is evaluation.
     Fulfilled,
     /// No dimension can be moved for the better.
     Settled,
@@ -115,10 +115,10 @@ pub enum End {
 /// A search, step by step, so that it can be shown and stopped.
 #[derive(Clone, Debug)]
 pub struct Search {
-    wish: Wish,
+    target: Target,
     output: String,
-    freedoms: Vec<Freedom>,
-    /// The value of each freedom, and the step to try next.
+    variables: Vec<DesignVariable>,
+    /// The value of each variable, and the step to try next.
     values: Vec<f64>,
     steps: Vec<f64>,
     next: usize,
@@ -126,14 +126,14 @@ pub struct Search {
     progress: Progress,
 }
 
-/// The first step beside the range of a dimension, and the least.
+/// The first step relative to the range of a dimension, and the least.
 const FIRST: f64 = 1.0 / 16.0;
 const LEAST: f64 = 1e-7;
 /// A residual this small is none.
 const FULFILLED: f64 = 1e-6;
 /// No candidate may come closer to a singular pose.
-const CONDITIONING: f64 = 1e-3;
-/// A candidate is drawn no farther from the one before, beside the size: else
+const SINGULARITY_MARGIN: f64 = 1e-3;
+/// A candidate is drawn no farther from the one before, relative to the size: else
 /// another assembly might pass for the same.
 const MOVED: f64 = 0.1;
 
@@ -145,52 +145,52 @@ impl Search {
     pub fn new(
         draft: &Draft,
         output: &str,
-        wish: Wish,
-        freedoms: &[Freedom],
-    ) -> Result<Self, Refused> {
+        target: Target,
+        variables: &[DesignVariable],
+    ) -> Result<Self, SearchError> {
         let sound = |value: f64| value > 0.0 && value.is_finite();
-        if !sound(wish.tolerance) {
-            return Err(Refused::Tolerance);
+        if !sound(target.tolerance) {
+            return Err(SearchError::Tolerance);
         }
-        if !sound(wish.arc) || wish.arc > std::f64::consts::TAU {
-            return Err(Refused::Arc);
+        if !sound(target.arc) || target.arc > std::f64::consts::TAU {
+            return Err(SearchError::Arc);
         }
-        if !sound(wish.stroke) {
-            return Err(Refused::Stroke);
+        if !sound(target.stroke) {
+            return Err(SearchError::Stroke);
         }
-        let mechanism = Mechanism::new(draft).map_err(Refused::Defects)?;
-        Quantity::named(&mechanism, output).ok_or(Refused::Output)?;
-        if freedoms.is_empty() {
-            return Err(Refused::Rigid);
+        let mechanism = Mechanism::new(draft).map_err(SearchError::Defects)?;
+        Quantity::named(&mechanism, output).ok_or(SearchError::Output)?;
+        if variables.is_empty() {
+            return Err(SearchError::Rigid);
         }
         let draft = with_shapes(draft);
         let mut values = Vec::new();
-        for (index, freedom) in freedoms.iter().enumerate() {
-            let value = freedom.dimension.of(&draft);
-            let value = value.ok_or(Refused::Dimension(index))?;
-            let [from, to] = freedom.range;
-            let length = matches!(freedom.dimension, Movable::Length { .. });
+        for (index, variable) in variables.iter().enumerate() {
+            let value = variable.dimension.of(&draft);
+            let value = value.ok_or(SearchError::Dimension(index))?;
+            let [from, to] = variable.range;
+            let length = matches!(variable.dimension, Dimension::Length { .. });
             let sound = from.is_finite() && to.is_finite() && from < to;
             if !sound || !(from..=to).contains(&value) || length && from <= 0.0 {
-                return Err(Refused::Range(index));
+                return Err(SearchError::Range(index));
             }
             values.push(value);
         }
-        let (draft, reached) = judged(&draft, output, wish).ok_or(Refused::Blocked)?;
-        let widths = freedoms.iter().map(|freedom| freedom.width());
+        let (draft, evaluation) = judged(&draft, output, target).ok_or(SearchError::Blocked)?;
+        let widths = variables.iter().map(|variable| variable.width());
         Ok(Self {
-            wish,
+            target,
             output: output.to_owned(),
             values,
             steps: widths.map(|width| FIRST * width).collect(),
-            freedoms: freedoms.to_vec(),
+            variables: variables.to_vec(),
             next: 0,
             draft,
             progress: Progress {
                 judged: 1,
                 accepted: true,
-                reached,
-                end: (reached.residual <= FULFILLED).then_some(End::Fulfilled),
+                evaluation,
+                end: (evaluation.residual <= FULFILLED).then_some(End::Fulfilled),
             },
         })
     }
@@ -200,12 +200,12 @@ impl Search {
         &self.draft
     }
 
-    /// How the search stands.
+    /// What the search has come to.
     pub fn progress(&self) -> Progress {
         self.progress
     }
 
-    /// The values of the freedoms in the best mechanism so far.
+    /// The values of the variables in the best mechanism so far.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -225,8 +225,8 @@ impl Search {
     /// The value to try next of the dimension `self.next`; none where no step is
     /// left to try.
     fn candidate(&mut self) -> Option<f64> {
-        let live = |k: usize| self.steps[k].abs() > LEAST * self.freedoms[k].width();
-        let count = self.freedoms.len();
+        let live = |k: usize| self.steps[k].abs() > LEAST * self.variables[k].width();
+        let count = self.variables.len();
         let mut idle = 0;
         while idle < count {
             let k = self.next;
@@ -235,7 +235,7 @@ impl Search {
                 idle += 1;
                 continue;
             }
-            let [from, to] = self.freedoms[k].range;
+            let [from, to] = self.variables[k].range;
             let value = (self.values[k] + self.steps[k]).clamp(from, to);
             if value != self.values[k] {
                 return Some(value);
@@ -250,23 +250,23 @@ impl Search {
     fn judge(&mut self, value: f64) {
         let k = self.next;
         let mut draft = self.draft.clone();
-        self.freedoms[k].dimension.set(&mut draft, value);
+        self.variables[k].dimension.set(&mut draft, value);
         self.progress.judged += 1;
-        self.next = (k + 1) % self.freedoms.len();
-        let before = self.progress.reached;
-        let better = judged(&draft, &self.output, self.wish).filter(|(drawn, reached)| {
-            reached.residual < before.residual
-                && reached.conditioning * before.conditioning > 0.0
+        self.next = (k + 1) % self.variables.len();
+        let before = self.progress.evaluation;
+        let better = judged(&draft, &self.output, self.target).filter(|(drawn, evaluation)| {
+            evaluation.residual < before.residual
+                && evaluation.singularity_margin * before.singularity_margin > 0.0
                 && moved(&draft, drawn) <= MOVED * draft.size()
         });
         match better {
-            Some((drawn, reached)) => {
+            Some((drawn, evaluation)) => {
                 self.draft = drawn;
                 self.values[k] = value;
                 self.steps[k] *= 2.0;
-                self.progress.reached = reached;
+                self.progress.evaluation = evaluation;
                 self.progress.accepted = true;
-                if reached.residual <= FULFILLED {
+                if evaluation.residual <= FULFILLED {
                     self.progress.end = Some(End::Fulfilled);
                 }
             }
@@ -275,13 +275,13 @@ impl Search {
     }
 }
 
-impl Freedom {
+impl DesignVariable {
     fn width(&self) -> f64 {
         self.range[1] - self.range[0]
     }
 }
 
-impl Movable {
+impl Dimension {
     /// Its value in a draft whose links have their shapes; none where it is not
     /// there.
     pub fn of(&self, draft: &Draft) -> Option<f64> {
@@ -348,26 +348,32 @@ fn moved(before: &Draft, after: &Draft) -> f64 {
 
 /// What a draft reaches, and the draft drawn in its own pose; none where it is no
 /// mechanism, does not turn fully, or comes close to a singular pose.
-fn judged(draft: &Draft, output: &str, wish: Wish) -> Option<(Draft, Reached)> {
+fn judged(draft: &Draft, output: &str, target: Target) -> Option<(Draft, Evaluation)> {
     let mechanism = Mechanism::new(draft).ok()?;
     let quantity = Quantity::named(&mechanism, output)?;
-    let motion = Motion::new(&mechanism, mechanism.drawn_assembly());
-    let conditioning = motion.conditioning();
-    if !motion.cycle().is_full() || conditioning.abs() < CONDITIONING {
+    let motion = Motion::new(mechanism);
+    let singularity_margin = motion.singularity_margin();
+    if !motion.cycle().is_full() || singularity_margin.abs() < SINGULARITY_MARGIN {
         return None;
     }
-    let course = Course::new(&motion, quantity);
-    let arc = course.dwell(wish.tolerance)?.length();
-    // What turns on and on is as far from any wish as can be.
-    let stroke = course.stroke().unwrap_or(f64::NEG_INFINITY);
-    let defects = [(1.0 - arc / wish.arc).max(0.0), stroke / wish.stroke - 1.0];
-    let reached = Reached {
+    let profile = OutputProfile::new(&motion, quantity);
+    let arc = profile.dwell(target.tolerance)?.length();
+    // What turns on and on is as far from any target as can be.
+    let stroke = profile.stroke().unwrap_or(f64::NEG_INFINITY);
+    let defects = [
+        (1.0 - arc / target.arc).max(0.0),
+        stroke / target.stroke - 1.0,
+    ];
+    let evaluation = Evaluation {
         arc,
         stroke,
         residual: defects[0].hypot(defects[1]),
-        conditioning,
+        singularity_margin,
     };
     let pose = motion.pose::<1>(motion.home()).ok()?;
-    let drawn = draft.drawn_in(&mechanism, &pose);
-    reached.residual.is_finite().then_some((drawn, reached))
+    let drawn = motion.mechanism().drawn_in(&pose);
+    evaluation
+        .residual
+        .is_finite()
+        .then_some((drawn, evaluation))
 }

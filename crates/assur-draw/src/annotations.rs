@@ -1,0 +1,98 @@
+//! What a document says of its drawing beyond the linkage itself.
+
+use assur::gears::GearSet;
+use assur::mixer::Mixer;
+
+use crate::list::Role;
+
+/// Notes to a drawing. Links and points are meant by their names; a note to one
+/// that the linkage has not is passed over.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Annotations {
+    /// The colours of links; the others have theirs in turn.
+    pub roles: Vec<(String, Role)>,
+    /// Links whose wheels carry stirrer blades, and how many.
+    pub blades: Vec<(String, usize)>,
+    /// Numbers of wheels.
+    pub tags: Vec<Tag>,
+    /// The symbol of the input angle, whose arc is drawn then.
+    pub input: Option<String>,
+    /// Symbols of vectors of the loops, each by its two points.
+    pub loop_vectors: Vec<([String; 2], String)>,
+}
+
+/// The number of a wheel, written by its rim. A wheel that has one and is its
+/// link's only part turns on a plain shaft: no support, no name of its centre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tag {
+    /// The link of the wheel.
+    pub link: String,
+    /// What is written.
+    pub text: String,
+    /// In which direction from the wheel's centre, radians.
+    pub direction: f64,
+}
+
+/// Blades of the wheel on the rocker's shaft, and of those around it.
+const BLADES: [usize; 2] = [3, 4];
+
+/// How far from the centre line the number of a mixer's wheel stands, radians.
+const BESIDE_LINE: f64 = 1.9;
+
+/// Colours of wheel 4 and of the wheels around it: wheel 5, 6, …
+const WHEELS: [Role; 1 + GearSet::MOST] = [
+    Role::Accent1,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent4,
+    Role::Accent5,
+    Role::Accent6,
+    Role::Accent7,
+];
+
+impl From<&Mixer> for Annotations {
+    /// The notes to the draft of a mixer, in the symbols of fig. 1 and 4 of the
+    /// paper by Smelyagin and Prikhodko.
+    fn from(mixer: &Mixer) -> Self {
+        let links = [
+            ("crank", Role::Crank),
+            ("coupler", Role::Coupler),
+            ("rocker", Role::Rocker),
+        ];
+        let links = links.map(|(link, role)| (link.to_owned(), role));
+        let pairs = mixer.gears.pairs();
+        // Wheel 4 has its number beside the first of the wheels it drives.
+        let lines = pairs.first().into_iter().chain(pairs);
+        let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
+        let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));
+        let blades = |k: usize| BLADES[k.min(1)];
+        let tags = wheels().zip(&lines).enumerate();
+        let vectors = [
+            ("A", "B", "l1"),
+            ("B", "C", "l2"),
+            ("D", "C", "l3"),
+            ("A", "D", "l4"),
+            ("B", "D", "l5"),
+        ];
+        let vectors = vectors.map(|(from, to, symbol)| {
+            let ends = [from, to].map(str::to_owned);
+            (ends, symbol.to_owned())
+        });
+        Self {
+            roles: links.into_iter().chain(wheels().zip(WHEELS)).collect(),
+            blades: wheels()
+                .enumerate()
+                .map(|(k, link)| (link, blades(k)))
+                .collect(),
+            tags: tags
+                .map(|(k, (link, line))| Tag {
+                    link,
+                    text: (k + 4).to_string(),
+                    direction: line + BESIDE_LINE,
+                })
+                .collect(),
+            input: Some("φ₁".to_owned()),
+            loop_vectors: vectors.to_vec(),
+        }
+    }
+}

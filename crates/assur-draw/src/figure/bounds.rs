@@ -1,0 +1,34 @@
+//! Rectangles: left, bottom, right, top.
+
+use assur::{Point, Vector};
+
+/// The rectangle that just holds places; of none, one about the origin.
+pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
+    for place in places {
+        low = low.inf(&place.coords);
+        high = high.sup(&place.coords);
+    }
+    if low.x > high.x {
+        return [-1.0, -1.0, 1.0, 1.0];
+    }
+    [low.x, low.y, high.x, high.y]
+}
+
+/// The diagonal.
+pub(super) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
+    (right - left).hypot(top - bottom)
+}
+
+/// A rectangle grown around places, on every side by no more than `most`.
+pub(super) fn grown(base: [f64; 4], places: impl Iterator<Item = Point>, most: f64) -> [f64; 4] {
+    let [left, bottom, right, top] = base;
+    places.fold(base, |b, at| {
+        [
+            b[0].min(at.x.max(left - most)),
+            b[1].min(at.y.max(bottom - most)),
+            b[2].max(at.x.min(right + most)),
+            b[3].max(at.y.min(top + most)),
+        ]
+    })
+}

@@ -1,0 +1,34 @@
+//! Which link is drawn at a place.
+
+use assur::Point;
+use assur::mechanism::{LinkId, Pose};
+
+use super::{BAR, Figure, layout};
+use crate::parts;
+
+impl Figure {
+    /// The link drawn nearest to a place in a pose: what a point put there is on.
+    /// Bars and plates lie over wheels; of what is fixed to a link that link is
+    /// meant. None where no link moves.
+    pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
+        let mechanism = self.motion.mechanism();
+        let bar = |link: LinkId| {
+            let (origin, angle) = layout::body(mechanism, pose, Some(link));
+            let at = Point::origin() + layout::turned(place - origin, -angle);
+            let off = match self.layout.outline(link) {
+                [from, to] => parts::distance(at, *from, *to),
+                // A wheel with no bar to it.
+                [_] if self.gearing.is_wheel(link) => return None,
+                outline => parts::distance_to_plate(at, outline)?,
+            };
+            Some(((off - BAR * self.unit).max(0.0), link))
+        };
+        let bars = mechanism.link_ids().filter_map(bar);
+        let wheels = self.gearing.distances(mechanism, pose, place);
+        let nearest = bars
+            .chain(wheels)
+            .filter_map(|(off, link)| Some((off, mechanism.root_of(link)?)))
+            .reduce(|best, next| if next.0 < best.0 { next } else { best });
+        nearest.map(|(_, link)| link)
+    }
+}

@@ -1,0 +1,216 @@
+//! What is laid over a linkage: which arrows and arcs it has, and their names.
+
+use std::f64::consts::TAU;
+
+use assur::mechanism::{DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, RrrDyad};
+use assur::motion::Motion;
+use assur::{JetPoint, Point, Vector};
+
+use super::View;
+use super::layout::{self, Layout};
+use super::names::Names;
+use crate::list::{List, Look, Role};
+use crate::overlays::{self, Scales};
+
+/// Inputs of an arc that are looked at for the lengths of vectors.
+const SAMPLES: u32 = 180;
+/// The tips of vectors are named where no more points than this have them.
+const MOST_NAMED: usize = 3;
+
+/// The overlays of a linkage, ready to be drawn in any pose.
+#[derive(Clone, Debug)]
+pub(super) struct Overlaid {
+    input: Option<InputArc>,
+    /// Two points and a name.
+    loop_vectors: Vec<([PointId; 2], usize)>,
+    /// An outer hinge, the inner and the other outer one, and a name.
+    transmission: Vec<([PointId; 3], usize)>,
+    /// Points with the names of the tips.
+    vectors: Vec<(PointId, Option<[usize; 2]>)>,
+    scales: Option<Scales>,
+}
+
+/// The arc of the input angle.
+#[derive(Clone, Debug)]
+struct InputArc {
+    link: LinkId,
+    base: LinkOrFrame,
+    pivot: PointId,
+    radius: f64,
+    role: Role,
+    name: usize,
+}
+
+impl Overlaid {
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        layout: &Layout,
+        home: &Pose<1>,
+        view: &View,
+        names: &mut Names,
+    ) -> Self {
+        let shown = view.overlays;
+        let dyads = mechanism.rrr_dyads();
+        let mut overlaid = Self {
+            input: InputArc::new(mechanism, layout, home, view, names),
+            loop_vectors: Vec::new(),
+            transmission: Vec::new(),
+            vectors: Vec::new(),
+            scales: None,
+        };
+        if shown.loop_vectors {
+            let named = |[from, to]: [PointId; 2]| {
+                let symbol = view.symbol(&[from, to].map(|point| names.of(point).to_owned()));
+                let name = names.add(symbol);
+                ([from, to], name)
+            };
+            let vectors = loop_vectors(mechanism, layout, &dyads);
+            overlaid.loop_vectors = vectors.into_iter().map(named).collect();
+        }
+        if shown.transmission {
+            let named = |dyad: &RrrDyad| {
+                let [from, to] = dyad.outer.map(|outer| outer.point);
+                let label = format!("μ={}.transmission", names.of(dyad.inner));
+                ([from, dyad.inner, to], names.add(label))
+            };
+            overlaid.transmission = dyads.iter().map(named).collect();
+        }
+        if shown.vectors {
+            let moving = mechanism.point_ids().filter(|point| {
+                let joins = layout.is_joint(*point) || !layout.is_centre(*point);
+                let asked = joins || view.traced.contains(point);
+                asked && layout.is_drawn(*point) && layout.moves(*point)
+            });
+            let moving: Vec<PointId> = moving.collect();
+            let legible = moving.len() <= MOST_NAMED;
+            let tips = |point: PointId| {
+                let name = names.of(point).to_owned();
+                let tips = ["′", "″"].map(|strokes| names.add(format!("{name}{strokes}")));
+                (point, legible.then_some(tips))
+            };
+            overlaid.vectors = moving.into_iter().map(tips).collect();
+        }
+        overlaid
+    }
+
+    /// Takes the scales of vectors for a drawing of this size. The tips for which
+    /// there must be room.
+    pub(super) fn scale(&mut self, motion: &Motion, size: f64) -> Vec<Point> {
+        if self.vectors.is_empty() {
+            return Vec::new();
+        }
+        let inputs = motion.cycle().arcs().iter().flat_map(|[from, to]| {
+            (0..SAMPLES)
+                .map(move |i| from + (to - from) * (f64::from(i) + 0.5) / f64::from(SAMPLES))
+        });
+        let poses = inputs.filter_map(|input| motion.pose::<3>(input).ok());
+        let poses: Vec<Pose<3>> = poses.collect();
+        let path = |(point, _): &(PointId, _)| -> Vec<JetPoint<3>> {
+            let places = poses.iter();
+            places
+                .map(|pose| motion.mechanism().place(pose, *point))
+                .collect()
+        };
+        let paths: Vec<Vec<JetPoint<3>>> = self.vectors.iter().map(path).collect();
+        let scales = Scales::of(&paths, size);
+        self.scales = Some(scales);
+        scales.tips(&paths.concat(), size)
+    }
+
+    /// The arc of the input, loops, transmission angles and, of a pose that has them,
+    /// derivatives.
+    pub(super) fn draw<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
+        if let Some(arc) = &self.input {
+            arc.draw(list, mechanism, pose);
+        }
+        let place = |point: PointId| mechanism.place(pose, point).place();
+        for (ends, name) in &self.loop_vectors {
+            overlays::loop_vector(list, ends.map(place), *name, unit);
+        }
+        for (hinges, name) in &self.transmission {
+            overlays::transmission(list, hinges.map(place), *name, unit);
+        }
+        let Some(scales) = self.scales.filter(|_| N >= 3) else {
+            return;
+        };
+        for (point, names) in &self.vectors {
+            overlays::vectors(list, &mechanism.place(pose, *point), *names, scales, unit);
+        }
+    }
+}
+
+impl InputArc {
+    fn new(
+        mechanism: &Mechanism,
+        layout: &Layout,
+        home: &Pose<1>,
+        view: &View,
+        names: &mut Names,
+    ) -> Option<Self> {
+        let symbol = view.annotations.input.as_ref()?;
+        let Some(DraftDriver::Crank { link, base }) = mechanism.draft().drivers.first() else {
+            return None;
+        };
+        let (link, base) = (mechanism.link(link)?, mechanism.link(base));
+        let [body, on] = [Some(link), base].map(|link| layout::body_of(mechanism, link));
+        let pivot = layout.hinge(mechanism, body, on)?;
+        let place = |point: PointId| mechanism.place(home, point).place();
+        let arms = mechanism.points_of(link).iter();
+        let mut arms = arms.map(|point| (place(*point) - place(pivot)).norm());
+        Some(Self {
+            link,
+            base,
+            pivot,
+            radius: 0.5 * arms.find(|arm| *arm > 0.0)?,
+            role: layout.drawn_role(link),
+            name: names.add(format!("{symbol}=input")),
+        })
+    }
+
+    /// From the base's direction to the link's, with the name at its middle.
+    fn draw<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
+        let angle = |link: LinkId| mechanism.angle(pose, link).value();
+        let from = self.base.map_or(0.0, angle);
+        let turn = (angle(self.link) - from).rem_euclid(TAU);
+        let centre = mechanism.place(pose, self.pivot).place();
+        let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
+        let at = |share: f64| centre + along(from + turn * share) * self.radius;
+        let points: Vec<Point> = (0..=48).map(|i| at(f64::from(i) / 48.0)).collect();
+        list.polyline(self.role, Look::Thin, &points);
+        let middle = along(from + 0.5 * turn);
+        let off = [2.4 * middle.x, 1.1 * middle.y];
+        list.name(self.role, self.name, at(0.5), off);
+    }
+}
+
+/// Along every link from joint to joint, along the frame from support to support,
+/// and across each dyad between its outer hinges; between two points once.
+fn loop_vectors(mechanism: &Mechanism, layout: &Layout, dyads: &[RrrDyad]) -> Vec<[PointId; 2]> {
+    let joints = |link: LinkId| -> Vec<PointId> {
+        let points = mechanism.points_of(link).iter().copied();
+        points.filter(|point| layout.is_joint(*point)).collect()
+    };
+    let points = mechanism.point_ids();
+    let supports = points.filter(|point| layout.is_support(*point));
+    let mut chains: Vec<Vec<PointId>> = mechanism.link_ids().map(joints).collect();
+    chains.push(supports.collect());
+    chains.extend(
+        dyads
+            .iter()
+            .map(|dyad| dyad.outer.map(|outer| outer.point).to_vec()),
+    );
+    let mut found: Vec<[PointId; 2]> = Vec::new();
+    for ends in chains.iter().flat_map(|chain| chain.windows(2)) {
+        let [from, to] = [ends[0], ends[1]];
+        if from != to && !found.contains(&[from, to]) && !found.contains(&[to, from]) {
+            found.push([from, to]);
+        }
+    }
+    found
+}

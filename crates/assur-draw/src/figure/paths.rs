@@ -1,0 +1,161 @@
+//! Paths of points over a motion, each part drawn once.
+
+use std::f64::consts::{PI, TAU};
+
+use assur::mechanism::{LinkId, PointId, Pose};
+use assur::motion::Motion;
+use assur::{Cycle, Point, Vector};
+
+use super::layout::Layout;
+use crate::list::{List, Look, Role};
+
+/// Places on a path for a turn of what carries the point.
+const TURN: usize = 720;
+/// Fewest places on an arc.
+const LEAST: f64 = 90.0;
+/// Poses of an arc of a motion that goes to and fro.
+const SWING: usize = 360;
+/// A link that turns through so much turns all round: at its ends the motion may
+/// lack a pose.
+const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
+/// By so much of an arc what is drawn keeps off its ends: where points fall into one
+/// there, rounding alone decides how links turn about it.
+pub(super) const OFF: f64 = 1e-9;
+/// Steps towards the input at which a link turns back; each makes a turning point
+/// twice as exact in digits.
+const STEPS: usize = 4;
+
+/// Poses over an unbroken stretch of the motion, each with its input.
+pub(super) type Run = Vec<(f64, Pose<1>)>;
+
+/// A part of a path.
+#[derive(Clone, Debug)]
+pub(super) enum Path {
+    /// A circle about a fixed point.
+    Circle(Point, f64),
+    /// Place after place.
+    Line(Vec<Point>),
+}
+
+impl Path {
+    pub(super) fn draw(&self, list: &mut List, role: Role) {
+        match self {
+            Self::Circle(centre, radius) => list.circle(role, Look::Dashed, *centre, *radius),
+            Self::Line(places) => list.polyline(role, Look::Dashed, places),
+        }
+    }
+
+    /// Places that reach as far as it does.
+    pub(super) fn reach(&self) -> Vec<Point> {
+        match self {
+            Self::Circle(centre, radius) => {
+                let corner = Vector::repeat(*radius);
+                vec![centre - corner, centre + corner]
+            }
+            Self::Line(places) => places.clone(),
+        }
+    }
+}
+
+/// Poses over the motion, a run for each arc; crowded towards dead points.
+pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
+    let cycle = motion.cycle();
+    let count = if cycle.is_full() {
+        let turns = cycle.period().unwrap_or(TAU) / TAU;
+        TURN * turns.round().max(1.0) as usize
+    } else {
+        SWING
+    };
+    let runs = cycle.arcs().iter().map(|[from, to]| {
+        let inputs = (0..=count).map(|i| {
+            let share = i as f64 / count as f64;
+            from + (to - from) * placed(cycle, share)
+        });
+        let poses = inputs.filter_map(|input| Some((input, motion.pose(input).ok()?)));
+        poses.collect()
+    });
+    runs.filter(|run: &Run| !run.is_empty()).collect()
+}
+
+/// Where in an arc a share of its poses is.
+fn placed(cycle: &Cycle, share: f64) -> f64 {
+    if cycle.is_full() {
+        share
+    } else {
+        (0.5 - 0.5 * (PI * share).cos()).clamp(OFF, 1.0 - OFF)
+    }
+}
+
+/// The path of a point: of one that turns about a fixed point a circle, or as much
+/// of it as its link turns through in each run.
+pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointId) -> Vec<Path> {
+    let mechanism = motion.mechanism();
+    let Some((link, pivot)) = layout.pivot(point) else {
+        let places = |run: &Run| {
+            let places = run.iter();
+            let places = places.map(|(_, pose)| mechanism.place(pose, point).place());
+            Path::Line(places.collect())
+        };
+        return runs.iter().map(places).collect();
+    };
+    let mut paths = Vec::new();
+    for run in runs {
+        let Some((_, pose)) = run.first() else {
+            continue;
+        };
+        let centre = mechanism.place(pose, pivot).place();
+        let arm = mechanism.place(pose, point).place() - centre;
+        let [low, high] = turned(motion, run, link);
+        if high - low >= ALL_ROUND {
+            paths.push(Path::Circle(centre, arm.norm()));
+            break;
+        }
+        // Of the arm's angle what it has more than the link's.
+        let lead = arm.y.atan2(arm.x) - mechanism.angle(pose, link).value();
+        let count = (TURN as f64 * (high - low) / TAU).ceil().max(LEAST);
+        let place = |i: usize| {
+            let (sin, cos) = (lead + low + (high - low) * i as f64 / count).sin_cos();
+            centre + Vector::new(cos, sin) * arm.norm()
+        };
+        paths.push(Path::Line((0..=count as usize).map(place).collect()));
+    }
+    paths
+}
+
+/// Between which angles a link turns in a run.
+fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
+    let mechanism = motion.mechanism();
+    let angle = |pose: &Pose<1>| mechanism.angle(pose, link).value();
+    let angles: Vec<f64> = run.iter().map(|(_, pose)| angle(pose)).collect();
+    let extreme = |sign: f64| {
+        let all = angles.iter().enumerate();
+        let (most, found) = all.fold((0, f64::NEG_INFINITY), |best, (k, angle)| {
+            if sign * angle > best.1 {
+                (k, sign * angle)
+            } else {
+                best
+            }
+        });
+        let near = |k: usize| run.get(k).map(|(input, _)| *input);
+        let bracket = most.checked_sub(1).and_then(near).zip(near(most + 1));
+        let exact = bracket.and_then(|bracket| turning(motion, link, run[most].0, bracket));
+        exact.map_or(sign * found, |exact| sign * (sign * exact).max(found))
+    };
+    [extreme(-1.0), extreme(1.0)]
+}
+
+/// The angle at which a link turns back near an input, by Newton's method.
+fn turning(motion: &Motion, link: LinkId, near: f64, (from, to): (f64, f64)) -> Option<f64> {
+    let mut input = near;
+    for _ in 0..STEPS {
+        let pose = motion.pose::<3>(input).ok()?;
+        let angle = motion.mechanism().angle(&pose, link);
+        let step = angle.derivative(1) / angle.derivative(2);
+        if !step.is_finite() {
+            break;
+        }
+        input = (input - step).clamp(from, to);
+    }
+    let pose = motion.pose::<1>(input).ok()?;
+    Some(motion.mechanism().angle(&pose, link).value())
+}

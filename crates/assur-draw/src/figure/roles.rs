@@ -1,0 +1,76 @@
+//! Which colour each link has.
+
+use assur::mechanism::{DraftLink, LinkId, Mechanism};
+use assur::structure::{Step, Structure};
+
+use crate::annotations::Annotations;
+use crate::list::Role;
+
+/// Colours of links that are not driven, or of Assur groups, in turn.
+const ROLES: [Role; 6] = [
+    Role::Coupler,
+    Role::Rocker,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent5,
+    Role::Accent6,
+];
+
+/// The colour that is noted for a link; else the driven link is a crank by its
+/// colour, the others take theirs in turn, and what is fixed to a link has its.
+pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
+    let draft = mechanism.draft();
+    let driven = |name: &String| {
+        let mut drivers = draft.drivers.iter();
+        drivers.any(|driver| draft.driven(driver) == Some(name))
+    };
+    let noted = |name: &String| {
+        let mut roles = annotations.roles.iter();
+        roles.find(|(link, _)| link == name).map(|(_, role)| *role)
+    };
+    let mut turn = ROLES.into_iter().cycle();
+    let mut first = |link: &DraftLink| {
+        noted(&link.name).unwrap_or_else(|| {
+            if link.fixed_to.is_some() {
+                Role::Secondary
+            } else if driven(&link.name) {
+                Role::Crank
+            } else {
+                turn.next().unwrap_or(Role::Coupler)
+            }
+        })
+    };
+    let roles: Vec<Role> = draft.links.iter().map(&mut first).collect();
+    let links = mechanism.link_ids().zip(&draft.links);
+    let role = |(link, of): (LinkId, &DraftLink)| {
+        let root = mechanism.root_of(link);
+        noted(&of.name).unwrap_or(root.map_or(Role::Secondary, |root| roles[root.index()]))
+    };
+    links.map(role).collect()
+}
+
+/// The colours of drivers and Assur groups, in the order of the structure.
+pub(super) fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
+    let mut turn = ROLES.into_iter().cycle();
+    structure.steps.iter().map(move |step| match step {
+        Step::Driver { .. } => Role::Crank,
+        Step::Group(_) => turn.next().unwrap_or(Role::Coupler),
+    })
+}
+
+/// Of each link the colour of the step that places it; what is fixed to the frame
+/// has none.
+pub(super) fn of_groups(mechanism: &Mechanism) -> Vec<Role> {
+    let structure = mechanism.structure();
+    let roles: Vec<Role> = of_steps(structure).collect();
+    let of_body = |name: &str| {
+        let mut bodies = mechanism.bodies();
+        let body = bodies.find(|body| mechanism.body_name(*body) == name)?;
+        roles.get(structure.step_of[body.index()]?).copied()
+    };
+    let role = |link: LinkId| of_body(mechanism.link_name(mechanism.root_of(link)?));
+    let links = mechanism.link_ids();
+    links
+        .map(|link| role(link).unwrap_or(Role::Secondary))
+        .collect()
+}

@@ -1,0 +1,247 @@
+//! A linkage as it is saved: the twin of the engine's `Draft` with serde.
+//! docs/file-format.md describes it field by field.
+
+mod check;
+mod draft;
+mod problem;
+
+use assur::mechanism::{Mechanism, Quantity};
+use assur::motion::Motion;
+use serde::{Deserialize, Serialize};
+
+use super::Kind;
+use crate::{Problem, catalogue};
+pub use problem::LinkageProblem;
+
+/// A linkage: things name each other, lengths are in any one unit. A key that it
+/// does not know is refused: what is misspelt would be a part left out.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinkageDocument {
+    /// What it is called.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Where its dimensions are from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+    /// The mechanism of the catalogue that it was made from, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub origin: Option<String>,
+    /// Every point with its place in the drawing.
+    pub points: Vec<PointDocument>,
+    /// The points of the frame.
+    pub frame: Vec<String>,
+    /// The moving links.
+    pub links: Vec<LinkDocument>,
+    /// Prismatic pairs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub slides: Vec<SlideDocument>,
+    /// Gear couplings.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub gears: Vec<GearDocument>,
+    /// What is driven.
+    pub drivers: Vec<DriverDocument>,
+    /// Points that links carry besides their joints.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tracers: Vec<TracerDocument>,
+    /// What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub plots: Vec<String>,
+    /// The points whose paths are drawn.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub traces: Vec<String>,
+    /// The full width of the band within which the first quantity that is plotted
+    /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band: Option<f64>,
+    /// Which of its assemblies moves, from 1; without it the drawn one. Only links
+    /// and files of before name one: an assembly is saved as its drawing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub assembly: Option<usize>,
+}
+
+/// A point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointDocument {
+    /// Its name.
+    pub name: String,
+    /// Where it is drawn: x, y.
+    pub at: [f64; 2],
+}
+
+/// A point that a link carries and that joins nothing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TracerDocument {
+    /// Its name, unlike that of any point.
+    pub name: String,
+    /// The link that carries it.
+    pub link: String,
+    /// Its place on the link: x from the link's first point towards its second, y
+    /// to the left.
+    pub at: [f64; 2],
+}
+
+/// A moving link.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinkDocument {
+    /// Its name.
+    pub name: String,
+    /// Its points; its angle runs from the first to the second.
+    pub points: Vec<String>,
+    /// The distance of its two points, if not as drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// The places of its points on the link, if not as drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shape: Option<Vec<[f64; 2]>>,
+    /// The link that it turns as one with.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fixed_to: Option<String>,
+    /// Its centre of mass, one of its points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub centre_of_mass: Option<String>,
+    /// Its mass, kilograms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_kg: Option<f64>,
+}
+
+/// A prismatic pair.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SlideDocument {
+    /// The link that slides.
+    pub link: String,
+    /// Its point that stays at its drawn distance from the line.
+    pub point: String,
+    /// The link that has the line, or `frame`.
+    pub on: String,
+    /// Two points of that link.
+    pub line: [String; 2],
+}
+
+/// A gear coupling.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GearDocument {
+    /// The two links.
+    pub links: [String; 2],
+    /// The link both are hinged on, or `frame`.
+    pub carrier: String,
+    /// Their numbers of teeth.
+    pub teeth: [f64; 2],
+    /// How they engage.
+    pub mesh: MeshDocument,
+}
+
+/// How two wheels engage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MeshDocument {
+    /// Outer teeth on both.
+    External,
+    /// The larger one is a ring.
+    Internal,
+    /// The sense is kept though both have outer teeth, as over an idler.
+    AsPrinted,
+}
+
+/// A driven pair: a crank with what it turns on, or a slide with its range.
+/// (Two kinds in one, so that an error's path ends at the field at fault.)
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriverDocument {
+    /// The link that is turned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub crank: Option<String>,
+    /// The link that it is turned against; without it the frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub base: Option<String>,
+    /// Which of the slides is moved, from 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slide: Option<usize>,
+    /// Its least and greatest coordinate along the line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<[f64; 2]>,
+}
+
+impl Kind for LinkageDocument {
+    fn origin(&self) -> Option<&str> {
+        self.origin.as_deref()
+    }
+
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        Ok(self.clone())
+    }
+}
+
+impl LinkageDocument {
+    /// Says where a document of the first version came from, which only its title told.
+    pub(crate) fn recognise(&mut self) {
+        let title = self.title.as_deref();
+        let known = |name: &&str| catalogue::title(name).as_deref() == title;
+        if self.origin.is_none() && title.is_some() {
+            self.origin = catalogue::gallery().find(known).map(str::to_owned);
+        }
+    }
+
+    /// The mechanism that is described, drawn in the assembly that moves.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming the field, or the links and points, at
+    /// fault. What is wrong with single fields comes first and alone. An assembly
+    /// that there is not.
+    pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
+        let problems = check::problems(self);
+        if !problems.is_empty() {
+            return Err(problems.into_iter().map(Problem::from).collect());
+        }
+        let drawn = Mechanism::new(&self.draft()).map_err(LinkageProblem::all)?;
+        let Some(number) = self.assembly else {
+            return Ok(drawn);
+        };
+        if number == drawn.drawn_assembly() + 1 {
+            return Ok(drawn);
+        }
+        let other = number.checked_sub(1).and_then(|k| drawn.assembly(k));
+        other.ok_or_else(|| {
+            vec![Problem::OutOfRange {
+                field: "assembly".into(),
+                value: number as f64,
+                min: 1.0,
+                max: drawn.assemblies() as f64,
+            }]
+        })
+    }
+
+    /// The motion of the mechanism.
+    ///
+    /// # Errors
+    /// As of [`Self::mechanism`].
+    pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.mechanism().map(Motion::new)
+    }
+
+    /// The quantities, of one kind, that a choice of the page names: `angles` those
+    /// the document asks for, else all angles; `LINK.angle`; a point, both of its
+    /// coordinates. None where there is nothing of the name.
+    pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
+        if choice == "angles" {
+            let asked = self.plots.iter();
+            let mut asked: Vec<Quantity> = asked
+                .filter_map(|name| Quantity::named(mechanism, name))
+                .collect();
+            match asked.first().map(|one| one.is_angle()) {
+                Some(kind) => asked.retain(|one| one.is_angle() == kind),
+                None => asked = mechanism.link_ids().map(Quantity::Angle).collect(),
+            }
+            return Some(asked);
+        }
+        if let Some(point) = mechanism.point(choice) {
+            return Some(vec![Quantity::X(point), Quantity::Y(point)]);
+        }
+        Quantity::named(mechanism, choice).map(|one| vec![one])
+    }
+}

@@ -1,0 +1,138 @@
+//! What is wrong with single fields of a linkage, before it is asked to move: a
+//! border bounds its work and what it shows.
+
+use super::draft::driver;
+use super::{LinkageDocument, LinkageProblem};
+
+/// No more of each are taken.
+const MOST_POINTS: usize = 200;
+const MOST_LINKS: usize = 64;
+const MOST_PAIRS: usize = 64;
+const MOST_DRIVERS: usize = 8;
+const MOST_SHOWN: usize = 32;
+/// Characters of a name; of a title or source.
+const LONGEST_NAME: usize = 40;
+const LONGEST_TEXT: usize = 400;
+
+/// Every problem of a field, with its path.
+pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let found = counts(document);
+    if found.is_empty() {
+        [names(document), links(document), shown(document)].concat()
+    } else {
+        found
+    }
+}
+
+fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let lists = [
+        ("points".to_owned(), document.points.len(), MOST_POINTS),
+        ("frame".to_owned(), document.frame.len(), MOST_POINTS),
+        ("tracers".to_owned(), document.tracers.len(), MOST_POINTS),
+        ("links".to_owned(), document.links.len(), MOST_LINKS),
+        ("slides".to_owned(), document.slides.len(), MOST_PAIRS),
+        ("gears".to_owned(), document.gears.len(), MOST_PAIRS),
+        ("drivers".to_owned(), document.drivers.len(), MOST_DRIVERS),
+        ("plots".to_owned(), document.plots.len(), MOST_SHOWN),
+        ("traces".to_owned(), document.traces.len(), MOST_SHOWN),
+    ];
+    let of_links = document.links.iter().enumerate();
+    let of_links = of_links.map(|(k, link)| {
+        let most = link
+            .points
+            .len()
+            .max(link.shape.as_ref().map_or(0, Vec::len));
+        (format!("links[{k}].points"), most, MOST_POINTS)
+    });
+    let all = lists.into_iter().chain(of_links);
+    all.filter(|(_, count, most)| count > most)
+        .map(|(path, _, max)| LinkageProblem::TooMany { path, max })
+        .collect()
+}
+
+fn names(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let points = document.points.iter().enumerate();
+    let points = points.map(|(k, point)| (format!("points[{k}].name"), &point.name));
+    let links = document.links.iter().enumerate();
+    let links = links.map(|(k, link)| (format!("links[{k}].name"), &link.name));
+    let tracers = document.tracers.iter().enumerate();
+    let tracers = tracers.map(|(k, tracer)| (format!("tracers[{k}].name"), &tracer.name));
+    let sound = |name: &str, longest: usize| {
+        name.chars().count() <= longest && !name.chars().any(char::is_control)
+    };
+    let names = points
+        .chain(links)
+        .chain(tracers)
+        .filter(|(_, name)| name.is_empty() || !sound(name, LONGEST_NAME));
+    let texts = [("title", &document.title), ("source", &document.source)];
+    let texts = texts.into_iter().filter_map(|(path, text)| {
+        let unsound = !sound(text.as_ref()?, LONGEST_TEXT);
+        unsound.then(|| LinkageProblem::BadText {
+            path: path.to_owned(),
+            max: LONGEST_TEXT,
+        })
+    });
+    names
+        .map(|(path, _)| LinkageProblem::BadName {
+            path,
+            max: LONGEST_NAME,
+        })
+        .chain(texts)
+        .collect()
+}
+
+fn links(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let mut found = Vec::new();
+    for (k, link) in document.links.iter().enumerate() {
+        let path = format!("links[{k}].length");
+        if link.length.is_some() && (link.points.len() != 2 || link.shape.is_some()) {
+            found.push(LinkageProblem::LengthOfTwo { path });
+        } else if let Some(value) = link.length
+            && !(value > 0.0 && value.is_finite())
+        {
+            found.push(LinkageProblem::BadLength { path, value });
+        }
+        if link.fixed_to.is_some() && (link.length.is_some() || link.shape.is_some()) {
+            let path = format!("links[{k}].fixed_to");
+            found.push(LinkageProblem::FixedAsDrawn { path });
+        }
+    }
+    if let Some(value) = document.band
+        && !(value > 0.0 && value.is_finite())
+    {
+        let path = "band".to_owned();
+        found.push(LinkageProblem::BadBand { path, value });
+    }
+    for (k, one) in document.drivers.iter().enumerate() {
+        if driver(one).is_none() {
+            let path = format!("drivers[{k}]");
+            found.push(LinkageProblem::BadDriver { path });
+        }
+    }
+    found
+}
+
+/// What is plotted and traced must be there.
+fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let points = document.points.iter().map(|point| &point.name);
+    let points = points.chain(document.tracers.iter().map(|tracer| &tracer.name));
+    let is_point = |name: &str| points.clone().any(|point| point == name);
+    let is_link = |name: &str| document.links.iter().any(|link| link.name == name);
+    let plotted = |name: &String| match name.rsplit_once('.') {
+        Some((link, "angle")) => is_link(link),
+        Some((point, "x" | "y")) => is_point(point),
+        _ => false,
+    };
+    let plots = document.plots.iter().enumerate();
+    let plots = plots.filter(|(_, name)| !plotted(name));
+    let traces = document.traces.iter().enumerate();
+    let traces = traces.filter(|(_, name)| !is_point(name));
+    plots
+        .map(|(k, _)| LinkageProblem::NothingToPlot {
+            path: format!("plots[{k}]"),
+        })
+        .chain(traces.map(|(k, _)| LinkageProblem::NothingToTrace {
+            path: format!("traces[{k}]"),
+        }))
+        .collect()
+}

@@ -1,0 +1,190 @@
+//! Everything that can be wrong with a linkage, as a code with parameters: paths of
+//! fields, names of links and points. The words are in `lang/`.
+
+use assur::mechanism::{Cause, Defect, Mechanism, Unsolved};
+use assur::synthesis::dwell::{DesignVariable, Dimension, SearchError};
+use serde::Serialize;
+
+use crate::{Field, Problem};
+
+/// A problem of a linkage; serialised as `{"code": "…", parameters}`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum LinkageProblem {
+    /// A list holds more than is taken.
+    TooMany { path: String, max: usize },
+    /// A name that is empty, too long or holds control characters.
+    BadName { path: String, max: usize },
+    /// A title or source that is too long or holds control characters.
+    BadText { path: String, max: usize },
+    /// A length together with a shape, or of a link that has not two points.
+    LengthOfTwo { path: String },
+    /// A length that is not greater than zero.
+    BadLength { path: String, value: f64 },
+    /// The band of a dwell must be wide.
+    BadBand { path: String, value: f64 },
+    /// A link that is fixed to another lies on it as drawn.
+    FixedAsDrawn { path: String },
+    /// Neither a crank nor a slide with its range, or both.
+    BadDriver { path: String },
+    /// A plot of what is not there.
+    NothingToPlot { path: String },
+    /// A trace of a point that is not there.
+    NothingToTrace { path: String },
+    /// Two points or links of one name.
+    Twice { name: String },
+    /// Nothing has this name.
+    UnknownName { name: String },
+    /// A number of this point or link is not finite or out of any range.
+    NotFinite { name: String },
+    /// A link without points.
+    Bare { link: String },
+    /// Two points of a link at one place.
+    Coincident { link: String, points: [String; 2] },
+    /// A link lists a point twice.
+    Repeated { link: String, point: String },
+    /// Not one place for each point.
+    Shape { link: String },
+    /// A point that a link should have.
+    NotOnLink { link: String, point: String },
+    /// A link joined to itself.
+    WithItself { link: String },
+    /// Two links that share no point.
+    NotHinged { links: [String; 2] },
+    /// A number of teeth that will not do.
+    Teeth { link: String, value: f64 },
+    /// Equal wheels in internal mesh.
+    Concentric { links: [String; 2] },
+    /// No driver, or one of a pair that is not there.
+    NoDriver,
+    /// Nothing joins these links to the frame.
+    Loose { links: Vec<String> },
+    /// Fewer drivers than variables.
+    Underdriven { mobility: isize, links: Vec<String> },
+    /// Too many pairs or drivers.
+    Locked { mobility: isize, links: Vec<String> },
+    /// More than one driver.
+    FurtherDrivers { links: Vec<String> },
+    /// Guides that are parallel where they must cross.
+    ParallelGuides { links: Vec<String> },
+    /// A group that cannot be solved yet.
+    Unsupported { links: Vec<String> },
+    /// A drawing that does not close.
+    Open { links: Vec<String>, by: f64 },
+    /// A drawing in which links are in line.
+    OpenInLine { links: Vec<String> },
+    /// A point drawn elsewhere than its links put it.
+    Misdrawn { point: String, by: f64 },
+    /// The input is not a number, or outside the range of the driven slide.
+    BeyondRange,
+    /// The motion does not come here, though there is a pose.
+    Unreached,
+    /// Links are too short, or too long, to meet.
+    LinksApart { links: Vec<String>, by: f64 },
+    /// A link does not reach its guide.
+    OutOfReach { links: Vec<String>, by: f64 },
+    /// Guides have become parallel.
+    GuidesParallel { links: Vec<String> },
+    /// Links may stand at any angle.
+    LinksUndetermined { links: Vec<String> },
+    /// Derivatives are unbounded.
+    LinksDeadPoint { links: Vec<String> },
+    /// A wish for a dwell that is not greater than zero, or an arc of more than a turn.
+    BadWish { field: Field },
+    /// The mechanism has no such output.
+    NoOutput,
+    /// A search in which no dimension may change.
+    NothingMoves,
+    /// A dimension that is to change and is not there, or is no one length.
+    NoDimension { name: String },
+    /// A range of a dimension that is empty, or without its value.
+    BadRange { name: String },
+    /// A search from a linkage whose driver does not turn fully, or comes close to a
+    /// singular position.
+    Blocked,
+}
+
+impl LinkageProblem {
+    /// Why a mechanism has no pose, with the names of its links.
+    pub fn unsolved(unsolved: &Unsolved, mechanism: &Mechanism) -> Self {
+        let links: Vec<String> = mechanism
+            .links_of(unsolved.step)
+            .map(str::to_owned)
+            .collect();
+        match unsolved.cause {
+            Cause::Input => Self::BeyondRange,
+            Cause::Unreached => Self::Unreached,
+            Cause::Apart { by } => Self::LinksApart { links, by },
+            Cause::OutOfReach { by } => Self::OutOfReach { links, by },
+            Cause::Parallel => Self::GuidesParallel { links },
+            Cause::Undetermined => Self::LinksUndetermined { links },
+            Cause::DeadPoint => Self::LinksDeadPoint { links },
+        }
+    }
+}
+
+impl LinkageProblem {
+    /// Why there is no search for a dwell in which these dimensions may change.
+    pub fn refused(refused: SearchError, variables: &[DesignVariable]) -> Vec<Self> {
+        let name = |index: usize| match variables.get(index).map(|one| &one.dimension) {
+            Some(Dimension::Length { link: name })
+            | Some(Dimension::X { point: name } | Dimension::Y { point: name }) => name.clone(),
+            None => String::new(),
+        };
+        let wish = |field: &'static str| Self::BadWish {
+            field: field.into(),
+        };
+        vec![match refused {
+            SearchError::Tolerance => wish("band"),
+            SearchError::Arc => wish("design.arc"),
+            SearchError::Stroke => wish("design.stroke"),
+            SearchError::Output => Self::NoOutput,
+            SearchError::Rigid => Self::NothingMoves,
+            SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
+            SearchError::Range(index) => Self::BadRange { name: name(index) },
+            SearchError::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
+            SearchError::Blocked => Self::Blocked,
+        }]
+    }
+}
+
+impl LinkageProblem {
+    /// What is wrong with a draft.
+    pub(crate) fn all(defects: Vec<Defect>) -> Vec<Problem> {
+        let problems = defects.into_iter().map(Self::from);
+        problems.map(Problem::from).collect()
+    }
+}
+
+impl From<Defect> for LinkageProblem {
+    fn from(defect: Defect) -> Self {
+        match defect {
+            Defect::Twice(name) => Self::Twice { name },
+            Defect::Unknown(name) => Self::UnknownName { name },
+            Defect::NotFinite(name) => Self::NotFinite { name },
+            Defect::Bare(link) => Self::Bare { link },
+            Defect::Coincident { link, points } => Self::Coincident { link, points },
+            Defect::Repeated { link, point } => Self::Repeated { link, point },
+            Defect::Shape(link) => Self::Shape { link },
+            Defect::NotOnLink { link, point } => Self::NotOnLink { link, point },
+            Defect::WithItself(link) => Self::WithItself { link },
+            Defect::NotHinged { links } => Self::NotHinged { links },
+            Defect::Teeth { link, value } => Self::Teeth { link, value },
+            Defect::Concentric(links) => Self::Concentric { links },
+            Defect::NoDriver => Self::NoDriver,
+            Defect::Loose(links) => Self::Loose { links },
+            Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
+            Defect::Locked { mobility, links } => Self::Locked { mobility, links },
+            Defect::FurtherDrivers { links } => Self::FurtherDrivers { links },
+            Defect::ParallelGuides { links } => Self::ParallelGuides { links },
+            Defect::Unsupported { links } => Self::Unsupported { links },
+            Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },
+            Defect::Open { links, by } => Self::Open { links, by },
+            Defect::Misdrawn { point, by } => Self::Misdrawn { point, by },
+        }
+    }
+}

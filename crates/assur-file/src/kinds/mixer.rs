@@ -1,0 +1,265 @@
+//! The mixer's dimensions as they are saved.
+
+use assur::Assembly;
+use assur::gears::{Mate, Mesh};
+use assur::mixer::{Carrier, Dimensions, Mixer, Tracer, Unmoved};
+use assur::motion::Motion;
+use serde::{Deserialize, Serialize};
+
+use super::Kind;
+use crate::{LinkageDocument, LinkageProblem, Problem};
+
+/// The mixer: lengths in metres, numbers of teeth, how the wheels are set, and
+/// which points are traced. Numbers are taken as they come;
+/// [`MixerDocument::mixer`] checks them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "AnyDocument")]
+pub struct MixerDocument {
+    /// Crank AB.
+    pub l1: f64,
+    /// Coupler BC.
+    pub l2: f64,
+    /// Rocker DC.
+    pub l3: f64,
+    /// Frame AD.
+    pub l4: f64,
+    /// Teeth of the wheel on the rocker's shaft.
+    pub z4: f64,
+    /// The peripheral wheels it drives: wheel 5, 6, …
+    pub wheels: Vec<WheelDocument>,
+    /// `external`, `internal` or `as_printed`.
+    pub mesh: String,
+    /// Module of the wheels, metres.
+    pub module: f64,
+    /// 1 or 2.
+    pub assembly: f64,
+    /// The points traced: P₁, P₂, …
+    pub tracers: Vec<MixerTracerDocument>,
+}
+
+/// A peripheral wheel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WheelDocument {
+    /// Its teeth.
+    pub z: f64,
+    /// Direction from the shaft of wheel 4 to its own, degrees.
+    pub centre_line_deg: f64,
+}
+
+/// A traced point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MixerTracerDocument {
+    /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+    pub link: String,
+    /// Along the link from its first joint, metres.
+    pub x: f64,
+    /// Across it, to the left, metres.
+    pub y: f64,
+}
+
+/// A document of any age: at first there was one wheel, and no points.
+#[derive(Deserialize)]
+struct AnyDocument {
+    l1: f64,
+    l2: f64,
+    l3: f64,
+    l4: f64,
+    z4: f64,
+    wheels: Option<Vec<WheelDocument>>,
+    z5: Option<f64>,
+    centre_line_deg: Option<f64>,
+    mesh: String,
+    module: f64,
+    assembly: f64,
+    #[serde(default)]
+    tracers: Vec<MixerTracerDocument>,
+}
+
+impl TryFrom<AnyDocument> for MixerDocument {
+    type Error = &'static str;
+
+    fn try_from(any: AnyDocument) -> Result<Self, Self::Error> {
+        let wheels = match (any.wheels, any.z5, any.centre_line_deg) {
+            (Some(wheels), ..) => wheels,
+            (None, Some(z), Some(centre_line_deg)) => vec![WheelDocument { z, centre_line_deg }],
+            _ => return Err("missing field `wheels`"),
+        };
+        Ok(Self {
+            l1: any.l1,
+            l2: any.l2,
+            l3: any.l3,
+            l4: any.l4,
+            z4: any.z4,
+            wheels,
+            mesh: any.mesh,
+            module: any.module,
+            assembly: any.assembly,
+            tracers: any.tracers,
+        })
+    }
+}
+
+const MESHES: [(Mesh, &str); 3] = [
+    (Mesh::External, "external"),
+    (Mesh::Internal, "internal"),
+    (Mesh::AsPrinted, "as_printed"),
+];
+
+const CARRIERS: [(Carrier, &str); 9] = [
+    (Carrier::Crank, "crank"),
+    (Carrier::Coupler, "coupler"),
+    (Carrier::Rocker, "rocker"),
+    (Carrier::Wheel(0), "wheel5"),
+    (Carrier::Wheel(1), "wheel6"),
+    (Carrier::Wheel(2), "wheel7"),
+    (Carrier::Wheel(3), "wheel8"),
+    (Carrier::Wheel(4), "wheel9"),
+    (Carrier::Wheel(5), "wheel10"),
+];
+
+/// The saved name of a value, of a table of names.
+fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str {
+    let found = names.iter().find(|(one, _)| one == value);
+    found.map_or("", |(_, name)| name)
+}
+
+/// The value of a saved name.
+fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
+    let found = names.iter().find(|(_, one)| *one == name);
+    found.map(|(value, _)| *value)
+}
+
+impl MixerTracerDocument {
+    /// What a saved name of a link stands for.
+    pub fn carrier(link: &str) -> Option<Carrier> {
+        value_of(&CARRIERS, link)
+    }
+}
+
+impl From<&Tracer> for MixerTracerDocument {
+    fn from(tracer: &Tracer) -> Self {
+        Self {
+            link: name_of(&CARRIERS, &tracer.carrier).to_owned(),
+            x: tracer.x,
+            y: tracer.y,
+        }
+    }
+}
+
+impl Kind for MixerDocument {
+    fn origin(&self) -> Option<&str> {
+        None
+    }
+
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])
+    }
+
+    /// Over every arc of the crank on which the loop can be closed.
+    fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.mixer()?.motion().map_err(|unmoved| match unmoved {
+            Unmoved::Unsolved(unsolved) => vec![unsolved.into()],
+            Unmoved::Defects(defects) => LinkageProblem::all(defects),
+            Unmoved::Unjoinable(_) => vec![LinkageProblem::Unreached.into()],
+        })
+    }
+}
+
+impl LinkageDocument {
+    /// A mixer, with the angles of what its rocker drives plotted.
+    ///
+    /// # Errors
+    /// Why it cannot be drawn.
+    pub fn of_mixer(mixer: &Mixer) -> Result<Self, Problem> {
+        let mut document = Self::new(&mixer.draft()?);
+        let driven = document.links.iter().map(|link| &link.name);
+        let driven = driven.filter(|name| *name == "rocker" || name.starts_with("wheel"));
+        document.plots = driven
+            .filter(|name| *name != "wheel4")
+            .map(|name| format!("{name}.angle"))
+            .collect();
+        let traced = document.tracers.iter().map(|tracer| tracer.name.clone());
+        document.traces = traced.collect();
+        document.traces.extend(["B", "C"].map(str::to_owned));
+        Ok(document)
+    }
+}
+
+impl MixerDocument {
+    /// The saved form of these dimensions.
+    pub fn new(dimensions: &Dimensions) -> Self {
+        let [l1, l2, l3, l4] = dimensions.lengths;
+        let wheel = |mate: &Mate| WheelDocument {
+            z: mate.teeth,
+            centre_line_deg: mate.centre_line.to_degrees(),
+        };
+        Self {
+            l1,
+            l2,
+            l3,
+            l4,
+            z4: dimensions.z4,
+            wheels: dimensions.wheels.iter().map(wheel).collect(),
+            mesh: name_of(&MESHES, &dimensions.mesh).to_owned(),
+            module: dimensions.module,
+            assembly: match dimensions.assembly {
+                Assembly::First => 1.0,
+                Assembly::Second => 2.0,
+            },
+            tracers: dimensions.tracers.iter().map(Into::into).collect(),
+        }
+    }
+
+    /// The mixer that is described.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming its field.
+    pub fn mixer(&self) -> Result<Mixer, Vec<Problem>> {
+        let mut problems = Vec::new();
+        let mut unknown = |field: crate::Field| problems.push(Problem::UnknownChoice { field });
+        let mesh = value_of(&MESHES, &self.mesh);
+        if mesh.is_none() {
+            unknown("mesh".into());
+        }
+        let assembly = match self.assembly {
+            1.0 => Some(Assembly::First),
+            2.0 => Some(Assembly::Second),
+            _ => None,
+        };
+        if assembly.is_none() {
+            unknown("assembly".into());
+        }
+        let mut tracers = Vec::new();
+        for (index, MixerTracerDocument { link, x, y }) in self.tracers.iter().enumerate() {
+            let carrier = MixerTracerDocument::carrier(link);
+            if carrier.is_none() {
+                unknown(format!("tracers[{index}].link").into());
+            }
+            tracers.push(Tracer {
+                carrier: carrier.unwrap_or(Carrier::Crank),
+                x: *x,
+                y: *y,
+            });
+        }
+        let mate = |wheel: &WheelDocument| Mate {
+            teeth: wheel.z,
+            centre_line: wheel.centre_line_deg.to_radians(),
+        };
+        let made = Mixer::new(&Dimensions {
+            lengths: [self.l1, self.l2, self.l3, self.l4],
+            z4: self.z4,
+            wheels: self.wheels.iter().map(mate).collect(),
+            mesh: mesh.unwrap_or(Mesh::External),
+            module: self.module,
+            assembly: assembly.unwrap_or(Assembly::First),
+            tracers,
+        });
+        match made {
+            Ok(mixer) if problems.is_empty() => Ok(mixer),
+            made => {
+                problems.extend(made.err().into_iter().flatten().map(Problem::from));
+                Err(problems)
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The kinds of document, a module for each. A kind is added by its module and its line in
+//! the registry below.
+
+pub(crate) mod linkage;
+pub(crate) mod mixer;
+
+use assur::mechanism::Quantity;
+use assur::motion::Motion;
+use serde::{Deserializer, Serialize};
+
+use crate::state::{Body, part};
+use crate::{Problem, View};
+use linkage::LinkageDocument;
+use mixer::MixerDocument;
+
+/// What the document of every kind can be asked.
+pub trait Kind {
+    /// The mechanism of the catalogue that it came from, by name.
+    fn origin(&self) -> Option<&str>;
+
+    /// The linkage that it describes.
+    ///
+    /// # Errors
+    /// Every problem for which it describes none.
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>>;
+
+    /// The motion of what it describes.
+    ///
+    /// # Errors
+    /// Every problem for which it does not move.
+    fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.linkage()?.motion()
+    }
+}
+
+/// What moves, and what is plotted of it.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// The linkage.
+    pub document: LinkageDocument,
+    /// Its motion.
+    pub motion: Motion,
+    /// Quantities of one kind.
+    pub plotted: Vec<Quantity>,
+}
+
+/// Makes the document of a state from the list of kinds.
+macro_rules! kinds {
+    ($($(#[$about:meta])+ $name:literal => $kind:ident($document:ty),)+) => {
+        /// What a state shows; serialised as `kind` and `document`.
+        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[serde(tag = "kind", content = "document")]
+        pub enum Document {
+            $($(#[$about])+ #[serde(rename = $name)] $kind($document),)+
+        }
+
+        impl Document {
+            /// Reads the document of this kind, and the view; `field` is where the kind is named.
+            pub(crate) fn read<'de, D: Deserializer<'de>>(
+                field: &str,
+                kind: &str,
+                source: impl Fn() -> D,
+            ) -> Result<(Self, View), Problem> {
+                match kind {
+                    $($name => {
+                        let Body { document, view } = part(source())?;
+                        Ok((Self::$kind(document), view))
+                    })+
+                    _ => Err(Problem::BadState {
+                        path: field.to_owned(),
+                        detail: format!("there is no kind `{kind}`"),
+                    }),
+                }
+            }
+
+            fn kind(&self) -> &dyn Kind {
+                match self {
+                    $(Self::$kind(document) => document,)+
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// Any linkage.
+    "linkage" => Linkage(LinkageDocument),
+    /// Crank-rocker and gears.
+    "mixer" => Mixer(MixerDocument),
+}
+
+impl Document {
+    /// The mechanism of the catalogue that it came from, by name.
+    pub fn origin(&self) -> Option<&str> {
+        self.kind().origin()
+    }
+
+    /// The linkage that it describes, whatever its kind.
+    ///
+    /// # Errors
+    /// Every problem for which it describes none.
+    pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        self.kind().linkage()
+    }
+
+    /// Its motion, with the quantities that a choice of the page names.
+    ///
+    /// # Errors
+    /// Every problem for which it does not move; a choice of which there is nothing.
+    pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
+        let document = self.linkage()?;
+        let motion = self.kind().motion()?;
+        let plotted = document.plotted(motion.mechanism(), plot);
+        let Some(plotted) = plotted else {
+            let field = "plot".into();
+            return Err(vec![Problem::UnknownChoice { field }]);
+        };
+        Ok(Moved {
+            document,
+            motion,
+            plotted,
+        })
+    }
+}

@@ -1,0 +1,242 @@
+//! How a mechanism is looked at: the part of a state that changes nothing of it.
+
+use assur::motion::Input;
+use serde::{Deserialize, Serialize};
+
+use crate::Problem;
+
+/// The largest crank angle, in degrees, that still has all its digits after the point; the
+/// farthest way of a driven slide, in the unit of the lengths.
+const INPUT_LIMIT: f64 = 1e6;
+
+/// The greatest speed; beyond it the motion is no more seen.
+const SPEED_LIMIT: f64 = 1000.0;
+
+/// The greatest ω₁ in rad/s and ε₁ in rad/s², in either sense.
+const OMEGA_LIMIT: f64 = 1e4;
+const EPSILON_LIMIT: f64 = 1e6;
+
+/// The longest name of a lesson.
+const NAME_LIMIT: usize = 64;
+
+/// How the mechanism is looked at; nothing here changes the mechanism.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct View {
+    /// Where the input is, if it is an angle: the crank angle, degrees.
+    pub phi_deg: f64,
+    /// Where the input is, if it is a length: the way of the driven slide, in the unit of
+    /// the lengths.
+    #[serde(default)]
+    pub s: f64,
+    /// In motion or at rest.
+    pub playing: bool,
+    /// 1 or −1: sense in which the crank turns.
+    pub direction: f64,
+    /// Multiple of one turn in six seconds.
+    pub speed: f64,
+    /// Paths of the joints shown.
+    pub traces: bool,
+    /// Centres of mass shown. Older states say nothing of this and the next.
+    #[serde(default)]
+    pub centres: bool,
+    /// Velocity and acceleration analogues of the joints shown.
+    #[serde(default)]
+    pub vectors: bool,
+    /// Vectors of the loop shown.
+    #[serde(default)]
+    pub loop_vectors: bool,
+    /// Arc of the transmission angle shown.
+    #[serde(default)]
+    pub transmission: bool,
+    /// Links in the colours of their Assur groups.
+    #[serde(default)]
+    pub groups: bool,
+    /// What is plotted: `angles`, or the name of a point (`C2`).
+    #[serde(default = "angles")]
+    pub plot: String,
+    /// What the derivatives are by.
+    #[serde(default)]
+    pub axes: Axes,
+    /// ω₁ of the crank, rad/s.
+    #[serde(default = "one")]
+    pub omega: f64,
+    /// The unit in which ω₁ is written.
+    #[serde(default)]
+    pub omega_unit: SpeedUnit,
+    /// ε₁ of the crank, rad/s².
+    #[serde(default)]
+    pub epsilon: f64,
+    /// Played with ω₁ instead of `speed`.
+    #[serde(default)]
+    pub true_time: bool,
+    /// Differences of φ′ shown over φ″.
+    #[serde(default)]
+    pub differenced: bool,
+    /// The lesson that is open, if one is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lesson: Option<OpenLesson>,
+    /// Large text, thick lines, high contrast.
+    #[serde(default)]
+    pub projector: bool,
+    /// Language of the page.
+    pub lang: String,
+}
+
+/// A lesson, open at one of its steps.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OpenLesson {
+    /// Its name: that of its folder.
+    pub id: String,
+    /// The step, counted from 1.
+    pub step: u8,
+}
+
+/// What derivatives are by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axes {
+    /// The crank angle.
+    #[default]
+    Analogues,
+    /// Time, with ω₁ and ε₁ of the crank.
+    Physical,
+}
+
+/// A unit of angular velocity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SpeedUnit {
+    /// Radians in a second.
+    #[default]
+    RadPerS,
+    /// Turns in a minute.
+    PerMin,
+}
+
+fn angles() -> String {
+    "angles".to_owned()
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Default for View {
+    /// How a file is looked at that does not say. (No language: the reader's.)
+    fn default() -> Self {
+        Self {
+            phi_deg: 0.0,
+            s: 0.0,
+            playing: false,
+            direction: 1.0,
+            speed: 1.0,
+            traces: true,
+            centres: false,
+            vectors: false,
+            loop_vectors: false,
+            transmission: false,
+            groups: false,
+            plot: angles(),
+            axes: Axes::default(),
+            omega: one(),
+            omega_unit: SpeedUnit::default(),
+            epsilon: 0.0,
+            true_time: false,
+            differenced: false,
+            lesson: None,
+            projector: false,
+            lang: String::new(),
+        }
+    }
+}
+
+impl View {
+    /// How the crank turns for the plots and read-outs.
+    pub fn input(&self) -> Input {
+        match self.axes {
+            Axes::Analogues => Input::ANALOGUES,
+            Axes::Physical => Input {
+                speed: self.omega,
+                acceleration: self.epsilon,
+            },
+        }
+    }
+
+    /// Checks every number and choice.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming its field.
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems = Vec::new();
+        let Self { omega, epsilon, .. } = *self;
+        for (field, value, limit) in [
+            ("phi_deg", self.phi_deg, INPUT_LIMIT),
+            ("s", self.s, INPUT_LIMIT),
+            ("omega", omega, OMEGA_LIMIT),
+            ("epsilon", epsilon, EPSILON_LIMIT),
+        ] {
+            let field = field.into();
+            if !value.is_finite() {
+                problems.push(Problem::NotANumber { field });
+            } else if value.abs() > limit {
+                problems.push(Problem::OutOfRange {
+                    field,
+                    value,
+                    min: -limit,
+                    max: limit,
+                });
+            }
+        }
+        if self.true_time && omega == 0.0 {
+            problems.push(Problem::AtRest {
+                field: "omega".into(),
+            });
+        }
+        if self.direction.abs() != 1.0 {
+            problems.push(Problem::UnknownChoice {
+                field: "direction".into(),
+            });
+        }
+        problems.extend(speed_problem(self.speed));
+        if !self.lesson.as_ref().is_none_or(OpenLesson::is_sound) {
+            problems.push(Problem::UnknownChoice {
+                field: "lesson".into(),
+            });
+        }
+        if problems.is_empty() {
+            Ok(())
+        } else {
+            Err(problems)
+        }
+    }
+}
+
+impl OpenLesson {
+    /// Whether a folder may have the name, and the steps are counted from 1.
+    fn is_sound(&self) -> bool {
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        let length = self.id.len();
+        (1..=NAME_LIMIT).contains(&length) && self.id.chars().all(plain) && self.step > 0
+    }
+}
+
+fn speed_problem(speed: f64) -> Option<Problem> {
+    let field = "speed".into();
+    if !speed.is_finite() {
+        Some(Problem::NotANumber { field })
+    } else if speed <= 0.0 {
+        Some(Problem::NotPositive {
+            field,
+            value: speed,
+        })
+    } else if speed > SPEED_LIMIT {
+        Some(Problem::OutOfRange {
+            field,
+            value: speed,
+            min: 0.0,
+            max: SPEED_LIMIT,
+        })
+    } else {
+        None
+    }
+}

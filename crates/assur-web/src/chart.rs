@@ -1,0 +1,158 @@
+//! What the page asks of a chart, and where it writes the chart's text.
+
+use assur_draw::ROLES;
+use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
+use assur_file::Problem;
+use plotters::style::RGBColor;
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::JsValue;
+
+/// What the page asks of a chart, sizes in pixels of the reader.
+#[derive(Deserialize)]
+pub(crate) struct ChartRequest {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    palette: [[u8; 3]; ROLES.len()],
+    /// How much larger than usual text and lines are.
+    #[serde(default = "usual")]
+    pub(crate) scale: f64,
+    /// Pixels of the screen to one of the reader.
+    #[serde(default = "usual")]
+    pub(crate) ratio: f64,
+    /// Whether curves go through all their points: for a picture that may be enlarged.
+    #[serde(default)]
+    pub(crate) whole: bool,
+}
+
+fn usual() -> f64 {
+    1.0
+}
+
+impl ChartRequest {
+    pub(crate) fn read(value: JsValue) -> Result<Self, Problem> {
+        serde_wasm_bindgen::from_value(value).map_err(|error| Problem::BadState {
+            path: "chart".to_owned(),
+            detail: error.to_string(),
+        })
+    }
+
+    pub(crate) fn palette(&self) -> Palette {
+        self.palette.map(|[r, g, b]| RGBColor(r, g, b))
+    }
+}
+
+/// Where the page writes the chart's text.
+#[derive(Serialize)]
+pub(crate) struct ChartLayout<'a> {
+    panels: Vec<PanelLayout<'a>>,
+}
+
+#[derive(Serialize)]
+struct PanelLayout<'a> {
+    order: usize,
+    kind: &'static str,
+    physical: bool,
+    differenced: bool,
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    x0: f64,
+    x1: f64,
+    y0: f64,
+    y1: f64,
+    xticks: Vec<TickLayout>,
+    yticks: Vec<TickLayout>,
+    series: Vec<SeriesLayout<'a>>,
+    marks: Vec<MarkLayout>,
+    points: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct TickLayout {
+    value: f64,
+    at: f64,
+}
+
+#[derive(Serialize)]
+struct SeriesLayout<'a> {
+    name: &'a str,
+    role: &'static str,
+}
+
+#[derive(Serialize)]
+struct MarkLayout {
+    role: &'static str,
+    kind: &'static str,
+    phi: f64,
+    value: f64,
+}
+
+impl<'a> ChartLayout<'a> {
+    pub(crate) fn new(chart: &'a Chart, panels: Vec<Panel>) -> Self {
+        let panels = panels.into_iter();
+        Self {
+            panels: panels.map(|panel| PanelLayout::new(chart, panel)).collect(),
+        }
+    }
+}
+
+impl<'a> PanelLayout<'a> {
+    fn new(chart: &'a Chart, panel: Panel) -> Self {
+        let ticks = |ticks: Vec<Tick>| ticks.into_iter().map(TickLayout::from).collect();
+        let series = chart.series().iter();
+        let marks = series.clone().zip(&panel.marks);
+        let marks = marks.flat_map(|(series, marks)| {
+            let role = series.role.name();
+            marks.iter().map(move |mark| MarkLayout::new(role, mark))
+        });
+        Self {
+            order: panel.order,
+            kind: match chart.kind() {
+                Kind::Angle => "angle",
+                Kind::Length => "length",
+            },
+            physical: chart.settings().physical,
+            differenced: chart.settings().differenced && panel.order == 2,
+            left: panel.left,
+            top: panel.top,
+            width: panel.width,
+            height: panel.height,
+            x0: panel.x[0],
+            x1: panel.x[1],
+            y0: panel.y[0],
+            y1: panel.y[1],
+            marks: marks.collect(),
+            xticks: ticks(panel.x_ticks),
+            yticks: ticks(panel.y_ticks),
+            series: series
+                .map(|series| SeriesLayout {
+                    name: &series.name,
+                    role: series.role.name(),
+                })
+                .collect(),
+            points: panel.points,
+        }
+    }
+}
+
+impl MarkLayout {
+    fn new(role: &'static str, mark: &Mark) -> Self {
+        Self {
+            role,
+            kind: match mark.kind {
+                MarkKind::Max => "max",
+                MarkKind::Min => "min",
+                MarkKind::Zero => "zero",
+            },
+            phi: mark.crank,
+            value: mark.value,
+        }
+    }
+}
+
+impl From<Tick> for TickLayout {
+    fn from(Tick { value, at }: Tick) -> Self {
+        Self { value, at }
+    }
+}

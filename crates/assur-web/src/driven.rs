@@ -1,0 +1,72 @@
+//! The hand on what is driven: where the input goes when it is dragged.
+
+use std::f64::consts::{PI, TAU};
+
+use assur::Point;
+use assur::mechanism::{Mechanism, PointId, Pose};
+use assur::motion::Motion;
+use assur_file::LinkageDocument;
+
+/// The hand on what is driven: the point that takes the input along.
+#[derive(Clone, Copy)]
+pub(crate) enum Driven {
+    /// The end of a crank, about its pivot.
+    Crank { pivot: PointId, end: PointId },
+    /// A point that slides from the first point of a line towards the second.
+    Slide { line: [PointId; 2], end: PointId },
+}
+
+impl Driven {
+    /// The point.
+    pub(crate) fn end(self) -> PointId {
+        match self {
+            Self::Crank { end, .. } | Self::Slide { end, .. } => end,
+        }
+    }
+
+    /// Where the input goes from a pose if the point is dragged to a place.
+    pub(crate) fn dragged(self, motion: &Motion, pose: &Pose<1>, input: f64, to: Point) -> f64 {
+        let at = |point: PointId| motion.mechanism().place(pose, point).place();
+        match self {
+            Self::Crank { pivot, end } => {
+                let angle = |place: Point| {
+                    let along = place - at(pivot);
+                    along.y.atan2(along.x)
+                };
+                let by = angle(to) - angle(at(end));
+                input + by - TAU * ((by + PI) / TAU).floor()
+            }
+            Self::Slide {
+                line: [from, towards],
+                end,
+            } => {
+                let along = (at(towards) - at(from)).normalize();
+                let [least, most] = motion.cycle().arcs()[0];
+                (input + along.dot(&(to - at(end)))).clamp(least, most)
+            }
+        }
+    }
+
+    /// The hand on the driver of a document; none on a crank that turns on a moving link.
+    pub(crate) fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
+        let [driver] = &document.drivers[..] else {
+            return None;
+        };
+        let point = |name: &String| mechanism.point(name);
+        if let Some(slide) = driver.slide {
+            let slide = document.slides.get(slide)?;
+            let [from, towards] = &slide.line;
+            return Some(Self::Slide {
+                line: [point(from)?, point(towards)?],
+                end: point(&slide.point)?,
+            });
+        }
+        let name = driver.crank.as_ref().filter(|_| driver.base.is_none())?;
+        let link = document.links.iter().find(|link| link.name == *name)?;
+        let fixed = |name: &&String| document.frame.contains(name);
+        Some(Self::Crank {
+            pivot: point(link.points.iter().find(fixed)?)?,
+            end: point(link.points.iter().find(|name| !fixed(name))?)?,
+        })
+    }
+}

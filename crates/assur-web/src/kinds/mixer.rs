@@ -1,0 +1,192 @@
+//! The mixer on the page: a linkage that its parameters describe.
+
+use assur::gears::GearPair;
+use assur::mechanism::{Mechanism, Quantity, Unsolved};
+use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
+use assur::{Assembly, Point, Pose};
+use assur_draw::{Annotations, List};
+use assur_file::{
+    LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
+};
+use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
+
+use crate::change::Change;
+use crate::convert::to_js;
+use crate::moving::Moving;
+use crate::shown::{Edited, Shown, unknown};
+use crate::summary::MotionSummary;
+
+/// A mixer with all that is drawn of it.
+pub(crate) struct Mixer {
+    parameters: Parameters,
+    moving: Moving,
+}
+
+/// What is said of it beyond its motion.
+#[derive(Serialize)]
+struct MixerSummary<'a> {
+    #[serde(flatten)]
+    motion: MotionSummary<'a>,
+    /// The ratios of the peripheral wheels to the rocker.
+    ratios: Vec<f64>,
+    /// Peripheral wheels of which two would lie one over the other.
+    overlaps: Vec<[usize; 2]>,
+    /// The direction from wheel 4 in which there is most room.
+    free_direction: f64,
+}
+
+/// The lengths that a dragged joint changes.
+#[derive(Serialize)]
+struct Lengths {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l2: Option<f64>,
+    l3: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l4: Option<f64>,
+    assembly: u8,
+}
+
+/// The traced points, where one of them was put somewhere.
+#[derive(Serialize)]
+struct Tracers {
+    tracers: Vec<MixerTracerDocument>,
+}
+
+impl Tracers {
+    fn change(tracers: &[Tracer]) -> Change {
+        let tracers = tracers.iter().map(Into::into).collect();
+        Change::document(&Self { tracers })
+    }
+}
+
+impl Mixer {
+    pub(crate) fn new(state: &State, document: &MixerDocument) -> Result<Self, Vec<Problem>> {
+        let moved = state.moved()?;
+        let parameters = document.mixer()?;
+        let linkage = parameters.linkage;
+        let assembly = parameters.assembly;
+        // Of a four-bar more can be said than that two links do not meet.
+        let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
+            .pose::<3>(assembly, unsolved.input)
+        {
+            Err(closed) => closed.into(),
+            Ok(_) => LinkageProblem::unsolved(unsolved, mechanism).into(),
+        };
+        let annotations = Annotations::from(&parameters);
+        let quantities = told(&moved.document, moved.motion.mechanism());
+        let moving = Moving::new(
+            &state.view,
+            moved,
+            annotations,
+            quantities,
+            Box::new(explain),
+        )?;
+        Ok(Self { parameters, moving })
+    }
+
+    fn pose(&self, input: f64) -> Result<Pose<1>, Problem> {
+        let Parameters {
+            linkage, assembly, ..
+        } = &self.parameters;
+        Ok(linkage.pose(*assembly, input)?)
+    }
+}
+
+/// What is read of it: all but the input itself, what stands still, and what turns as one
+/// with another link.
+fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
+    let driven = document
+        .drivers
+        .iter()
+        .filter_map(|driver| driver.crank.as_ref());
+    let driven: Vec<&String> = driven.collect();
+    let links = document.links.iter();
+    let idle = links.filter(|link| link.fixed_to.is_some() || driven.contains(&&link.name));
+    let still: Vec<String> = idle
+        .map(|link| format!("{}.angle", link.name))
+        .chain(
+            document
+                .frame
+                .iter()
+                .flat_map(|point| [format!("{point}.x"), format!("{point}.y")]),
+        )
+        .collect();
+    let mut quantities = Quantity::all(mechanism);
+    quantities.retain(|one| !still.contains(&one.name(mechanism, 0)));
+    quantities
+}
+
+impl Shown for Mixer {
+    fn summary(&self) -> JsValue {
+        let gears = &self.parameters.gears;
+        to_js(&MixerSummary {
+            motion: MotionSummary::new(&self.moving),
+            ratios: gears.pairs().iter().map(GearPair::ratio).collect(),
+            overlaps: gears.overlaps(),
+            free_direction: gears.free_direction(),
+        })
+    }
+
+    fn labels(&self) -> &[String] {
+        self.moving.figure().names()
+    }
+
+    fn scene(&self) -> &List {
+        self.moving.figure().rigid()
+    }
+
+    fn moving(&self) -> Option<&Moving> {
+        Some(&self.moving)
+    }
+
+    fn edited(&self) -> Option<&dyn Edited> {
+        Some(self)
+    }
+}
+
+impl Edited for Mixer {
+    fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
+        let mixer = &self.parameters;
+        let joint = match point {
+            "B" => Joint::B,
+            "C" => Joint::C,
+            "D" => Joint::D,
+            other => {
+                let traced = mixer.tracers().iter().enumerate();
+                let mut traced = traced.filter(|(k, _)| other == format!("P{}", k + 1));
+                let (index, tracer) = traced.next().ok_or_else(|| unknown(other))?;
+                let moved = mixer.tracer_at(&self.pose(input)?, tracer.carrier, to);
+                let mut tracers = mixer.tracers().to_vec();
+                tracers[index] = moved;
+                return Ok(Tracers::change(&tracers));
+            }
+        };
+        Ok(match mixer.dragged(joint, input, to)? {
+            Dragged::Crank(input) => Change::input(input),
+            Dragged::Lengths {
+                lengths: [_, l2, l3, l4],
+                assembly,
+            } => Change::document(&Lengths {
+                l2: (joint == Joint::C).then_some(l2),
+                l3,
+                l4: (joint == Joint::D).then_some(l4),
+                assembly: match assembly {
+                    Assembly::First => 1,
+                    Assembly::Second => 2,
+                },
+            }),
+        })
+    }
+
+    fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {
+        let pose = self.moving.pose(input)?;
+        let link = self.moving.figure().link_at(&pose, at);
+        let carrier = link
+            .and_then(|link| MixerTracerDocument::carrier(self.moving.mechanism().link_name(link)));
+        let carrier = carrier.ok_or_else(|| unknown("tracer"))?;
+        let mut tracers = self.parameters.tracers().to_vec();
+        tracers.push(self.parameters.tracer_at(&self.pose(input)?, carrier, at));
+        Ok(Tracers::change(&tracers))
+    }
+}

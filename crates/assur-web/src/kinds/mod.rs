@@ -1,0 +1,23 @@
+//! The kinds of document, a module for each. A kind is added by its module and its line in
+//! the registry below.
+
+mod linkage;
+mod mixer;
+
+pub(crate) use linkage::Redrawn;
+
+use assur_file::{Document, Problem, State};
+
+use crate::shown::Shown;
+
+/// The document of a state with all that is drawn of it.
+///
+/// # Errors
+/// Every problem of the state.
+pub(crate) fn shown(state: &State) -> Result<Box<dyn Shown>, Vec<Problem>> {
+    state.check()?;
+    Ok(match &state.document {
+        Document::Linkage(document) => Box::new(linkage::Linkage::new(state, document)?),
+        Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
+    })
+}

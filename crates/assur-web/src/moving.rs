@@ -1,0 +1,370 @@
+//! What moves: a linkage with its drawing, its read-outs and its plots.
+
+use std::f64::consts::TAU;
+
+use assur::mechanism::{Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
+use assur::motion::{Column, Motion};
+use assur::{Cycle, Jet, Point};
+use assur_draw::chart::{Chart, Settings};
+use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
+use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
+
+use crate::driven::Driven;
+use crate::equations::sides;
+use crate::table::{SweepRow, SweepTable};
+
+/// Why there is no pose at an input, or none of its derivatives.
+pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
+
+/// A linkage in motion with all that is drawn of it.
+pub(crate) struct Moving {
+    document: LinkageDocument,
+    motion: Motion,
+    dyads: Vec<RrrDyad>,
+    quantities: Vec<Quantity>,
+    plotted: Vec<Quantity>,
+    driven: Option<Driven>,
+    /// The points that can be dragged.
+    handles: Vec<PointId>,
+    figure: Figure,
+    chart: Chart,
+    explain: Explain,
+}
+
+/// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
+pub(crate) struct Here {
+    frame: Vec<f32>,
+    handles: Vec<f64>,
+    readouts: Vec<f64>,
+    plotted: Vec<f64>,
+}
+
+impl Here {
+    /// The lengths of the lists, then the lists.
+    pub(crate) fn flat(&self) -> Vec<f64> {
+        let Self {
+            frame,
+            handles,
+            readouts,
+            plotted,
+        } = self;
+        let lengths = [frame.len(), handles.len(), readouts.len(), plotted.len()];
+        let lengths = lengths.map(|length| length as f64).into_iter();
+        let frame = frame.iter().copied().map(f64::from);
+        let rest = [handles, readouts, plotted].into_iter().flatten().copied();
+        lengths.chain(frame).chain(rest).collect()
+    }
+}
+
+impl Moving {
+    /// What is shown of a linkage in motion by the view of a state, with the notes of its
+    /// document and the quantities that are read; `explain` says why there is no pose.
+    ///
+    /// # Errors
+    /// Why there is no pose to draw it in.
+    pub(crate) fn new(
+        view: &View,
+        moved: Moved,
+        annotations: Annotations,
+        quantities: Vec<Quantity>,
+        explain: Explain,
+    ) -> Result<Self, Vec<Problem>> {
+        let Moved {
+            document,
+            motion,
+            plotted,
+        } = moved;
+        let mechanism = motion.mechanism();
+        let point = |name: &String| mechanism.point(name);
+        // The path of a point that is plotted is one of those to be seen.
+        let of_plot = plotted.iter().filter_map(|one| match one {
+            Quantity::X(point) => Some(*point),
+            _ => None,
+        });
+        let drawing = Drawing {
+            overlays: overlays(view),
+            traced: document
+                .traces
+                .iter()
+                .filter_map(point)
+                .chain(of_plot)
+                .collect(),
+            annotations,
+        };
+        let figure = Figure::new(&motion, &drawing);
+        let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
+        let points = mechanism.point_ids();
+        Ok(Self {
+            dyads: mechanism.rrr_dyads(),
+            quantities,
+            driven: Driven::of(&document, mechanism),
+            handles: points.filter(|point| figure.is_drawn(*point)).collect(),
+            chart: figure.chart(&plotted, settings(view)),
+            plotted,
+            figure,
+            motion,
+            document,
+            explain,
+        })
+    }
+
+    pub(crate) fn document(&self) -> &LinkageDocument {
+        &self.document
+    }
+
+    pub(crate) fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    pub(crate) fn mechanism(&self) -> &Mechanism {
+        self.motion.mechanism()
+    }
+
+    pub(crate) fn cycle(&self) -> &Cycle {
+        self.motion.cycle()
+    }
+
+    pub(crate) fn figure(&self) -> &Figure {
+        &self.figure
+    }
+
+    pub(crate) fn chart(&self) -> &Chart {
+        &self.chart
+    }
+
+    pub(crate) fn plotted(&self) -> &[Quantity] {
+        &self.plotted
+    }
+
+    /// Which of the assemblies at the drawn input moves, from 1.
+    pub(crate) fn assembly(&self) -> usize {
+        let drawn = self.mechanism().drawn_assembly() + 1;
+        self.document.assembly.unwrap_or(drawn)
+    }
+
+    pub(crate) fn dyads(&self) -> &[RrrDyad] {
+        &self.dyads
+    }
+
+    /// The outputs that the document names, whatever is plotted now; of one that names none
+    /// the first that is plotted.
+    pub(crate) fn outputs(&self) -> Vec<Quantity> {
+        let mechanism = self.mechanism();
+        let named = self.document.plots.iter();
+        let named = named.filter_map(|name| Quantity::named(mechanism, name));
+        let named: Vec<Quantity> = named.collect();
+        if named.is_empty() {
+            self.plotted.first().copied().into_iter().collect()
+        } else {
+            named
+        }
+    }
+
+    pub(crate) fn handles(&self) -> &[PointId] {
+        &self.handles
+    }
+
+    /// The names of the read-outs: the input, the transmission angles of the dyads, then
+    /// every quantity with its first (′) and second (″) derivative.
+    pub(crate) fn readout_names(&self) -> Vec<String> {
+        let mechanism = self.mechanism();
+        let angles = self.dyads.iter().map(|dyad| {
+            let joint = mechanism.point_name(dyad.inner);
+            format!("{joint}.transmission")
+        });
+        let quantities = self.quantities.iter().flat_map(|one| {
+            let name = one.name(mechanism, 0);
+            ["", "′", "″"].map(|stroke| [&name, stroke].concat())
+        });
+        ["input".to_owned()]
+            .into_iter()
+            .chain(angles)
+            .chain(quantities)
+            .collect()
+    }
+
+    /// All of a place of the motion, from one pose. Where derivatives are unbounded there
+    /// are no read-outs and no plotted values.
+    ///
+    /// # Errors
+    /// Why there is no pose.
+    pub(crate) fn at(&self, input: f64) -> Result<Here, Problem> {
+        match self.motion.pose::<3>(input) {
+            Ok(pose) => {
+                let mechanism = self.mechanism();
+                let angles = self
+                    .dyads
+                    .iter()
+                    .map(|dyad| mechanism.transmission_angle(&pose, dyad));
+                Ok(Here {
+                    frame: self.figure.frame(&pose),
+                    handles: self.places(&pose),
+                    readouts: [input]
+                        .into_iter()
+                        .chain(angles)
+                        .chain(self.rates(&self.quantities, &pose))
+                        .collect(),
+                    plotted: self.rates(&self.plotted, &pose).collect(),
+                })
+            }
+            Err(unsolved) => {
+                let place = self.motion.pose::<1>(input);
+                let pose = place.map_err(|_| self.problem(&unsolved))?;
+                Ok(Here {
+                    frame: self.figure.frame(&pose),
+                    handles: self.places(&pose),
+                    readouts: Vec::new(),
+                    plotted: Vec::new(),
+                })
+            }
+        }
+    }
+
+    /// The plotted quantities at an input, as of [`Here`].
+    ///
+    /// # Errors
+    /// Why there is no pose, or none of its derivatives.
+    pub(crate) fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
+        let pose = self.motion.pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
+        Ok(self.rates(&self.plotted, &pose).collect())
+    }
+
+    /// Why there is no pose at an input, or none of its derivatives; nothing where there is.
+    pub(crate) fn why(&self, input: f64) -> Option<Problem> {
+        let unsolved = self.motion.pose::<3>(input).err()?;
+        Some(self.problem(&unsolved))
+    }
+
+    /// The pose at an input.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(crate) fn pose(&self, input: f64) -> Result<Pose<1>, Problem> {
+        let pose = self.motion.pose(input);
+        pose.map_err(|unsolved| self.problem(&unsolved))
+    }
+
+    fn problem(&self, unsolved: &Unsolved) -> Problem {
+        (self.explain)(self.mechanism(), unsolved)
+    }
+
+    /// Of each quantity the value and two derivatives, with the input going as the axes say.
+    fn rates<'a>(
+        &'a self,
+        quantities: &'a [Quantity],
+        pose: &'a Pose<3>,
+    ) -> impl Iterator<Item = f64> + 'a {
+        let input = self.chart.settings().input;
+        quantities.iter().flat_map(move |one| {
+            let jet: Jet<3> = one.of(self.mechanism(), pose);
+            [0, 1, 2].map(|order| input.rate(&jet, order))
+        })
+    }
+
+    /// The role that a link with the point is drawn in; of the frame's points none is.
+    pub(crate) fn role(&self, point: PointId) -> &'static str {
+        let mut links = self.mechanism().link_ids();
+        let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
+        link.map_or("ink", |link| self.figure.drawn_role(link).name())
+    }
+
+    /// Where a point is.
+    fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
+        self.mechanism().place(pose, point).place()
+    }
+
+    fn places<const N: usize>(&self, pose: &Pose<N>) -> Vec<f64> {
+        let places = self.handles.iter().map(|point| self.place(pose, *point));
+        places.flat_map(|at| [at.x, at.y]).collect()
+    }
+
+    /// Where the input goes if this point is dragged to a place; none where the point is
+    /// not the driven one.
+    pub(crate) fn driven_to(
+        &self,
+        point: PointId,
+        input: f64,
+        to: Point,
+    ) -> Option<Result<f64, Problem>> {
+        let driven = self.driven.filter(|driven| driven.end() == point)?;
+        let pose = self.pose(input);
+        Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
+    }
+
+    /// The motion as a table with this many rows to a turn of the crank, or to the range of
+    /// a driven slide.
+    pub(crate) fn table(&self, steps: u32) -> SweepTable {
+        let mechanism = self.mechanism();
+        let columns = Column::all(mechanism);
+        let steps = steps.max(1);
+        let [start, end] = self.cycle().axis();
+        let turns = if mechanism.turns() {
+            ((end - start) / TAU).round().max(1.0) as u32
+        } else {
+            1
+        };
+        let row = |step: u32| {
+            let part = f64::from(step) / f64::from(steps);
+            let input = if mechanism.turns() {
+                TAU * part
+            } else {
+                start + (end - start) * part
+            };
+            let row = self.motion.row(&columns, input);
+            SweepRow {
+                // Not from radians: whole degrees stay whole.
+                input: if mechanism.turns() {
+                    360.0 * f64::from(step) / f64::from(steps)
+                } else {
+                    input
+                },
+                values: row.values,
+                reason: row.reason.map(|unsolved| self.problem(&unsolved)),
+            }
+        };
+        SweepTable {
+            rows: (0..=turns * steps).map(row).collect(),
+            columns: columns
+                .iter()
+                .map(|column| column.name(mechanism))
+                .collect(),
+        }
+    }
+
+    /// Of every constraint equation left side, right side and residual; of order 1 and 2
+    /// those of its derivatives.
+    ///
+    /// # Errors
+    /// Why there are none.
+    pub(crate) fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, Problem> {
+        // Places need no derivatives, which a dead point has not.
+        if order == 0 {
+            return Ok(sides(self.mechanism(), &self.pose(input)?, 0));
+        }
+        let pose = self.motion.pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
+        Ok(sides(self.mechanism(), &pose, order.min(2)))
+    }
+}
+
+/// What a view lays over the drawing.
+fn overlays(view: &View) -> Overlays {
+    Overlays {
+        traces: view.traces,
+        centres: view.centres,
+        vectors: view.vectors,
+        loop_vectors: view.loop_vectors,
+        transmission: view.transmission,
+        groups: view.groups,
+    }
+}
+
+/// How a chart is drawn by a view.
+fn settings(view: &View) -> Settings {
+    Settings {
+        input: view.input(),
+        physical: view.axes == Axes::Physical,
+        differenced: view.differenced,
+    }
+}

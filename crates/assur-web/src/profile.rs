@@ -1,0 +1,73 @@
+//! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
+
+use assur::mechanism::{Mechanism, Quantity};
+use assur::motion::{Motion, OutputProfile, PhaseKind};
+use serde::Serialize;
+
+/// The width of a band where none is given: degrees, or parts of the size.
+const BAND: f64 = 0.1;
+const FINE: f64 = 1e-3;
+
+#[derive(Serialize)]
+pub(crate) struct ProfileSummary {
+    /// Degrees, or in the unit of the lengths.
+    width: f64,
+    /// From the least value to the greatest; none of what turns on and on.
+    stroke: Option<f64>,
+    dwell: Option<DwellSummary>,
+    phases: Vec<PhaseSummary>,
+}
+
+/// The longest arc on which the output stays within the band: from where to where,
+/// and the least and the greatest value there.
+#[derive(Serialize)]
+struct DwellSummary {
+    arc: [f64; 2],
+    band: [f64; 2],
+}
+
+#[derive(Serialize)]
+struct PhaseSummary {
+    kind: &'static str,
+    arc: [f64; 2],
+}
+
+/// The width of a band as the page has it, the usual one where none is given, and
+/// in the engine's unit.
+pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
+    if quantity.is_angle() {
+        let width = width.unwrap_or(BAND);
+        (width, width.to_radians())
+    } else {
+        let width = width.unwrap_or(FINE * mechanism.size());
+        (width, width)
+    }
+}
+
+impl ProfileSummary {
+    /// Of a quantity, with dwells within a band of a width in degrees, or in the
+    /// unit of the lengths.
+    pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
+        let (width, band) = band(motion.mechanism(), quantity, width);
+        let profile = OutputProfile::new(motion, quantity);
+        let phases = profile.cyclogram(band).into_iter();
+        Self {
+            width,
+            stroke: profile.stroke(),
+            dwell: profile.dwell(band).map(|dwell| DwellSummary {
+                arc: dwell.arc,
+                band: dwell.band,
+            }),
+            phases: phases
+                .map(|phase| PhaseSummary {
+                    kind: match phase.kind {
+                        PhaseKind::Rise => "rise",
+                        PhaseKind::Dwell => "dwell",
+                        PhaseKind::Return => "return",
+                    },
+                    arc: phase.arc,
+                })
+                .collect(),
+        }
+    }
+}

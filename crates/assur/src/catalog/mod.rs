@@ -1,3 +1,0 @@
-//! Named mechanisms, each with the figure it stands for.
-
-pub mod mixer;

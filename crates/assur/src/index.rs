@@ -1,0 +1,163 @@
+//! Numbers of links, points, bodies and steps as types of their own: the number of
+//! a point is never taken for that of a link. They come from a mechanism and are of
+//! use with that one.
+
+use std::fmt;
+use std::marker::PhantomData;
+use std::ops::{Index, IndexMut};
+
+/// A number of something.
+pub(crate) trait Id: Copy {
+    fn at(index: usize) -> Self;
+    fn number(self) -> usize;
+}
+
+macro_rules! ids {
+    ($($(#[$said:meta])* $seen:vis $name:ident)*) => {$(
+        $(#[$said])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        $seen struct $name(usize);
+
+        impl Id for $name {
+            #[inline(always)]
+            fn at(index: usize) -> Self {
+                Self(index)
+            }
+
+            #[inline(always)]
+            fn number(self) -> usize {
+                self.0
+            }
+        }
+    )*};
+}
+
+ids! {
+    /// A moving link, in the order of the draft.
+    pub LinkId
+    /// A point, in the order of the draft.
+    pub PointId
+    /// A rigid body: the frame or a link, with what is fixed to it.
+    pub BodyId
+    /// A step of the plan by which a mechanism is solved: the driver or a group.
+    pub StepId
+    /// A prismatic pair, in the order of the draft.
+    pub(crate) SlideId
+}
+
+macro_rules! places {
+    ($($name:ident)*) => {$(
+        impl $name {
+            /// Its place in the list, from 0.
+            #[inline(always)]
+            pub fn index(self) -> usize {
+                self.0
+            }
+        }
+    )*};
+}
+
+places! { LinkId PointId BodyId StepId }
+
+impl BodyId {
+    /// The body that does not move.
+    pub const FRAME: Self = Self(0);
+}
+
+impl StepId {
+    /// What is solved first: it stands for the whole where no single step fails.
+    pub(crate) const FIRST: Self = Self(0);
+}
+
+/// A list with its own kind of number.
+pub(crate) struct List<I, T> {
+    items: Vec<T>,
+    numbers: PhantomData<I>,
+}
+
+impl<I: Id, T> List<I, T> {
+    pub(crate) fn len(&self) -> usize {
+        self.items.len()
+    }
+
+    /// The numbers of all that is in it.
+    pub(crate) fn ids(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I, T> {
+        (0..self.len()).map(I::at)
+    }
+
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &T> + DoubleEndedIterator {
+        self.items.iter()
+    }
+
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.items.iter_mut()
+    }
+
+    pub(crate) fn enumerate(&self) -> impl Iterator<Item = (I, &T)> {
+        self.ids().zip(&self.items)
+    }
+
+    pub(crate) fn push(&mut self, item: T) -> I {
+        self.items.push(item);
+        I::at(self.items.len() - 1)
+    }
+
+    /// A list as long as another that has the same numbers.
+    pub(crate) fn alike<U: Clone>(&self, item: U) -> List<I, U> {
+        vec![item; self.len()].into()
+    }
+}
+
+impl<I: Id, T> Index<I> for List<I, T> {
+    type Output = T;
+    #[inline(always)]
+    fn index(&self, id: I) -> &T {
+        &self.items[id.number()]
+    }
+}
+
+impl<I: Id, T> IndexMut<I> for List<I, T> {
+    #[inline(always)]
+    fn index_mut(&mut self, id: I) -> &mut T {
+        &mut self.items[id.number()]
+    }
+}
+
+impl<I, T> From<Vec<T>> for List<I, T> {
+    fn from(items: Vec<T>) -> Self {
+        let numbers = PhantomData;
+        Self { items, numbers }
+    }
+}
+
+impl<I, T> FromIterator<T> for List<I, T> {
+    fn from_iter<A: IntoIterator<Item = T>>(items: A) -> Self {
+        Vec::from_iter(items).into()
+    }
+}
+
+impl<I, T> Default for List<I, T> {
+    fn default() -> Self {
+        Vec::new().into()
+    }
+}
+
+impl<I, T: Clone> Clone for List<I, T> {
+    fn clone(&self) -> Self {
+        self.items.clone().into()
+    }
+}
+
+impl<I, T: PartialEq> PartialEq for List<I, T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.items == other.items
+    }
+}
+
+impl<I, T: fmt::Debug> fmt::Debug for List<I, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.items.fmt(f)
+    }
+}

@@ -1,0 +1,260 @@
+//! Which way the groups of a mechanism are joined: the assembly that is drawn, and
+//! all others at the drawn input.
+
+use std::f64::consts::TAU;
+
+use super::{Defect, Draft, Mechanism, Pose};
+use crate::index::{BodyId, List, PointId, StepId};
+use crate::position::{Anchor, Cause, Given, Nearby, Orientation, Predictor, Sign, State, Step};
+use crate::{Jet, Point};
+
+/// Of each step which of two ways its links are joined; plus where there is one.
+pub(crate) type Signs = List<StepId, Sign>;
+
+/// A point may be drawn this far, relative to the size, from where the links put it.
+const MISDRAWN: f64 = 0.3;
+/// Where the drawn pose is singular the motion is followed from an input that is off
+/// by this, radians of a crank; of a slide's range the same part as of a turn.
+const ASIDE: f64 = 1e-3;
+/// No more assemblies are counted, and no more steps solved to find them: n groups
+/// can be put together in 2ⁿ ways, few of which may close.
+const MOST_ASSEMBLIES: usize = 256;
+const MOST_TRIES: usize = 1 << 14;
+
+impl Mechanism {
+    /// The drawn pose as the one nearby.
+    fn drawn(&self) -> Nearby<'_> {
+        Nearby {
+            orientations: &self.orientations,
+            natural: &self.natural,
+        }
+    }
+
+    /// Solves a step at the drawn input.
+    fn try_step(&self, step: StepId, sign: Sign, state: &mut State<1>) -> Result<(), Cause> {
+        let given = Given {
+            step,
+            input: Jet::constant(self.home),
+            sign,
+            near: self.drawn(),
+        };
+        self.steps[step].put(state, &given)
+    }
+
+    /// Finds the assembly that is drawn, and all others at the drawn input.
+    pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
+        let mut state: State<1> = self.blank_state();
+        for step in self.steps.ids() {
+            let sign = self.drawn_sign(step, &mut state)?;
+            self.signs[step] = sign;
+            // The try that counts, last: the state is that of the drawn pose.
+            let solved = self.try_step(step, sign, &mut state);
+            solved.map_err(|cause| vec![self.open(step, Some(cause))])?;
+            if let Step::Group(group) = &mut self.steps[step] {
+                group.plan_as(&state);
+            }
+            if let Some((point, by)) = self.misdrawn(&state, step)
+                && by > MISDRAWN * self.size
+            {
+                let point = self.point_name(point).to_owned();
+                return Err(vec![Defect::Misdrawn { point, by }]);
+            }
+        }
+        self.orientations = state.orientations();
+        let places = state.natural.iter().map(|place| place.value());
+        self.natural = places.flat_map(|place| [place.x, place.y]).collect();
+        self.assemblies = self.all_assemblies(&mut state);
+        let mut state = self.blank_state();
+        match self.entry(&self.signs, &mut state) {
+            Some(input) => self.start = (input, state),
+            // A closed form tells of the motion without following it.
+            None if self.whole_closed_form() => {}
+            None => {
+                let last = self.steps.ids().next_back();
+                return Err(last.map(|last| self.open(last, None)).into_iter().collect());
+            }
+        }
+        Ok(())
+    }
+
+    /// The way to join a step's links that puts its points closest to where they are
+    /// drawn.
+    fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Vec<Defect>> {
+        let mut best: Option<(f64, Sign)> = None;
+        let mut met = None;
+        for sign in self.ways(step) {
+            match self.try_step(step, *sign, state) {
+                Ok(()) => {
+                    let off = self.misdrawn(state, step).map_or(0.0, |(_, by)| by);
+                    if best.is_none_or(|(least, _)| off < least) {
+                        best = Some((off, *sign));
+                    }
+                }
+                Err(cause) => met = Some(cause),
+            }
+        }
+        best.map(|(_, sign)| sign)
+            .ok_or_else(|| vec![self.open(step, met)])
+    }
+
+    /// The ways to join a step's links.
+    fn ways(&self, step: StepId) -> &'static [Sign] {
+        if self.steps[step].has_sign() {
+            &Sign::BOTH
+        } else {
+            &[Sign::Plus]
+        }
+    }
+
+    /// The point of a step's links that is farthest from where it is drawn.
+    fn misdrawn(&self, state: &State<1>, step: StepId) -> Option<(PointId, f64)> {
+        let mut farthest: Option<(PointId, f64)> = None;
+        for body in self.steps[step].bodies() {
+            for (point, local) in &self.bodies[body] {
+                let local = *local;
+                let at = state.place(Anchor { body, local }).value();
+                let by = (at - self.draft.points[point.index()].at.coords).norm();
+                if farthest.is_none_or(|(_, most)| by > most) {
+                    farthest = Some((*point, by));
+                }
+            }
+        }
+        farthest
+    }
+
+    /// All assemblies at the drawn input in which motions can begin.
+    fn all_assemblies(&self, state: &mut State<1>) -> Vec<Signs> {
+        let mut search = Search {
+            mechanism: self,
+            signs: self.steps.alike(Sign::Plus),
+            found: Vec::new(),
+            tries: MOST_TRIES,
+        };
+        search.join(&self.steps.ids().collect::<Vec<_>>(), state);
+        let mut found = search.found;
+        // The search may have ended before it came to the drawn one.
+        if !found.contains(&self.signs) {
+            found.push(self.signs.clone());
+        }
+        let mut state = self.blank_state();
+        let whole = self.whole_closed_form();
+        found.retain(|signs| whole || self.entry(signs, &mut state).is_some());
+        found
+    }
+
+    fn open(&self, step: StepId, met: Option<Cause>) -> Defect {
+        let links: Vec<String> = self.links_of(step).map(str::to_owned).collect();
+        match met {
+            Some(Cause::Parallel) => Defect::ParallelGuides { links },
+            Some(Cause::Apart { by } | Cause::OutOfReach { by }) => Defect::Open { links, by },
+            _ => Defect::Open { links, by: 0.0 },
+        }
+    }
+
+    /// How many assemblies there are at the drawn input.
+    pub fn assemblies(&self) -> usize {
+        self.assemblies.len()
+    }
+
+    /// Which of them is drawn, from 0.
+    pub fn drawn_assembly(&self) -> usize {
+        let others = self.assemblies.iter();
+        others.take_while(|signs| **signs != self.signs).count()
+    }
+
+    /// The same linkage drawn in one of its assemblies (0 … count − 1) at the drawn
+    /// input, or just next to it where assemblies meet in one pose. None where there
+    /// is no such assembly, or no drawing tells it from the others.
+    pub fn assembly(&self, number: usize) -> Option<Self> {
+        let signs = self.assemblies.get(number)?;
+        let mut state: Predictor = self.blank_state();
+        self.entries().into_iter().find_map(|input| {
+            let solved = self.solve(input, signs, self.drawn(), &mut state);
+            let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
+            other.ok().filter(|other| other.signs == *signs)
+        })
+    }
+
+    /// The same linkage drawn in this pose.
+    pub fn drawn_in(&self, pose: &Pose<1>) -> Draft {
+        self.drawn_by(&pose.state)
+    }
+
+    /// The same linkage drawn in this pose, with one point drawn elsewhere: the
+    /// links that list it are then as drawn, the others keep their dimensions. A
+    /// tracer is moved on its link.
+    pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> Draft {
+        let mut draft = self.drawn_in(pose);
+        let joints = draft.points.len();
+        let Some(moved) = draft.points.get_mut(point.index()) else {
+            let tracer = &mut draft.tracers[point.index() - joints];
+            tracer.at = tracer.seen_from_its_link(self, pose, to);
+            return draft;
+        };
+        moved.at = to;
+        for link in &mut draft.links {
+            if link.points.contains(&moved.name) {
+                link.shape = None;
+            }
+        }
+        draft
+    }
+
+    fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
+        let mut draft = self.draft.clone();
+        for (drawn, anchor) in draft.points.iter_mut().zip(self.points.iter()) {
+            drawn.at = Point::from(state.place(*anchor).value());
+        }
+        draft
+    }
+
+    /// Input, signs and pose from which the motion is followed.
+    pub(crate) fn start(&self) -> (f64, &Signs, &Predictor) {
+        let (input, state) = &self.start;
+        (*input, &self.signs, state)
+    }
+
+    /// Which way the groups are joined as drawn, and how the bodies are turned.
+    pub(crate) fn as_drawn(&self) -> (&Signs, &List<BodyId, Orientation>) {
+        (&self.signs, &self.orientations)
+    }
+
+    /// The input at, or next to, the drawn one where the pose has derivatives.
+    fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
+        let mut inputs = self.entries().into_iter();
+        inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
+    }
+
+    /// The drawn input and those next to it.
+    fn entries(&self) -> [f64; 3] {
+        [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
+    }
+}
+
+/// A search for all ways to join the groups.
+struct Search<'a> {
+    mechanism: &'a Mechanism,
+    signs: Signs,
+    found: Vec<Signs>,
+    /// How many steps may still be solved.
+    tries: usize,
+}
+
+impl Search<'_> {
+    /// Joins the groups of these steps in all ways.
+    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
+        let [step, rest @ ..] = steps else {
+            self.found.push(self.signs.clone());
+            return;
+        };
+        for sign in self.mechanism.ways(*step) {
+            self.signs[*step] = *sign;
+            let solved = self.mechanism.try_step(*step, *sign, state);
+            self.tries = self.tries.saturating_sub(1);
+            if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
+                self.join(rest, state);
+            }
+        }
+        self.signs[*step] = Sign::Plus;
+    }
+}

@@ -1,0 +1,126 @@
+//! What the closed forms of four-bars tell of a whole motion: arcs, dead points,
+//! turns until it repeats. None of it has to be searched for.
+
+use std::f64::consts::{PI, TAU};
+
+use super::Mechanism;
+use crate::index::{BodyId, StepId};
+use crate::position::Step;
+use crate::{Assembly, FourBar};
+
+/// A step that is a four-bar on the driven crank and the frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ClosedStep<'a> {
+    /// Which step of the plan.
+    pub(crate) step: StepId,
+    pub(crate) linkage: &'a FourBar,
+    /// What φ₁ has more than the input.
+    pub(crate) lead: f64,
+}
+
+impl ClosedStep<'_> {
+    /// The arc of inputs on which `input` lies, or the nearest; none where the crank
+    /// turns fully.
+    pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
+        let cycle = self.linkage.cycle();
+        let crank = input + self.lead;
+        let near = |[from, to]: &[f64; 2]| {
+            let turns = TAU * ((crank - 0.5 * (from + to)) / TAU).round();
+            let arc = [from + turns, to + turns];
+            let off = (arc[0] - crank).max(crank - arc[1]).max(0.0);
+            (off, arc.map(|end| end - self.lead))
+        };
+        let arcs = cycle.arcs().iter().map(near);
+        let nearest = arcs.reduce(|best, next| if next.0 < best.0 { next } else { best });
+        nearest.map(|(_, arc)| arc).filter(|_| !cycle.is_full())
+    }
+
+    /// Turns of the crank until the four-bar repeats.
+    pub(crate) fn turns(&self) -> usize {
+        let period = self.linkage.cycle().period().unwrap_or(TAU);
+        (period / TAU).round() as usize
+    }
+
+    /// The inputs within an arc at which φ₁ is a whole multiple of π: there the
+    /// diagonal is longest or shortest.
+    pub(crate) fn half_turns(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+        let first = ((from + self.lead) / PI).ceil() as i32;
+        let last = ((to + self.lead) / PI).floor() as i32;
+        let lead = self.lead;
+        (first..=last).map(move |half| f64::from(half) * PI - lead)
+    }
+
+    /// The inputs of its change points within an arc, its end excluded.
+    pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let period = TAU * self.turns() as f64;
+        let mut found = Vec::new();
+        for point in self.linkage.change_points() {
+            let input = point.crank - self.lead;
+            let mut at = from + (input - from).rem_euclid(period);
+            while at < to {
+                found.push(at);
+                at += period;
+            }
+        }
+        found
+    }
+}
+
+impl Mechanism {
+    /// The steps solved by the closed form of a four-bar.
+    pub(crate) fn closed_steps(&self) -> impl Iterator<Item = ClosedStep<'_>> {
+        let crank = self.steps.iter().find_map(|step| match step {
+            Step::Crank(crank) => Some(crank.lead),
+            _ => None,
+        });
+        let steps = self.steps.enumerate();
+        steps.filter_map(move |(step, placing)| match placing {
+            Step::Closed(closed) => Some(ClosedStep {
+                step,
+                linkage: &closed.linkage,
+                lead: closed.lead - crank?,
+            }),
+            _ => None,
+        })
+    }
+
+    /// Whether it is a crank, at most one four-bar, and wheels that drive nothing
+    /// else: then the closed form tells all of its motion.
+    pub(crate) fn whole_closed_form(&self) -> bool {
+        let idle = |body: BodyId| !self.steps.iter().any(|step| step.rests_on(body));
+        let known = |step: &Step| match step {
+            Step::Crank(_) | Step::Closed(_) => true,
+            Step::Geared(wheel) => idle(wheel.body),
+            _ => false,
+        };
+        self.closed_steps().count() <= 1 && self.steps.iter().all(known)
+    }
+
+    /// The number of the assembly in which the four-bar of the closed form is
+    /// joined so.
+    pub(crate) fn assembly_with(&self, assembly: Assembly) -> Option<usize> {
+        let step = self.closed_steps().next()?.step;
+        let mut signs = self.assemblies.iter();
+        signs.position(|signs| Assembly::from(signs[step]) == assembly)
+    }
+
+    /// Whether another drawing shows the same linkage: the same names, steps, and
+    /// places of joints on their bodies, within rounding.
+    pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
+        let near = |a: &crate::Vector, b: &crate::Vector| (a - b).norm() <= 1e-9 * self.size;
+        let kind = std::mem::discriminant::<Step>;
+        self.points().eq(other.points())
+            && self.links().eq(other.links())
+            && self.range == other.range
+            && self.bodies.len() == other.bodies.len()
+            && self.bodies.iter().zip(other.bodies.iter()).all(|(a, b)| {
+                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && near(&a.1, &b.1))
+            })
+            && self.steps.len() == other.steps.len()
+            && self
+                .steps
+                .iter()
+                .zip(other.steps.iter())
+                .all(|(a, b)| kind(a) == kind(b) && a.bodies() == b.bodies())
+    }
+}

@@ -1,0 +1,172 @@
+//! RRR dyads as the plan has them, how well they transmit, and the four-bars that
+//! they close.
+
+use super::closed::ClosedStep;
+use super::{LinkOrFrame, Mechanism, Pose};
+use crate::index::{BodyId, LinkId, PointId};
+use crate::position::{Arm, Rrr, Step};
+use crate::{FourBar, Grashof, Jet, Vector};
+
+/// An Assur group of two links and three hinges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RrrDyad {
+    /// Its links.
+    pub links: [LinkId; 2],
+    /// The point at which they are hinged on each other.
+    pub inner: PointId,
+    /// Where each of them is hinged on what is solved before, in the same order.
+    pub outer: [OuterJoint; 2],
+}
+
+/// A hinge of a dyad on a link that is solved before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OuterJoint {
+    /// The point.
+    pub point: PointId,
+    /// The link that has it.
+    pub on: LinkOrFrame,
+}
+
+/// A four-bar within a linkage: a dyad RRR whose outer links are hinged on each
+/// other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourBarLoop {
+    /// The link that the four-bar stands on: the frame, or else the one of the two
+    /// outer links that is solved first.
+    pub base: LinkOrFrame,
+    /// The other outer link.
+    pub crank: LinkId,
+    /// The link of the dyad on the crank.
+    pub coupler: LinkId,
+    /// The link of the dyad on the base.
+    pub rocker: LinkId,
+    /// The points A, B, C, D: crank on base, crank and coupler, coupler and rocker,
+    /// rocker on base.
+    pub joints: [PointId; 4],
+    /// Its lengths.
+    pub linkage: FourBar,
+}
+
+impl FourBarLoop {
+    /// Its class by Grashof.
+    pub fn grashof(&self) -> Grashof {
+        self.linkage.grashof()
+    }
+}
+
+impl Mechanism {
+    /// The RRR dyads, in the order in which they are solved.
+    pub fn rrr_dyads(&self) -> Vec<RrrDyad> {
+        let arms = self.steps.iter().filter_map(arms_of);
+        arms.filter_map(|arms| self.dyad_of(arms)).collect()
+    }
+
+    /// The transmission angle of a dyad in a pose: between the lines of its two links,
+    /// acute, radians; 0 where they are in line.
+    pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
+        let at = |point: PointId| self.place(pose, point).place();
+        let inner = at(dyad.inner);
+        let [u, v] = dyad.outer.map(|outer| at(outer.point) - inner);
+        u.perp(&v).abs().atan2(u.dot(&v).abs())
+    }
+
+    /// The squared distance of the outer joints of a dyad. By the law of cosines it
+    /// falls with the cosine of the angle between its links, and both have their
+    /// extrema together.
+    pub(crate) fn diagonal<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
+        let [b, d] = dyad.outer.map(|outer| self.place(pose, outer.point));
+        let (x, y) = (d.x - b.x, d.y - b.y);
+        x.square() + y.square()
+    }
+
+    /// The four-bars, in the order in which their dyads are solved.
+    pub fn four_bars(&self) -> Vec<FourBarLoop> {
+        let arms = self.steps.iter().filter_map(arms_of);
+        arms.filter_map(|arms| self.four_bar_of(arms)).collect()
+    }
+
+    /// The closed form of a dyad, where it has one.
+    pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<ClosedStep<'_>> {
+        let mut closed = self.closed_steps();
+        closed.find(|closed| {
+            let arms = arms_of(&self.steps[closed.step]);
+            arms.and_then(|arms| self.dyad_of(arms)).as_ref() == Some(dyad)
+        })
+    }
+
+    /// The rocker of a four-bar in closed form.
+    pub(crate) fn rocker_of(&self, closed: &ClosedStep<'_>) -> Option<LinkId> {
+        let [_, rocker] = arms_of(&self.steps[closed.step])?;
+        self.link_of(rocker.body)
+    }
+
+    fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
+        let inner = self.shared([arms[0].body, arms[1].body], Some(arms[0].to))?;
+        let outer = |arm: &Arm| {
+            Some(OuterJoint {
+                point: self.shared([arm.body, arm.outer.body], Some(arm.from))?,
+                on: self.link_of(arm.outer.body),
+            })
+        };
+        let link = |arm: &Arm| self.link_of(arm.body);
+        Some(RrrDyad {
+            links: [link(&arms[0])?, link(&arms[1])?],
+            inner,
+            outer: [outer(&arms[0])?, outer(&arms[1])?],
+        })
+    }
+
+    fn four_bar_of(&self, arms: &[Arm; 2]) -> Option<FourBarLoop> {
+        let dyad = self.dyad_of(arms)?;
+        // What is solved first is the base; the frame before all.
+        let first = self.placed_by[arms[0].outer.body] < self.placed_by[arms[1].outer.body];
+        let [on_base, on_crank] = if first { [0, 1] } else { [1, 0] };
+        let [base, crank] = [on_base, on_crank].map(|k| arms[k].outer);
+        if base.body == crank.body {
+            return None;
+        }
+        let a = self.shared([base.body, crank.body], None)?;
+        let place = |body: BodyId| {
+            let mut points = self.bodies[body].iter();
+            points.find(|(point, _)| *point == a).map(|(_, at)| *at)
+        };
+        let lengths = [
+            (crank.local - place(crank.body)?).norm(),
+            arms[on_crank].length(),
+            arms[on_base].length(),
+            (base.local - place(base.body)?).norm(),
+        ];
+        let turned = dyad.outer[on_crank].on?;
+        Some(FourBarLoop {
+            base: dyad.outer[on_base].on,
+            crank: turned,
+            coupler: dyad.links[on_crank],
+            rocker: dyad.links[on_base],
+            joints: [
+                a,
+                dyad.outer[on_crank].point,
+                dyad.inner,
+                dyad.outer[on_base].point,
+            ],
+            linkage: FourBar::new(lengths).ok()?,
+        })
+    }
+
+    /// A point that two bodies share, at a place on the first if one is given.
+    fn shared(&self, [one, other]: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
+        let mut points = self.bodies[one].iter();
+        let shared = points.find(|(point, local)| {
+            at.is_none_or(|at| at == *local) && self.bodies[other].iter().any(|p| p.0 == *point)
+        });
+        shared.map(|(point, _)| *point)
+    }
+}
+
+/// The arms of a step that is a dyad RRR.
+fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
+    match step {
+        Step::Rrr(Rrr { arms }) => Some(arms),
+        Step::Closed(closed) => Some(&closed.arms),
+        _ => None,
+    }
+}

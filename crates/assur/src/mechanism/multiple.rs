@@ -1,0 +1,49 @@
+//! Angles that follow from others in a constant ratio: of wheels, and of parts
+//! fixed to links.
+
+use super::Mechanism;
+use crate::index::{BodyId, LinkId};
+use crate::position::Step;
+
+/// What an angle is a multiple of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multiple {
+    /// The link.
+    pub of: LinkId,
+    /// The angle is `factor` times that link's, plus `offset`.
+    pub factor: f64,
+    /// Radians.
+    pub offset: f64,
+}
+
+impl Mechanism {
+    /// The link whose angle this one's is a constant multiple of, at all inputs: a
+    /// wheel's is that of what drives it where both are carried by the frame. Of
+    /// itself where there is none.
+    pub fn multiple_of(&self, link: LinkId) -> Multiple {
+        let own = Multiple {
+            of: link,
+            factor: 1.0,
+            offset: 0.0,
+        };
+        let part = &self.links[link];
+        let (mut body, mut factor, mut offset) = (part.body, 1.0, part.lead);
+        // A train of wheels ends after as many as there are steps.
+        for _ in 0..self.steps.len() {
+            let wheel = self.steps.iter().find_map(|step| match step {
+                Step::Geared(wheel) if wheel.body == body && wheel.at.body == BodyId::FRAME => {
+                    Some(wheel)
+                }
+                _ => None,
+            });
+            let Some(wheel) = wheel else { break };
+            offset += factor * wheel.shift;
+            factor *= wheel.ratio;
+            body = wheel.mate;
+        }
+        match self.link_of(body) {
+            Some(of) => Multiple { of, factor, offset },
+            None => own,
+        }
+    }
+}

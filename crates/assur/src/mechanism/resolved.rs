@@ -1,0 +1,208 @@
+//! A draft with names replaced by numbers: every thing that is named is there.
+
+use super::constraint::LinkOrFrame;
+use super::draft::{Defect, Draft, DraftDriver, FRAME};
+use super::tracer::DraftTracer;
+use crate::gears::Mesh;
+use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
+use crate::{Point, Vector};
+
+/// A draft without its names.
+#[derive(Debug)]
+pub(super) struct Resolved<'a> {
+    pub(super) draft: &'a Draft,
+    /// Where points are drawn.
+    pub(super) places: List<PointId, Vector>,
+    pub(super) frame: Vec<PointId>,
+    pub(super) links: List<LinkId, Link>,
+    pub(super) slides: List<SlideId, Slide>,
+    pub(super) gears: Vec<Gear>,
+    pub(super) drivers: Vec<Driver>,
+    /// The tracers with the links that carry them.
+    pub(super) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
+    /// Of each body the link that it is made for; none for the frame.
+    pub(super) bodies: List<BodyId, LinkOrFrame>,
+}
+
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) body: BodyId,
+    pub(super) first: PointId,
+    pub(super) points: Vec<PointId>,
+    /// Whether it is fixed to another link, or to the frame.
+    pub(super) is_fixed: bool,
+}
+
+#[derive(Debug)]
+pub(super) struct Slide {
+    pub(super) link: LinkOrFrame,
+    pub(super) point: PointId,
+    pub(super) on: LinkOrFrame,
+    pub(super) line: [PointId; 2],
+}
+
+#[derive(Debug)]
+pub(super) struct Gear {
+    pub(super) links: [LinkOrFrame; 2],
+    pub(super) carrier: LinkOrFrame,
+    pub(super) teeth: [f64; 2],
+    pub(super) mesh: Mesh,
+}
+
+#[derive(Debug)]
+pub(super) enum Driver {
+    Crank {
+        link: LinkOrFrame,
+        base: LinkOrFrame,
+    },
+    Slide {
+        slide: SlideId,
+        range: [f64; 2],
+    },
+}
+
+impl<'a> Resolved<'a> {
+    /// # Errors
+    /// The first name that nothing has, and the like.
+    pub(super) fn new(draft: &'a Draft) -> Result<Self, Defect> {
+        let names = Names(draft);
+        let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
+        let ids = (0..draft.links.len()).map(LinkId::at);
+        let own = ids.zip(&draft.links).map(|(id, link)| {
+            let own = link.fixed_to.is_none();
+            own.then(|| bodies.push(Some(id)))
+        });
+        let own: List<LinkId, Option<BodyId>> = own.collect();
+        let links = draft.links.iter().map(|link| {
+            let points = names.points(&link.points)?;
+            let first = *points
+                .first()
+                .ok_or_else(|| Defect::Bare(link.name.clone()))?;
+            Ok(Link {
+                body: names.body(&link.name, &own)?,
+                first,
+                points,
+                is_fixed: link.fixed_to.is_some(),
+            })
+        });
+        let slides = draft.slides.iter().map(|slide| {
+            let [from, to] = &slide.line;
+            Ok(Slide {
+                link: names.link(&slide.link)?,
+                point: names.point(&slide.point)?,
+                on: names.link(&slide.on)?,
+                line: [names.point(from)?, names.point(to)?],
+            })
+        });
+        let gears = draft.gears.iter().map(|gear| {
+            let [first, second] = &gear.links;
+            Ok(Gear {
+                links: [names.link(first)?, names.link(second)?],
+                carrier: names.link(&gear.carrier)?,
+                teeth: gear.teeth,
+                mesh: gear.mesh,
+            })
+        });
+        let drivers = draft.drivers.iter().map(|driver| names.driver(driver));
+        let tracers = draft.tracers.iter();
+        let tracers = tracers.map(|tracer| Ok((names.link(&tracer.link)?, tracer)));
+        Ok(Self {
+            draft,
+            places: draft.points.iter().map(|point| point.at.coords).collect(),
+            frame: names.points(&draft.frame)?,
+            links: links.collect::<Result<_, Defect>>()?,
+            slides: slides.collect::<Result<_, Defect>>()?,
+            gears: gears.collect::<Result<_, Defect>>()?,
+            drivers: drivers.collect::<Result<_, Defect>>()?,
+            tracers: tracers.collect::<Result<_, Defect>>()?,
+            bodies,
+        })
+    }
+
+    /// The body of a link, or of the frame.
+    pub(super) fn body(&self, link: LinkOrFrame) -> BodyId {
+        link.map_or(BodyId::FRAME, |link| self.links[link].body)
+    }
+
+    pub(super) fn link_name(&self, link: LinkOrFrame) -> &'a str {
+        link.map_or(FRAME, |link| &self.draft.links[link.index()].name)
+    }
+
+    pub(super) fn point_name(&self, point: PointId) -> &'a str {
+        &self.draft.points[point.index()].name
+    }
+
+    pub(super) fn body_name(&self, body: BodyId) -> &'a str {
+        self.link_name(self.bodies[body])
+    }
+
+    /// The places of a link's points on it, if it has a shape of its own.
+    pub(super) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
+        self.draft.links[link.index()].shape.as_deref()
+    }
+
+    /// The link that a driver turns or moves.
+    pub(super) fn driven(&self, driver: &Driver) -> LinkOrFrame {
+        match driver {
+            Driver::Crank { link, .. } => *link,
+            Driver::Slide { slide, .. } => self.slides[*slide].link,
+        }
+    }
+}
+
+/// What the names of a draft stand for.
+struct Names<'a>(&'a Draft);
+
+impl Names<'_> {
+    fn point(&self, name: &String) -> Result<PointId, Defect> {
+        let found = self.0.points.iter().position(|point| point.name == *name);
+        found
+            .map(PointId::at)
+            .ok_or_else(|| Defect::Unknown(name.clone()))
+    }
+
+    fn points(&self, names: &[String]) -> Result<Vec<PointId>, Defect> {
+        names.iter().map(|name| self.point(name)).collect()
+    }
+
+    fn link(&self, name: &String) -> Result<LinkOrFrame, Defect> {
+        if name == FRAME {
+            return Ok(None);
+        }
+        let found = self.0.links.iter().position(|link| link.name == *name);
+        let found = found.ok_or_else(|| Defect::Unknown(name.clone()))?;
+        Ok(Some(LinkId::at(found)))
+    }
+
+    /// The body of a link: its own, or that of what it is fixed to in the end.
+    fn body(&self, name: &String, own: &List<LinkId, Option<BodyId>>) -> Result<BodyId, Defect> {
+        let mut root = name;
+        for _ in 0..=self.0.links.len() {
+            let Some(link) = self.link(root)? else {
+                return Ok(BodyId::FRAME);
+            };
+            match (own[link], &self.0.links[link.index()].fixed_to) {
+                (Some(body), _) => return Ok(body),
+                (None, Some(base)) => root = base,
+                (None, None) => break,
+            }
+        }
+        Err(Defect::WithItself(name.clone()))
+    }
+
+    fn driver(&self, driver: &DraftDriver) -> Result<Driver, Defect> {
+        match driver {
+            DraftDriver::Crank { link, base } => Ok(Driver::Crank {
+                link: self.link(link)?,
+                base: self.link(base)?,
+            }),
+            DraftDriver::Slide { slide, range } if *slide < self.0.slides.len() => {
+                Ok(Driver::Slide {
+                    slide: SlideId::at(*slide),
+                    range: *range,
+                })
+            }
+            DraftDriver::Slide { .. } => Err(Defect::NoDriver),
+        }
+    }
+}

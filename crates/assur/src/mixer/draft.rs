@@ -1,0 +1,126 @@
+//! The mixer as a linkage like any other.
+
+use nalgebra::Rotation2;
+
+use super::{Carrier, Mixer};
+use crate::mechanism::{Draft, DraftGear, DraftLink, DraftPoint, DraftTracer, FRAME};
+use crate::{Link, Point, Unsolved, Vector};
+
+/// The crank angle at which a mixer is drawn whose crank turns fully.
+const DRAWN: f64 = 1.0;
+
+/// The links with two joints, and the names of their joints and centres of mass.
+const BARS: [(Link, Carrier, [&str; 4]); 3] = [
+    (Link::Crank, Carrier::Crank, ["crank", "A", "B", "C1"]),
+    (Link::Coupler, Carrier::Coupler, ["coupler", "B", "C", "C2"]),
+    (Link::Rocker, Carrier::Rocker, ["rocker", "D", "C", "C3"]),
+];
+
+impl Mixer {
+    /// The mixer as a draft. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to
+    /// the rocker, `wheel5`, … on the frame; joints A, B, C, D, centres of mass
+    /// C1, C2, C3 in the middle of their links, the wheels' centres E5, …; the points
+    /// traced, P1, …, are tracers.
+    ///
+    /// # Errors
+    /// Why there is no pose to draw.
+    pub fn draft(&self) -> Result<Draft, Unsolved> {
+        let cycle = self.linkage.cycle();
+        if cycle.is_full() {
+            return self.draft_at(DRAWN);
+        }
+        self.draft_on(cycle.arcs()[0])
+    }
+
+    /// The same, drawn in the middle of an arc, or beside it: a deltoid's pose may be
+    /// undetermined there.
+    pub(super) fn draft_on(&self, [from, to]: [f64; 2]) -> Result<Draft, Unsolved> {
+        let drawn = self.draft_at(0.5 * (from + to));
+        drawn.or_else(|_| self.draft_at(0.6 * from + 0.4 * to))
+    }
+
+    /// The same, drawn at a crank angle.
+    fn draft_at(&self, crank: f64) -> Result<Draft, Unsolved> {
+        let pose = self.linkage.pose::<1>(self.assembly, crank)?;
+        let joints = self.linkage.joints(&pose).map(|joint| joint.place());
+        let mut draft = Draft::default().fixed(&["A", "D"]);
+        let mut point = |name: &str, at: Point| {
+            let name = name.to_owned();
+            draft.points.push(DraftPoint { name, at });
+        };
+        for (name, at) in ["A", "B", "C", "D"].into_iter().zip(joints) {
+            point(name, at);
+        }
+        let place = |carrier: Carrier, x: f64, y: f64| {
+            let (origin, angle) = self.body(&pose, carrier);
+            origin.offset(angle, x, y).place()
+        };
+        for (link, carrier, [.., centre]) in BARS {
+            point(centre, place(carrier, 0.5 * self.linkage.length(link), 0.0));
+        }
+        let wheels = self.gears.pairs().len();
+        for wheel in 0..wheels {
+            point(
+                &format!("E{}", wheel + 5),
+                place(Carrier::Wheel(wheel), 0.0, 0.0),
+            );
+        }
+        for (link, _, [name, from, to, centre]) in BARS {
+            let length = self.linkage.length(link);
+            let along = |x: f64| Point::new(x, 0.0);
+            draft.links.push(DraftLink {
+                name: name.to_owned(),
+                points: [from, to, centre].map(str::to_owned).to_vec(),
+                shape: Some([0.0, length, 0.5 * length].map(along).to_vec()),
+                centre_of_mass: Some(centre.to_owned()),
+                ..DraftLink::default()
+            });
+        }
+        draft.links.push(DraftLink {
+            name: "wheel4".to_owned(),
+            points: vec!["D".to_owned(), "C".to_owned()],
+            fixed_to: Some("rocker".to_owned()),
+            ..DraftLink::default()
+        });
+        for (wheel, pair) in self.gears.pairs().iter().enumerate() {
+            let centre = format!("E{}", wheel + 5);
+            let name = format!("wheel{}", wheel + 5);
+            draft.links.push(DraftLink {
+                name: name.clone(),
+                points: vec![centre.clone()],
+                ..DraftLink::default()
+            });
+            draft.frame.push(centre);
+            draft.gears.push(DraftGear {
+                links: ["wheel4".to_owned(), name],
+                carrier: FRAME.to_owned(),
+                teeth: [pair.driver_wheel(), pair.driven_wheel()]
+                    .map(|wheel| f64::from(wheel.teeth)),
+                mesh: pair.mesh(),
+            });
+        }
+        draft.tracers.extend(self.draft_tracers());
+        Ok(draft.crank("crank"))
+    }
+
+    /// The points traced, on the links of the draft. A tooth of a wheel is not at
+    /// the wheel's zero direction but where it was mounted.
+    fn draft_tracers(&self) -> impl Iterator<Item = DraftTracer> {
+        self.tracers().iter().enumerate().map(|(k, tracer)| {
+            let at = Vector::new(tracer.x, tracer.y);
+            let (link, at) = match tracer.carrier {
+                Carrier::Crank => ("crank".to_owned(), at),
+                Carrier::Coupler => ("coupler".to_owned(), at),
+                Carrier::Rocker => ("rocker".to_owned(), at),
+                Carrier::Wheel(wheel) => {
+                    let pair = self.gears.pairs().get(wheel);
+                    let mounting = pair.map_or(0.0, |pair| pair.driven_wheel().mounting);
+                    let turn = Rotation2::new(mounting);
+                    (format!("wheel{}", wheel + 5), turn * at)
+                }
+            };
+            let name = format!("P{}", k + 1);
+            DraftTracer { name, link, at }
+        })
+    }
+}

@@ -1,0 +1,103 @@
+//! The motion of a four-bar and the wheels on it: the closed form tells it all, and
+//! nothing has to be followed.
+
+use std::f64::consts::{PI, TAU};
+
+use super::interpolation::Knots;
+use super::{DeadPoint, DeadPointKind, Motion};
+use crate::mechanism::{ClosedStep, Mechanism, Quantity};
+use crate::{Assembly, Cycle};
+
+impl Motion {
+    /// The motion where the closed form of a four-bar is all there is: of a crank that
+    /// cannot turn fully, over the arc that is drawn.
+    pub(super) fn in_closed_form(mechanism: Mechanism) -> Self {
+        let closed = mechanism.closed_steps().next();
+        let arc = closed.and_then(|closed| closed.arc(mechanism.home()));
+        let (cycle, dead_points, turned) = match (arc, closed) {
+            (Some(arc), Some(closed)) => {
+                // The arc is told by whole turns so that it begins within [−π, π).
+                let turned = TAU * ((arc[0] + PI) / TAU).floor();
+                let arc = arc.map(|end| end - turned);
+                let ends = arc.map(|end| dead_point(&closed, arc, end));
+                (Cycle::swinging(arc, Some(TAU)), ends.to_vec(), turned)
+            }
+            _ => {
+                let turns = closed.map_or(1, |closed| closed.turns());
+                (Cycle::turning(turns), Vec::new(), 0.0)
+            }
+        };
+        let home = cycle.wrap(mechanism.home() - turned);
+        let (signs, orientations) = mechanism.as_drawn();
+        let knots = Knots::alone(home, signs, orientations);
+        Self::of(mechanism, cycle, knots, dead_points, home)
+    }
+}
+
+/// A rocker of a four-bar in closed form, or what turns in a constant ratio to it.
+struct Rocker<'a> {
+    closed: ClosedStep<'a>,
+    assembly: Assembly,
+    ratio: f64,
+}
+
+impl Motion {
+    /// The inputs at which the angle of a four-bar's rocker, and so that of a wheel it
+    /// drives, has its extrema; none where the closed form does not tell.
+    pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
+        let Rocker {
+            closed, assembly, ..
+        } = self.rocker(quantity)?;
+        let limits = closed.linkage.limits(assembly).into_iter();
+        let mut inputs: Vec<f64> = limits
+            .map(|limit| self.cycle.wrap(limit.crank - closed.lead))
+            .filter(|input| self.cycle.contains(*input))
+            .collect();
+        inputs.sort_unstable_by(f64::total_cmp);
+        Some(inputs)
+    }
+
+    /// What such an angle has gained after a full cycle.
+    pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
+        let rocker = self.rocker(quantity)?;
+        // Any angle will do that is not a deltoid's undetermined one.
+        let at = |crank: f64| {
+            let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
+            Some(pose.ok()?.rocker.value())
+        };
+        let turns = ((at(period + 1.0)? - at(1.0)?) / TAU).round();
+        Some(rocker.ratio * TAU * turns)
+    }
+
+    fn rocker(&self, quantity: Quantity) -> Option<Rocker<'_>> {
+        let mechanism = &self.mechanism;
+        let closed = mechanism.closed_steps().next()?;
+        let Quantity::Angle(link) = quantity else {
+            return None;
+        };
+        let turned = mechanism.multiple_of(link);
+        if !mechanism.whole_closed_form() || mechanism.rocker_of(&closed) != Some(turned.of) {
+            return None;
+        }
+        let mut guess = Vec::new();
+        let (signs, _) = self.knots.near(self.home, &mut guess);
+        Some(Rocker {
+            closed,
+            assembly: signs[closed.step].into(),
+            ratio: turned.factor,
+        })
+    }
+}
+
+/// The dead point of a four-bar at an end of an arc: towards φ₁ = 0 the diagonal is
+/// shortest, so coupler and rocker are folded there, and stretched towards π.
+pub(super) fn dead_point(closed: &ClosedStep<'_>, [from, to]: [f64; 2], input: f64) -> DeadPoint {
+    let open = |input: f64| -(input + closed.lead).cos();
+    let kind = if open(input) < open(0.5 * (from + to)) {
+        DeadPointKind::Folded
+    } else {
+        DeadPointKind::Stretched
+    };
+    let step = closed.step;
+    DeadPoint { input, kind, step }
+}

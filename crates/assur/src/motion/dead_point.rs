@@ -1,0 +1,46 @@
+//! Where a motion ends, and what stands in line there.
+
+use crate::index::StepId;
+
+/// How a motion comes to an end: what is in line, or parallel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DeadPointKind {
+    /// The two links of a dyad are in line, stretched out.
+    Stretched,
+    /// They are in line, one over the other.
+    Folded,
+    /// A link stands at a right angle to the guide it should drive along, or a
+    /// hinge is as far from another as the guide between them allows.
+    Perpendicular,
+    /// Two guides have become parallel.
+    Parallel,
+    /// A group of Class III or higher comes to a position in which its links can
+    /// move while the rest stands.
+    Singular,
+    /// The end of a driven slide's range: no dead point of the linkage.
+    Range,
+}
+
+impl DeadPointKind {
+    /// Its name in what programs read.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Stretched => "stretched",
+            Self::Folded => "folded",
+            Self::Perpendicular => "perpendicular",
+            Self::Parallel => "parallel",
+            Self::Singular => "singular",
+            Self::Range => "range",
+        }
+    }
+}
+
+/// Where the driver can go no further.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeadPoint {
+    /// The input.
+    pub input: f64,
+    /// What is in line.
+    pub kind: DeadPointKind,
+    pub(crate) step: StepId,
+}

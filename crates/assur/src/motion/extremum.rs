@@ -1,0 +1,38 @@
+//! A local extremum of a quantity over a motion.
+
+/// Maximum or minimum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A local maximum.
+    Max,
+    /// A local minimum.
+    Min,
+}
+
+/// A local extremum of a quantity or a derivative of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremum {
+    /// Maximum or minimum.
+    pub kind: Kind,
+    /// The input.
+    pub crank: f64,
+    /// The extreme value.
+    pub value: f64,
+}
+
+impl Extremum {
+    /// The extremum of what turns `ratio` times as fast: a negative ratio makes a
+    /// minimum of a maximum.
+    pub fn scaled(self, ratio: f64) -> Self {
+        let kind = match (self.kind, ratio < 0.0) {
+            (kind, false) => kind,
+            (Kind::Max, true) => Kind::Min,
+            (Kind::Min, true) => Kind::Max,
+        };
+        Self {
+            kind,
+            crank: self.crank,
+            value: self.value * ratio,
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Samples of a motion, and between them by Hermite interpolation the guess from
+//! which groups are solved.
+
+use crate::index::{BodyId, List};
+use crate::mechanism::Signs;
+use crate::position::{Nearby, Orientation, Predictor};
+
+/// Samples in ascending inputs (or descending, while a motion is followed back):
+/// which way each group is joined, how the bodies are turned, and the unknowns of
+/// groups with three derivatives.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Knots {
+    list: Vec<Knot>,
+}
+
+#[derive(Clone, Debug)]
+struct Knot {
+    input: f64,
+    signs: Signs,
+    orientations: List<BodyId, Orientation>,
+    /// Of each coordinate the value and the coefficients of three derivatives.
+    natural: Vec<[f64; 4]>,
+}
+
+impl Knots {
+    pub(super) fn push(&mut self, input: f64, signs: &Signs, state: &Predictor) {
+        let natural = state.natural.iter().flat_map(|place| {
+            [0, 1].map(|axis| [0, 1, 2, 3].map(|order: usize| place[order][axis]))
+        });
+        self.list.push(Knot {
+            input,
+            signs: signs.clone(),
+            orientations: state.orientations(),
+            natural: natural.collect(),
+        });
+    }
+
+    /// The one knot that a motion in closed form needs.
+    pub(super) fn alone(
+        input: f64,
+        signs: &Signs,
+        orientations: &List<BodyId, Orientation>,
+    ) -> Self {
+        Self {
+            list: vec![Knot {
+                input,
+                signs: signs.clone(),
+                orientations: orientations.clone(),
+                natural: Vec::new(),
+            }],
+        }
+    }
+
+    /// With the knots of another motion over other inputs.
+    pub(super) fn join(&mut self, mut other: Self) {
+        self.list.append(&mut other.list);
+        self.list.sort_by(|a, b| a.input.total_cmp(&b.input));
+    }
+
+    pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
+        self.list.iter().map(|knot| knot.input)
+    }
+
+    /// Other signs from the last knot on.
+    pub(super) fn amend(&mut self, signs: &Signs) {
+        if let Some(last) = self.list.last_mut() {
+            last.signs.clone_from(signs);
+        }
+    }
+
+    /// Puts a motion followed back before this one; both begin at the same knot.
+    pub(super) fn prepend(&mut self, mut back: Self) {
+        back.list.reverse();
+        back.list.pop();
+        back.list.append(&mut self.list);
+        *self = back;
+    }
+
+    pub(super) fn shift(&mut self, by: f64) {
+        for knot in &mut self.list {
+            knot.input += by;
+        }
+    }
+
+    /// Moves the knots of a full cycle to inputs from 0 to `period`, with one
+    /// before and one after them; angles go on continuously.
+    pub(super) fn begin_at_zero(&mut self, period: f64) {
+        // The last knot is the first one a period later.
+        let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
+            return;
+        };
+        let turned = last.orientations.iter().zip(first.orientations.iter());
+        let gained: Vec<f64> = turned.map(|(b, a)| b.angle - a.angle).collect();
+        let later = |knot: &Knot, periods: f64| {
+            let mut later = knot.clone();
+            later.input += period * periods;
+            for (orientation, gain) in later.orientations.iter_mut().zip(&gained) {
+                orientation.angle += gain * periods;
+            }
+            later
+        };
+        for knot in &mut self.list {
+            *knot = later(knot, -(knot.input / period).floor());
+        }
+        self.list.sort_by(|a, b| a.input.total_cmp(&b.input));
+        if let [first, .., last] = &self.list[..] {
+            let [before, after] = [later(last, -1.0), later(first, 1.0)];
+            self.list.insert(0, before);
+            self.list.push(after);
+        }
+    }
+
+    /// The signs at an input, what is known nearby, and a guess for the unknowns
+    /// of groups, put into `guess`.
+    pub(super) fn near<'a>(
+        &'a self,
+        input: f64,
+        guess: &'a mut Vec<f64>,
+    ) -> (&'a Signs, Nearby<'a>) {
+        let at = self.before(input);
+        let knot = &self.list[at];
+        guess.clear();
+        match self.list.get(at + 1) {
+            Some(next) => between(knot, next, input, guess),
+            None => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
+        }
+        let near = Nearby {
+            orientations: &knot.orientations,
+            natural: guess,
+        };
+        (&knot.signs, near)
+    }
+
+    /// The last knot that is not after an input, or the first.
+    fn before(&self, input: f64) -> usize {
+        // They are as many as the samples of a grid, but for halved steps.
+        if let [first, .., last] = &self.list[..] {
+            let cells = (self.list.len() - 1) as f64;
+            let at = (input - first.input) / (last.input - first.input) * cells;
+            let at = at as usize;
+            if let Some([a, b]) = self.list.get(at..at + 2)
+                && (a.input..b.input).contains(&input)
+            {
+                return at;
+            }
+        }
+        let after = self.list.partition_point(|knot| knot.input <= input);
+        after.saturating_sub(1)
+    }
+}
+
+/// The polynomial of degree 7 that has the values and three derivatives of both
+/// knots.
+fn between(a: &Knot, b: &Knot, input: f64, guess: &mut Vec<f64>) {
+    if a.natural.is_empty() {
+        return;
+    }
+    let width = b.input - a.input;
+    let u = ((input - a.input) / width).clamp(0.0, 1.0);
+    let start = weights(u, width);
+    let end = weights(1.0 - u, -width);
+    guess.extend(a.natural.iter().zip(&b.natural).map(|(a, b)| {
+        let terms = (0..4).map(|order| start[order] * a[order] + end[order] * b[order]);
+        terms.sum::<f64>()
+    }));
+}
+
+/// By what the Taylor coefficients of one end count, `u` of the `width` from it:
+/// the polynomials that vanish with three derivatives at the other end.
+fn weights(u: f64, width: f64) -> [f64; 4] {
+    let rest = (1.0 - u).powi(4);
+    let way = u * width;
+    let sums = [
+        1.0 + u * (4.0 + u * (10.0 + u * 20.0)),
+        1.0 + u * (4.0 + u * 10.0),
+        1.0 + u * 4.0,
+        1.0,
+    ];
+    let powers = [1.0, way, way * way, way * way * way];
+    std::array::from_fn(|order| rest * powers[order] * sums[order])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::weights;
+
+    /// Polynomials of degree 7 come out as they are.
+    #[test]
+    fn polynomials_are_kept() {
+        let (from, to) = (0.4_f64, 0.7_f64);
+        for degree in 0..8_i32 {
+            let binomial =
+                |k: i32| (0..k).fold(1.0, |c, i| c * f64::from(degree - i) / f64::from(i + 1));
+            let coefficient = |at: f64, k: i32| binomial(k) * at.powi(degree - k);
+            for k in 0..=10 {
+                let u = f64::from(k) / 10.0;
+                let width = to - from;
+                let [start, end] = [weights(u, width), weights(1.0 - u, -width)];
+                let value: f64 = (0..4)
+                    .map(|k| {
+                        let order = k as usize;
+                        start[order] * coefficient(from, k) + end[order] * coefficient(to, k)
+                    })
+                    .sum();
+                let expected = (from + u * width).powi(degree);
+                assert!((value - expected).abs() < 1e-15, "{degree} {u}: {value}");
+            }
+        }
+    }
+}

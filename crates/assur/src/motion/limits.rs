@@ -1,0 +1,95 @@
+//! Limit positions, swing, travel and time ratio of any quantity over a motion.
+
+use std::f64::consts::TAU;
+
+use super::OutputProfile;
+use crate::Swing;
+
+/// A limit position: the quantity stands still and turns back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitPosition {
+    /// The input.
+    pub input: f64,
+    /// The quantity there.
+    pub value: f64,
+}
+
+impl OutputProfile<'_> {
+    /// The limit positions over the whole motion, in ascending inputs: where the
+    /// rate vanishes and changes its sign.
+    pub fn limits(&self) -> Vec<LimitPosition> {
+        let limit = |[input, value]: &[f64; 2]| LimitPosition {
+            input: *input,
+            value: *value,
+        };
+        self.extrema.iter().map(limit).collect()
+    }
+
+    /// The least and the greatest value on each arc of the motion.
+    pub fn swings(&self) -> Vec<Swing> {
+        if self.motion.cycle().is_full() && self.gain != 0.0 {
+            return vec![Swing::Turns];
+        }
+        let swing = |arc: &[f64; 2]| {
+            let values = self.turnings(*arc).into_iter().map(|[_, value]| value);
+            let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], v| {
+                [min.min(v), max.max(v)]
+            });
+            Swing::Between { min, max }
+        };
+        self.motion.cycle().arcs().iter().map(swing).collect()
+    }
+
+    /// How far the quantity goes on each arc, there and back added up: over the whole
+    /// cycle, or over the arc and back again.
+    pub fn travels(&self) -> Vec<f64> {
+        let full = self.motion.cycle().is_full();
+        let travel = |arc: &[f64; 2]| {
+            let turnings = self.turnings(*arc);
+            let ways = turnings.windows(2).map(|pair| match pair {
+                [a, b] => (b[1] - a[1]).abs(),
+                _ => 0.0,
+            });
+            let sum: f64 = ways.sum();
+            match (full, &turnings[..]) {
+                // From the last on to the first of the next cycle.
+                (true, [first, .., last]) => sum + (first[1] + self.gain - last[1]).abs(),
+                (true, _) => self.gain.abs(),
+                (false, _) => 2.0 * sum,
+            }
+        };
+        self.motion.cycle().arcs().iter().map(travel).collect()
+    }
+
+    /// The time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the
+    /// crank (FourBar::time_ratio's); none where the crank does not turn fully or the
+    /// quantity does not go there and back once per turn.
+    pub fn time_ratio(&self) -> Option<f64> {
+        let cycle = self.motion.cycle();
+        let period = cycle.period().filter(|_| cycle.is_full())?;
+        match self.extrema[..] {
+            [[first, _], [second, _]] if period < 1.5 * TAU => {
+                let one = second - first;
+                let other = period - one;
+                Some(one.max(other) / one.min(other))
+            }
+            _ => None,
+        }
+    }
+
+    /// Inputs and values at which the quantity may turn back on an arc: limit
+    /// positions, change points, and dead points at its ends. One at least.
+    fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let cycle = self.motion.cycle();
+        let within = |input: &f64| (from..=to).contains(input);
+        let limits = self.extrema.iter().map(|[input, _]| *input);
+        let passed = self.motion.change_points().iter().copied();
+        let ends = [from, to].into_iter().filter(|_| !cycle.is_full());
+        let mut inputs: Vec<f64> = limits.chain(passed).filter(within).chain(ends).collect();
+        if inputs.is_empty() {
+            inputs.push(self.motion.home());
+        }
+        inputs.sort_unstable_by(f64::total_cmp);
+        self.valued(inputs.into_iter())
+    }
+}

@@ -1,0 +1,378 @@
+//! Dwells and strokes of a quantity over a motion.
+//!
+//! Between neighbouring extrema a quantity is monotone, so that where it enters
+//! and leaves a band is a bracketed root of the exact function. As the band
+//! moves, the arc on which the quantity stays inside it is longest where an
+//! extremum just touches an edge, or, on a flank, where the quantity leaves as
+//! fast as it came.
+
+use std::f64::consts::TAU;
+
+use super::Motion;
+use super::features::turning_points;
+use super::root::root;
+use crate::mechanism::Quantity;
+
+/// An arc of the input over which a quantity stays within a band.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwell {
+    /// From where to where; the end may lie beyond the end of the cycle.
+    pub arc: [f64; 2],
+    /// The least and the greatest value on it; their difference is the residual.
+    pub band: [f64; 2],
+}
+
+impl Dwell {
+    /// How far the input goes.
+    pub fn length(&self) -> f64 {
+        self.arc[1] - self.arc[0]
+    }
+
+    /// By how much the quantity still moves.
+    pub fn residual(&self) -> f64 {
+        self.band[1] - self.band[0]
+    }
+}
+
+/// A quantity over a motion as a chain of monotone pieces; of a motion over several
+/// arcs, over that of the drawn pose.
+#[derive(Clone, Debug)]
+pub struct OutputProfile<'a> {
+    pub(super) motion: &'a Motion,
+    quantity: Quantity,
+    /// Inputs and values at which pieces meet: extrema, and the ends of the range
+    /// of a motion to and fro. A full cycle is there twice, from an extremum on.
+    pub(super) stations: Vec<[f64; 2]>,
+    /// How many of them there are until the motion repeats.
+    once: usize,
+    /// What the value grows by in a full cycle.
+    pub(super) gain: f64,
+    /// Inputs and values of all extrema, on every arc of the motion.
+    pub(super) extrema: Vec<[f64; 2]>,
+    /// It has no extremum at all: it only grows, or falls.
+    pub(super) monotone: bool,
+}
+
+/// On a flank, the band is tried at as many levels for a longest arc between them.
+const LEVELS: usize = 64;
+/// Values that differ by less relative to the band are one.
+const TOUCHING: f64 = 1e-9;
+
+impl<'a> OutputProfile<'a> {
+    /// The profile of a quantity.
+    pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
+        let mechanism = motion.mechanism();
+        let unit = if quantity.is_angle() {
+            1.0
+        } else {
+            mechanism.size()
+        };
+        let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
+        let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
+            Some(inputs) => inputs,
+            None => turning_points(motion.cycle(), &jet, unit)
+                .iter()
+                .map(|extremum| extremum.crank)
+                .collect(),
+        };
+        let mut profile = Self {
+            motion,
+            quantity,
+            stations: Vec::new(),
+            once: 0,
+            gain: 0.0,
+            extrema: Vec::new(),
+            monotone: extrema.is_empty(),
+        };
+        profile.extrema = profile.valued(extrema.iter().copied());
+        let inputs = extrema.iter().copied();
+        // Of several arcs the one of the drawn pose.
+        let mut arcs = motion.cycle().arcs().iter();
+        let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
+        if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
+            let known = motion.gain_in_closed_form(quantity, period);
+            profile.gain = known.unwrap_or_else(|| profile.gained(period));
+            let mut inputs: Vec<f64> = inputs.collect();
+            if inputs.is_empty() {
+                inputs.push(0.0);
+            }
+            profile.once = inputs.len();
+            let turns = [0.0, 1.0, 2.0].map(|turn| turn * period);
+            let all = turns
+                .iter()
+                .flat_map(|turn| inputs.iter().map(move |input| input + turn));
+            profile.stations = profile.valued(all.take(2 * inputs.len() + 1));
+        } else {
+            let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
+            let inputs = inputs.filter(|input| (from..=to).contains(input));
+            profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
+            profile.once = profile.stations.len();
+        }
+        profile
+    }
+
+    pub(super) fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
+        inputs
+            .filter_map(|input| Some([input, self.value(input)?]))
+            .collect()
+    }
+
+    /// What an angle has gained when a full cycle is over: whole turns, or of a wheel
+    /// its ratio times those of what drives it.
+    fn gained(&self, period: f64) -> f64 {
+        let mechanism = self.motion.mechanism();
+        let Quantity::Angle(link) = self.quantity else {
+            return 0.0;
+        };
+        let turned = mechanism.multiple_of(link);
+        let value = |input: f64| {
+            let pose = self.motion.pose::<2>(input).ok()?;
+            Some(mechanism.angle(&pose, turned.of))
+        };
+        // The very end is the start again, where a deltoid has no pose: from just
+        // before it to just after by the rate.
+        let after = period * 1e-6;
+        match (value(period - after), value(after)) {
+            (Some(a), Some(b)) => {
+                let end = a.value() + a.derivative(1) * 2.0 * after;
+                turned.factor * TAU * ((end - b.value()) / TAU).round()
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// The value at an input of this cycle or of the ones after it.
+    pub(super) fn value(&self, input: f64) -> Option<f64> {
+        let cycle = self.motion.cycle();
+        let period = cycle.period().filter(|_| cycle.is_full());
+        let (cycles, within) = match period {
+            Some(period) => {
+                let cycles = (input / period).floor();
+                (cycles, input - cycles * period)
+            }
+            None => (0.0, input),
+        };
+        let pose = self.motion.pose::<1>(within).ok()?;
+        let jet = self.quantity.of(self.motion.mechanism(), &pose);
+        Some(jet.value() + cycles * self.gain)
+    }
+
+    /// Where the quantity has a value between two stations next to each other.
+    fn reaches(&self, piece: usize, level: f64) -> Option<f64> {
+        let [low, high] = [*self.stations.get(piece)?, *self.stations.get(piece + 1)?];
+        let falls = if high[1] < low[1] { -1.0 } else { 1.0 };
+        let above = |value: f64| (value - level) * falls;
+        if above(low[1]) >= 0.0 {
+            return Some(low[0]);
+        }
+        if above(high[1]) <= 0.0 {
+            return Some(high[0]);
+        }
+        let ends = [low, high].map(|[input, value]| [input, above(value)]);
+        root(ends, |input| Some(above(self.value(input)?)))
+    }
+
+    /// The arc around a station on which the quantity stays within a band that
+    /// holds it there.
+    fn around(&self, station: usize, band: [f64; 2]) -> Option<Dwell> {
+        let room = TOUCHING * (band[1] - band[0]);
+        let inside = |value: f64| value >= band[0] - room && value <= band[1] + room;
+        let last = self.stations.len() - 1;
+        let (mut first, mut beyond) = (station, station);
+        while first > 0 && inside(self.stations[first - 1][1]) {
+            first -= 1;
+        }
+        while beyond < last && inside(self.stations[beyond + 1][1]) {
+            beyond += 1;
+        }
+        let edge = |value: f64| band[usize::from(value > band[1])];
+        let from = match first {
+            0 => self.stations[0][0],
+            _ => self.reaches(first - 1, edge(self.stations[first - 1][1]))?,
+        };
+        let to = match self.stations.get(beyond + 1) {
+            None => self.stations[last][0],
+            Some(next) => self.reaches(beyond, edge(next[1]))?,
+        };
+        Some(self.dwell_on([from, to]))
+    }
+
+    /// An arc with the values on it.
+    fn dwell_on(&self, arc: [f64; 2]) -> Dwell {
+        let ends = arc.map(|input| self.value(input)).into_iter().flatten();
+        let between = self.stations.iter().copied();
+        let between = between.filter(|[input, _]| (arc[0]..=arc[1]).contains(input));
+        let values = ends.chain(between.map(|[_, value]| value));
+        let band = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        Dwell { arc, band }
+    }
+
+    /// The arcs that touch an edge of the band with an extremum, and hold it.
+    pub(super) fn touching(&self, tolerance: f64) -> Vec<Dwell> {
+        let bands = self.stations.iter().enumerate();
+        let bands = bands.flat_map(|(station, [_, value])| {
+            let bands = [[*value, value + tolerance], [value - tolerance, *value]];
+            bands.map(|band| (station, band))
+        });
+        bands
+            .filter_map(|(station, band)| self.around(station, band))
+            .collect()
+    }
+
+    /// The longest arc, if longer than `beaten`, that comes in on one piece and goes
+    /// out, the same way up or down, on another or the same.
+    fn through(&self, first: usize, last: usize, tolerance: f64, beaten: f64) -> Option<Dwell> {
+        let value = |station: usize| self.stations[station][1];
+        let way = (value(first + 1) - value(first)).signum();
+        if way != (value(last + 1) - value(last)).signum() || way == 0.0 {
+            return None;
+        }
+        // Counted upwards along the way.
+        let up = |station: usize| way * value(station);
+        let inner = first + 1..=last;
+        let least = inner
+            .clone()
+            .map(up)
+            .fold(up(last + 1) - tolerance, f64::min);
+        let most = inner.map(up).fold(up(first) + tolerance, f64::max);
+        let [low, high] = [most - tolerance, least];
+        if low >= high || self.stations[last + 1][0] - self.stations[first][0] <= beaten {
+            return None;
+        }
+        let flank = Flank {
+            profile: self,
+            pieces: [first, last],
+            way,
+            tolerance,
+        };
+        let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
+        let mut best: Option<Dwell> = None;
+        let ends = [0, LEVELS - 1].map(|k| Some((k, flank.pass(level(k))?)));
+        // Raised, a band comes in and goes out later: no arc of the levels between two
+        // is longer than from where the lower comes in to where the upper goes out.
+        let mut open = vec![(ends[0]?, ends[1]?)];
+        while let Some(((a, below), (b, above))) = open.pop() {
+            let longest = best.map_or(beaten, |best| best.length());
+            if above.arc[1] - below.arc[0] <= longest {
+                continue;
+            }
+            if b > a + 1 {
+                let middle = a.midpoint(b);
+                let pass = flank.pass(level(middle))?;
+                open.extend([((middle, pass), (b, above)), ((a, below), (middle, pass))]);
+            } else if below.lengthens > 0.0 && above.lengthens <= 0.0 {
+                let levels = [[level(a), below.lengthens], [level(b), above.lengthens]];
+                let found = root(levels, |level| Some(flank.pass(level)?.lengthens))?;
+                let found = self.dwell_on(flank.pass(found)?.arc);
+                best = Some(found).filter(|one| one.length() > longest).or(best);
+            }
+        }
+        best
+    }
+
+    /// The longest arc over which the quantity stays within a band of full width
+    /// `tolerance`; none where that is not greater than zero, or the motion has no
+    /// poses. The whole cycle, where it does not move by more.
+    pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return None;
+        }
+        let (first, last) = (self.stations.first()?, self.stations.last()?);
+        let whole = self.dwell_on([first[0], last[0]]);
+        if whole.residual() <= tolerance {
+            let once = self.motion.cycle().period();
+            let once = once.filter(|_| self.motion.cycle().is_full());
+            let to = once.map_or(last[0], |period| first[0] + period);
+            return Some(self.dwell_on([first[0], to]));
+        }
+        let longer = |best: Dwell, one: Dwell| {
+            if one.length() > best.length() {
+                one
+            } else {
+                best
+            }
+        };
+        let mut best = self.touching(tolerance).into_iter().reduce(longer);
+        let pieces = self.stations.len() - 1;
+        // What begins in the second cycle has begun in the first as well.
+        for piece in 0..pieces.min(self.once) {
+            let mut band = [f64::INFINITY, f64::NEG_INFINITY];
+            for out in piece..pieces {
+                if out > piece {
+                    let value = self.stations[out][1];
+                    band = [band[0].min(value), band[1].max(value)];
+                }
+                if band[1] - band[0] > tolerance {
+                    break;
+                }
+                let beaten = best.map_or(0.0, |best| best.length());
+                best = self.through(piece, out, tolerance, beaten).or(best);
+            }
+        }
+        best
+    }
+
+    /// The strokes of a cycle: from extremum to extremum, with the inputs and the
+    /// values there. None of what turns on and on.
+    pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
+        let full = self.motion.cycle().is_full();
+        let count = self.once.saturating_sub(usize::from(!full));
+        let pairs = self.stations.windows(2).take(count);
+        let pairs = pairs.filter_map(|pair| Some([*pair.first()?, *pair.last()?]));
+        if full && self.monotone {
+            return Vec::new();
+        }
+        pairs.collect()
+    }
+
+    /// From the least value at an end of a stroke to the greatest; none of what
+    /// turns on and on.
+    pub fn stroke(&self) -> Option<f64> {
+        let strokes = self.strokes();
+        let values = strokes.iter().flatten().map(|[_, value]| *value);
+        let [least, most] = values.fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[least, most], value| [least.min(value), most.max(value)],
+        );
+        (least <= most).then_some(most - least)
+    }
+}
+
+/// A band that a quantity comes into on one piece and leaves, the same way up or
+/// down, on another or the same.
+struct Flank<'a> {
+    profile: &'a OutputProfile<'a>,
+    pieces: [usize; 2],
+    /// 1 upwards, −1 downwards.
+    way: f64,
+    tolerance: f64,
+}
+
+/// How a quantity passes through a band.
+#[derive(Clone, Copy)]
+struct Pass {
+    arc: [f64; 2],
+    /// Positive while raising the band lengthens the arc: it leaves more slowly than
+    /// it came.
+    lengthens: f64,
+}
+
+impl Flank<'_> {
+    /// With the band's lower edge, counted along the way, at a level.
+    fn pass(&self, level: f64) -> Option<Pass> {
+        let Self { profile, way, .. } = self;
+        let from = profile.reaches(self.pieces[0], way * level)?;
+        let to = profile.reaches(self.pieces[1], way * (level + self.tolerance))?;
+        let slope = |input: f64| -> Option<f64> {
+            let pose = profile.motion.pose::<2>(input).ok()?;
+            let jet = profile.quantity.of(profile.motion.mechanism(), &pose);
+            Some(way * jet.derivative(1))
+        };
+        Some(Pass {
+            arc: [from, to],
+            lengthens: slope(from)? - slope(to)?,
+        })
+    }
+}

@@ -1,0 +1,38 @@
+//! The driven slide.
+
+use super::{Cause, Complex, Given, Solvable, State, Track};
+use crate::Jet;
+use crate::index::BodyId;
+
+/// A body moved along a line of the frame by the input.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Slider {
+    pub(crate) track: Track,
+    /// Least and greatest input.
+    pub(crate) range: [f64; 2],
+}
+
+impl Solvable for Slider {
+    fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        let Self { track, range } = self;
+        if !(range[0]..=range[1]).contains(&given.input.value()) {
+            return Err(Cause::Input);
+        }
+        let (start, direction) = state.line(track);
+        let at = direction * Complex::new(given.input, Jet::constant(track.off));
+        state.slid(track, direction, start + at);
+        Ok(())
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        [self.track.body].into_iter()
+    }
+
+    fn rests_on(&self, body: BodyId) -> bool {
+        self.track.line.body == body
+    }
+}

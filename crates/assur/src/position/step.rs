@@ -1,0 +1,193 @@
+//! A step of the plan: what each kind of it tells of itself, in a file of its own.
+
+use super::{Cause, Closed, Crank, Geared, Group, Nearby, Prp, Rpp, Rpr, Rrp, Rrr, Slider, State};
+use crate::index::{BodyId, StepId};
+use crate::{Jet, Vector};
+
+/// One of the two ways to join the links of a dyad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    Plus,
+    Minus,
+}
+
+impl Sign {
+    pub(crate) const BOTH: [Self; 2] = [Self::Plus, Self::Minus];
+
+    /// ±1.
+    #[inline(always)]
+    pub(crate) fn factor(self) -> f64 {
+        match self {
+            Self::Plus => 1.0,
+            Self::Minus => -1.0,
+        }
+    }
+
+    pub(crate) fn opposite(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+}
+
+/// What a step is solved by, besides the bodies solved before it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'a, const N: usize> {
+    pub(crate) step: StepId,
+    pub(crate) input: Jet<N>,
+    pub(crate) sign: Sign,
+    pub(crate) near: Nearby<'a>,
+}
+
+/// What places a body or more from those placed before.
+pub(crate) trait Solvable {
+    /// The places and turns of its bodies.
+    fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause>;
+
+    /// The bodies that it places.
+    fn bodies(&self) -> impl Iterator<Item = BodyId>;
+
+    /// Whether it needs the place of a body solved before.
+    fn rests_on(&self, body: BodyId) -> bool;
+
+    /// Whether the angles of its bodies come from their turns, to a whole turn.
+    fn winds(&self) -> bool {
+        true
+    }
+
+    /// Whether there are two ways to join its links, told apart by a sign.
+    fn has_sign(&self) -> bool {
+        false
+    }
+
+    /// Whether a margin that touches zero lets the links pass through in line: the
+    /// smooth motion goes on with the other sign.
+    fn passes(&self) -> bool {
+        false
+    }
+
+    /// Whether its links come into line in two ways, stretched and folded, each with
+    /// a margin of its own.
+    fn stretches_and_folds(&self) -> bool {
+        false
+    }
+
+    /// The size of the squares its margins are made of.
+    fn scale(&self) -> f64 {
+        1.0
+    }
+
+    /// Solves it, with the angles; what is not finite is an error.
+    #[inline(always)]
+    fn put<const N: usize>(&self, state: &mut State<N>, given: &Given<'_, N>) -> Result<(), Cause> {
+        self.solve(state, given)?;
+        let mut sum = Vector::zeros();
+        for body in self.bodies() {
+            if self.winds() {
+                state.winds(body, given.near);
+            }
+            sum += state.origin[body].nought() + state.turn[body].nought();
+        }
+        finite(sum)
+    }
+}
+
+/// Whether a sum of [`super::Complex::nought`] tells that all is finite.
+pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
+    if sum == Vector::zeros() {
+        Ok(())
+    } else {
+        Err(Cause::DeadPoint)
+    }
+}
+
+/// A step of the plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Step {
+    Crank(Crank),
+    Slider(Slider),
+    Geared(Geared),
+    Closed(Closed),
+    Rrr(Rrr),
+    Rrp(Rrp),
+    Rpr(Rpr),
+    Prp(Prp),
+    Rpp(Rpp),
+    Group(Group),
+}
+
+/// Asks the kind that a step is.
+macro_rules! ask {
+    ($step:expr, $kind:ident => $answer:expr) => {
+        match $step {
+            Step::Crank($kind) => $answer,
+            Step::Slider($kind) => $answer,
+            Step::Geared($kind) => $answer,
+            Step::Closed($kind) => $answer,
+            Step::Rrr($kind) => $answer,
+            Step::Rrp($kind) => $answer,
+            Step::Rpr($kind) => $answer,
+            Step::Prp($kind) => $answer,
+            Step::Rpp($kind) => $answer,
+            Step::Group($kind) => $answer,
+        }
+    };
+}
+
+impl Step {
+    /// Places its bodies.
+    #[inline(always)]
+    pub(crate) fn put<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        ask!(self, kind => kind.put(state, given))
+    }
+
+    /// The bodies that it places.
+    pub(crate) fn bodies(&self) -> Vec<BodyId> {
+        ask!(self, kind => kind.bodies().collect())
+    }
+
+    pub(crate) fn rests_on(&self, body: BodyId) -> bool {
+        ask!(self, kind => kind.rests_on(body))
+    }
+
+    pub(crate) fn winds(&self) -> bool {
+        ask!(self, kind => kind.winds())
+    }
+
+    pub(crate) fn has_sign(&self) -> bool {
+        ask!(self, kind => kind.has_sign())
+    }
+
+    pub(crate) fn passes(&self) -> bool {
+        ask!(self, kind => kind.passes())
+    }
+
+    pub(crate) fn stretches_and_folds(&self) -> bool {
+        ask!(self, kind => kind.stretches_and_folds())
+    }
+
+    pub(crate) fn scale(&self) -> f64 {
+        ask!(self, kind => kind.scale())
+    }
+}
+
+macro_rules! kinds {
+    ($($kind:ident)*) => {$(
+        impl From<$kind> for Step {
+            fn from(kind: $kind) -> Self {
+                Self::$kind(kind)
+            }
+        }
+    )*};
+}
+
+kinds! { Crank Slider Geared Closed Rrr Rrp Rpr Prp Rpp Group }

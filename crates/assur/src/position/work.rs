@@ -1,0 +1,68 @@
+//! Room for the sums of Newton's method, so that a pose allocates nothing.
+
+use super::complex::Complex;
+use super::elimination::Elimination;
+use super::group::Group;
+use crate::Vector;
+
+/// Room for the sums of a group, made once and used for every sample.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Work<const N: usize> {
+    /// The counts of inputs, unknowns and forms that there is room for.
+    fits: [usize; 4],
+    pub(super) inputs: Vec<Complex<N>>,
+    pub(super) unknowns: Vec<Complex<N>>,
+    /// Of the forms that stand in equations what is known of their value; and all
+    /// forms: of orders not solved yet what is known.
+    pub(super) known: Vec<Vector>,
+    pub(super) values: Vec<Complex<N>>,
+    /// The derivatives of the equations by their forms, two for each equation.
+    pub(super) slopes: Vec<Vector>,
+    /// What is left of the equations, and the step that this asks for; then the same
+    /// for the first derivative.
+    pub(super) left: Vec<[f64; 2]>,
+    pub(super) step: Vec<[f64; 2]>,
+    /// The same for a further derivative.
+    pub(super) lack: Vec<[f64; 1]>,
+    pub(super) gain: Vec<[f64; 1]>,
+    pub(super) jacobian: Vec<f64>,
+    /// Whether it was eliminated as planned for the group; else as planned here.
+    pub(super) planned: bool,
+    pub(super) spare: Elimination,
+}
+
+impl<const N: usize> Work<N> {
+    pub(super) fn fit(&mut self, group: &Group) {
+        let fits = [
+            group.inputs.len(),
+            group.unknowns,
+            group.equated,
+            group.constants.len(),
+        ];
+        if self.fits == fits {
+            return;
+        }
+        self.fits = fits;
+        let size = 2 * group.unknowns;
+        let nothing = Complex::constant(Vector::zeros());
+        self.inputs.resize(group.inputs.len(), nothing);
+        self.unknowns.resize(group.unknowns, nothing);
+        self.known.resize(group.equated, Vector::zeros());
+        self.values.resize(group.constants.len(), nothing);
+        self.slopes.resize(2 * size, Vector::zeros());
+        self.left.resize(size, [0.0; 2]);
+        self.step.resize(size, [0.0; 2]);
+        self.lack.resize(size, [0.0]);
+        self.gain.resize(size, [0.0]);
+        self.jacobian.resize(size * size, 0.0);
+        self.spare.fit(size);
+    }
+}
+
+/// The largest of the corrections; each has a rate with it.
+pub(super) fn largest(values: &[[f64; 2]]) -> f64 {
+    values.iter().fold(0.0, |most, [value, _]| {
+        let value = value.abs();
+        if value > most { value } else { most }
+    })
+}

@@ -1,0 +1,77 @@
+//! The presets that lessons have of their own are documents that the engine takes, and
+//! what a lesson is about is there.
+#![cfg(not(target_family = "wasm"))]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assur_file::{State, View, gallery};
+use serde_json::{Value, json};
+
+/// The folders of the lessons, with that of the tests.
+fn lessons() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let places = ["www/lessons", "tests/data/lessons"];
+    let entries = places.map(|place| fs::read_dir(root.join(place)).unwrap());
+    let paths = entries
+        .into_iter()
+        .flatten()
+        .map(|entry| entry.unwrap().path());
+    paths.filter(|path| path.is_dir()).collect()
+}
+
+/// A file of a lesson, where it has it.
+fn file(lesson: &Path, name: &str) -> Option<Value> {
+    let text = fs::read_to_string(lesson.join(name)).ok()?;
+    Some(serde_json::from_str(&text).unwrap_or_else(|error| panic!("{lesson:?} {name}: {error}")))
+}
+
+/// The kinds and documents of a lesson's presets, by name.
+fn presets(lesson: &Path) -> BTreeMap<String, Value> {
+    let presets = file(lesson, "presets.json");
+    presets.map_or_else(BTreeMap::new, |value| {
+        serde_json::from_value(value).unwrap()
+    })
+}
+
+#[test]
+fn presets_are_documents() {
+    let mut count = 0;
+    for lesson in lessons() {
+        for (name, mut state) in presets(&lesson) {
+            state["format"] = json!(2);
+            state["view"] = serde_json::to_value(View::default()).unwrap();
+            let read = State::read(|| &state).map_err(|problem| vec![problem]);
+            let moved = read.and_then(|state| state.check().and(state.moved().map(|_| ())));
+            assert!(moved.is_ok(), "{lesson:?} {name}: {moved:?}");
+            count += 1;
+        }
+    }
+    assert!(count > 0);
+}
+
+/// A subject is a kind of document, an origin of the catalogue, or one of a lesson's own
+/// presets.
+#[test]
+fn what_a_lesson_is_about_is_there() {
+    let own = |(_, preset): (String, Value)| {
+        let origin = preset["document"]["origin"].as_str().map(str::to_owned);
+        [origin, preset["kind"].as_str().map(str::to_owned)]
+    };
+    let own = lessons()
+        .into_iter()
+        .flat_map(|lesson| presets(&lesson).into_iter().flat_map(own));
+    let mut known: Vec<String> = own.flatten().collect();
+    known.extend(gallery().map(str::to_owned));
+    known.extend(["mixer", "linkage"].map(str::to_owned));
+    for lesson in lessons() {
+        let facts = file(&lesson, "lesson.json").unwrap();
+        let about = facts["about"].as_array().unwrap();
+        assert!(!about.is_empty(), "{lesson:?}");
+        for subject in about {
+            let found = known.iter().any(|one| *subject == json!(one));
+            assert!(found, "{lesson:?} is about {subject}, which there is not");
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! Somebody who does whatever comes to hand: clicks, drags, types, turns the wheel,
+//! presses keys, changes the window, follows wrong addresses. Nothing may be thrown, no
+//! number may be none, and what the browser keeps must open again.
+//!
+//! `ASSUR_RANDOM_SECONDS` says how long (20 if it is not set), `ASSUR_RANDOM_SEED` where the
+//! dice begin; a failure names the seed and what was done last.
+
+use std::collections::VecDeque;
+use std::env;
+use std::time::{Duration, Instant};
+
+use assur_file::State;
+use serde_json::{Value, json};
+
+use crate::browser::{Page, setting};
+use crate::dice::Dice;
+
+/// The centres of all that can be used and is seen, with what it is.
+const WITHIN_REACH: &str = "
+    const found = [];
+    const open = document.querySelector('dialog[open]') ?? document;
+    for (const one of open.querySelectorAll('button, input, select, summary, a, textarea, canvas')) {
+        const box = one.getBoundingClientRect();
+        const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+        if (box.width === 0 || x < 0 || y < 0 || x > innerWidth || y > innerHeight || one.disabled) continue;
+        const hit = document.elementFromPoint(x, y);
+        if (hit !== one && !one.contains(hit) && !hit?.contains(one)) continue;
+        const kind = one.localName === 'input' ? one.type : one.localName;
+        found.push({ id: one.id, kind, x, y, width: box.width, height: box.height });
+    }
+    return found;";
+
+/// What is written on the page that no reader should see.
+const NONSENSE: &str = r"
+    const text = document.body.innerText;
+    const labels = [...document.querySelectorAll('[aria-label], [aria-valuetext]')]
+        .map((one) => `${one.ariaLabel} ${one.ariaValueText}`).join(' ');
+    const values = [...document.querySelectorAll('input')].map((one) => one.dataset.typed ? '' : one.value).join(' ');
+    return `${text} ${labels} ${values}`.match(/.{0,30}(?:\bNaN\b|undefined|Infinity|∞|\[object).{0,30}/g) ?? [];";
+
+/// What is typed into a field.
+const TYPED: &[&str] = &[
+    "0", "1", "-1", "0.5", "1,5", "2", "3", "12", "36", "170", "360", "1e3", "1e-9", "-0", "",
+    "abc", "1.5.2", "9999999", "0.37", "π",
+];
+
+/// What somebody presses.
+const KEYS: &[(&str, i64)] = &[
+    (" ", 32),
+    ("ArrowLeft", 37),
+    ("ArrowUp", 38),
+    ("ArrowRight", 39),
+    ("ArrowDown", 40),
+    ("Home", 36),
+    ("End", 35),
+    ("Tab", 9),
+    ("Enter", 13),
+    ("Escape", 27),
+    ("+", 187),
+    ("-", 189),
+    ("z", 90),
+    ("y", 89),
+    ("l", 76),
+    ("t", 84),
+    ("p", 80),
+    ("s", 83),
+    ("?", 191),
+    ("0", 48),
+];
+
+/// Sizes of windows.
+const SIZES: &[(u32, u32)] = &[
+    (1280, 800),
+    (1920, 1080),
+    (360, 640),
+    (740, 360),
+    (1024, 768),
+];
+
+/// Addresses that are none, or not quite.
+const ADDRESSES: &[&str] = &[
+    "1",
+    "7&lesson=mixer",
+    "1&lesson=clock&d.l1=1",
+    "1&lesson=mixer&d.l1=NaN",
+    "2&kind=linkage&d.points=[]",
+    "<script>",
+    "%%%",
+];
+
+/// What is not to be used here: it leaves the page, or hands over to the system.
+const LEFT_ALONE: &[&str] = &["print", "file-open"];
+
+struct Hand<'a> {
+    page: &'a Page,
+    dice: Dice,
+    done: VecDeque<String>,
+}
+
+impl Hand<'_> {
+    fn note(&mut self, what: String) {
+        self.done.push_back(what);
+        if self.done.len() > 12 {
+            self.done.pop_front();
+        }
+    }
+
+    async fn mouse(&self, what: &str, (x, y): (f64, f64), more: Value) {
+        let mut event = json!({ "type": what, "x": x, "y": y, "button": "left", "clickCount": 1 });
+        for (key, value) in more.as_object().into_iter().flatten() {
+            event[key] = value.clone();
+        }
+        self.page.tool("Input.dispatchMouseEvent", event).await;
+    }
+
+    async fn click(&self, at: (f64, f64)) {
+        for what in ["mouseMoved", "mousePressed", "mouseReleased"] {
+            self.mouse(what, at, json!({})).await;
+        }
+    }
+
+    async fn key(&self, (key, code): (&str, i64), modifiers: i64) {
+        for what in ["rawKeyDown", "keyUp"] {
+            let event = json!({ "type": what, "key": key, "windowsVirtualKeyCode": code,
+                "modifiers": modifiers });
+            self.page.tool("Input.dispatchKeyEvent", event).await;
+        }
+    }
+
+    /// Does one thing.
+    async fn act(&mut self) {
+        let found = self.page.ask(WITHIN_REACH).await;
+        let found = found.as_array().unwrap();
+        match self.dice.below(20) {
+            0 => {
+                let size = *self.dice.one(SIZES);
+                self.note(format!("window {size:?}"));
+                self.page.screen(size, 1.0).await;
+            }
+            1 => {
+                let address = self.dice.text(ADDRESSES);
+                self.note(format!("address {address}"));
+                let script = format!("location.hash = {};", json!(address));
+                self.page.ask(&script).await;
+            }
+            2..=5 => {
+                let key = *self.dice.one(KEYS);
+                let control = if self.dice.below(4) == 0 { 2 } else { 0 };
+                self.note(format!("key {control} {}", key.0));
+                self.key(key, control).await;
+            }
+            _ if found.is_empty() => self.key(("Escape", 27), 0).await,
+            _ => {
+                let one = self.dice.one(found).clone();
+                self.use_one(&one).await;
+            }
+        }
+    }
+
+    async fn use_one(&mut self, one: &Value) {
+        let id = one["id"].as_str().unwrap().to_owned();
+        let kind = one["kind"].as_str().unwrap().to_owned();
+        if kind == "file" || LEFT_ALONE.contains(&id.as_str()) {
+            return;
+        }
+        let number = |key: &str| one[key].as_f64().unwrap();
+        let at = (number("x"), number("y"));
+        let (width, height) = (number("width"), number("height"));
+        let mut within = |dice: &mut Dice| {
+            let part = |dice: &mut Dice| dice.below(1000) as f64 / 1000.0 - 0.5;
+            (at.0 + width * part(dice), at.1 + height * part(dice))
+        };
+        match kind.as_str() {
+            "canvas" | "range" => {
+                let (from, to) = (within(&mut self.dice), within(&mut self.dice));
+                self.note(format!("drag {id} {from:?} {to:?}"));
+                if self.dice.below(5) == 0 {
+                    let by = *self.dice.one(&[-240, 240]);
+                    let wheel = json!({ "deltaX": 0, "deltaY": by });
+                    self.mouse("mouseWheel", from, wheel).await;
+                    return;
+                }
+                self.mouse("mouseMoved", from, json!({})).await;
+                self.mouse("mousePressed", from, json!({})).await;
+                for step in 1..=4 {
+                    let part = f64::from(step) / 4.0;
+                    let on = |a: f64, b: f64| a + (b - a) * part;
+                    let held = json!({ "buttons": 1 });
+                    self.mouse("mouseMoved", (on(from.0, to.0), on(from.1, to.1)), held)
+                        .await;
+                }
+                self.mouse("mouseReleased", to, json!({})).await;
+            }
+            "text" | "search" | "textarea" => {
+                let text = self.dice.text(TYPED);
+                self.note(format!("type {id} {text}"));
+                self.click(at).await;
+                self.key(("a", 65), 2).await;
+                let mark = "document.activeElement?.setAttribute?.('data-typed', '');";
+                self.page.ask(mark).await;
+                self.page
+                    .tool("Input.insertText", json!({ "text": text }))
+                    .await;
+                let end = *self.dice.one(&[("Enter", 13), ("Tab", 9)]);
+                self.key(end, 0).await;
+            }
+            "select" => {
+                let turn = self.dice.below(1000);
+                self.note(format!("choose {id} {turn}"));
+                // The list itself is the system's: what is chosen there comes as these events.
+                let script = format!(
+                    "const select = document.getElementById({});
+                    if (!select || select.options.length === 0) return;
+                    select.selectedIndex = {turn} % select.options.length;
+                    for (const kind of ['input', 'change']) select.dispatchEvent(new Event(kind, {{ bubbles: true }}));",
+                    json!(id)
+                );
+                self.page.ask(&script).await;
+            }
+            _ => {
+                self.note(format!("click {kind} {id}"));
+                self.click(at).await;
+            }
+        }
+    }
+
+    /// What has gone wrong, if anything has.
+    async fn wrong(&self) -> Option<String> {
+        let said = self.page.said().await;
+        if !said.is_empty() {
+            return Some(format!("on the console: {said:#?}"));
+        }
+        let nonsense = self.page.ask(NONSENSE).await;
+        if nonsense != json!([]) {
+            return Some(format!("on the page: {nonsense}"));
+        }
+        let alive = self
+            .page
+            .ask("return document.documentElement.dataset.ready === 'true' && !document.getElementById('app').hidden")
+            .await;
+        if alive != json!(true) {
+            return Some("the page is gone".to_owned());
+        }
+        let kept = self
+            .page
+            .ask("return Object.values(localStorage).filter((text) => text.startsWith('{'))")
+            .await;
+        for text in kept.as_array().unwrap() {
+            let text = text.as_str().unwrap();
+            match State::parse(text).map_err(|problem| vec![problem]) {
+                Ok(state) => {
+                    if let Err(problems) = state.check() {
+                        return Some(format!("kept {text}: {problems:?}"));
+                    }
+                }
+                Err(problems) => return Some(format!("kept {text}: {problems:?}")),
+            }
+        }
+        None
+    }
+}
+
+fn asked(name: &str, usual: u64) -> u64 {
+    let given = env::var(name).ok();
+    given.map_or(usual, |text| text.parse().unwrap())
+}
+
+#[tokio::test]
+async fn nothing_breaks_whatever_somebody_does() {
+    let seed = asked("ASSUR_RANDOM_SEED", 20_261_122);
+    let time = Duration::from_secs(asked("ASSUR_RANDOM_SECONDS", 20));
+    let page = Page::open_at(&setting("ASSUR_URL"), "en-US").await;
+    let mut hand = Hand {
+        page: &page,
+        dice: Dice(seed),
+        done: VecDeque::new(),
+    };
+    let start = Instant::now();
+    let mut count = 0;
+    while start.elapsed() < time {
+        for _ in 0..10 {
+            hand.act().await;
+            count += 1;
+        }
+        page.settle().await;
+        if let Some(wrong) = hand.wrong().await {
+            panic!("seed {seed}, after {count}: {wrong}\n{:#?}", hand.done);
+        }
+    }
+    assert!(count >= 10, "{count}");
+    // What the browser keeps is what a next visit opens with, without a word of complaint.
+    page.reload().await;
+    if let Some(wrong) = hand.wrong().await {
+        panic!("seed {seed}, opened again: {wrong}");
+    }
+    page.close().await;
+}

@@ -1,0 +1,52 @@
+// The status line: what kind of mechanism it is and what it does over a turn, an entry for each thing that is said.
+import { byId, make, setData } from "assur/core/dom.js";
+
+/**
+ * @typedef {{ text: string | readonly (Node | string)[], value?: number }} Entry
+ */
+
+/**
+ * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean }} S
+ * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, say: (snapshot: S) => Entry | null }>} Item
+ * `title`: the key of its words; `say`: what it says, null where there is nothing to say.
+ */
+
+/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean }} S */
+export class StatusLine {
+  #list = byId("status", HTMLElement);
+  /** @type {{ say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
+  #entries;
+  #shown = "";
+
+  /**
+   * @param {string} kind the class of its entries
+   * @param {readonly Item<S>[]} items
+   */
+  constructor(kind, items) {
+    this.#entries = items.map(({ name, title, n = "", class: more = "", say }) => {
+      const output = make("dd", { id: `out-${name}` });
+      const entry = make("div", { class: `entry ${kind} ${more}`.trim() }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
+      this.#list.append(entry);
+      return { say, entry, output };
+    });
+  }
+
+  /** @param {S} snapshot */
+  render(snapshot) {
+    const { words, revision, stale } = snapshot;
+    setData(this.#list, "faded", String(stale));
+    // What is not the state's own mechanism keeps the words it had.
+    if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
+    const shown = `${revision} ${words.lang}`;
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    for (const { say, entry, output } of this.#entries) {
+      const said = say(snapshot);
+      const text = said?.text ?? "";
+      entry.hidden = said === null || text === "";
+      output.replaceChildren(...(typeof text === "string" ? [text] : text));
+      if (said?.value === undefined) output.removeAttribute("data-value");
+      else output.dataset.value = String(said.value);
+    }
+  }
+}

@@ -1,0 +1,34 @@
+// Which lessons there are, and which is offered with a document. The list is written by the build from the folders of www/lessons.
+import { LESSONS } from "assur/lessons/index.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean }>} Entry
+ * A lesson: the name of its folder, the origins or the kinds of documents that it is about, whether it has presets of its own.
+ */
+
+/**
+ * @param {State} state
+ * @returns {Entry | undefined} the lesson that is open; none where the state opens none, or one that there is not
+ */
+export function opened({ view: { lesson } }) {
+  return LESSONS.find(({ id }) => id === lesson?.id);
+}
+
+/**
+ * @param {State} state
+ * @returns {Entry | undefined} the lesson that is open, else the first about what the document came from, else about its kind
+ */
+export function offered(state) {
+  return opened(state) ?? first(originOf(state)) ?? first(state.kind);
+}
+
+/** @param {string} subject */
+function first(subject) {
+  return LESSONS.find(({ about }) => about.includes(subject));
+}
+
+/** @param {State} state */
+function originOf({ document }) {
+  return ("origin" in document && document.origin) || "";
+}

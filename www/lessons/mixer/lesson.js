@@ -1,0 +1,83 @@
+// The steps of the mixer's lesson: what each shows, and what is asked of the mechanism as it then is.
+// Its words are in words.*.json of this folder, under the step's id.
+import { degrees } from "assur/core/angles.js";
+
+/**
+ * @typedef {import("assur/engine.js").Output["limits"][number]} Limit
+ * @typedef {import("assur/engine.js").MixerSummary} Summary
+ */
+
+/** What differs between two cases is compared with the crank upright. */
+const COMPARED = Object.freeze({ at: () => Math.PI / 2, overlays: ["traces", "transmission"] });
+
+/** @type {import("assur/lesson/panel.js").Lesson<"mixer">} */
+export const LESSON = Object.freeze({ kind: "mixer", steps: [
+  {
+    id: "machine",
+    formula: "W = 3n − 2p₁ − p₂",
+    shows: [{ preset: "a", play: true }],
+    question: { whole: true, within: 0, answer: ({ counts }) => counts.links, places: ({ counts }) => counts },
+  },
+  {
+    id: "ratio",
+    formula: "φ₅ = u φ₃\n|u| = z₄ / z₅",
+    shows: [{ preset: "a", at: () => Math.PI / 2 }],
+    question: { within: 0.005, answer: ({ ratios }) => ratios[0] },
+  },
+  {
+    id: "limits",
+    formula: "cos ∠DAC =\n(AC² + l₄² − l₃²) / (2AC·l₄)\nAC = l₂ ± l₁",
+    shows: [{ preset: "a", at: (summary) => limits(summary)?.near.input, overlays: ["traces", "loop_vectors"] }],
+    question: { unit: "°", round: true, within: 0.5, answer: (summary) => inDegrees(limits(summary)?.far.input) },
+  },
+  {
+    id: "swing",
+    formula: "Δφ₅ = |u| Δφ₃",
+    shows: [{ preset: "c", at: (summary) => limits(summary)?.near.input }],
+    question: { unit: "°", within: 0.5, answer: ({ outputs: [, { swing }] }) => (swing.length === 1 ? inDegrees(swing[0]?.stroke) : undefined) },
+  },
+  {
+    id: "speed",
+    formula: "K = Δφ₁ / (360° − Δφ₁)",
+    shows: [{ preset: "a", play: true, overlays: ["traces", "vectors"] }],
+    question: { unit: "°", within: 0.5, answer: slowStroke },
+  },
+  {
+    id: "transmission",
+    formula: "cos μ =\n(l₂² + l₃² − BD²) / (2l₂l₃)",
+    shows: [{ name: "a", preset: "a", ...COMPARED }, { name: "b", preset: "b", ...COMPARED }],
+    question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },
+  },
+] });
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} what the slow stroke takes of the crank's turn, degrees
+ */
+function slowStroke({ outputs: [{ time_ratio: ratio }] }) {
+  return ratio === null ? undefined : (360 * ratio) / (1 + ratio);
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {{ near: Limit, far: Limit } | undefined} that of the smaller φ₃ and the other
+ */
+function limits({ outputs: [{ limits: all }] }) {
+  if (all.length !== 2) return undefined;
+  const [near, far] = [...all].sort((a, b) => a.value - b.value);
+  return { near, far };
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string | undefined} which choice is right; none where all links come into one line
+ */
+function leastTransmission({ dead_points: dead, change_points: change }) {
+  if (change.length > 0) return undefined;
+  return dead.length > 0 ? "dead_point" : "on_frame";
+}
+
+/** @param {number | undefined} angle */
+function inDegrees(angle) {
+  return angle === undefined ? undefined : degrees(angle);
+}
