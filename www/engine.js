@@ -22,7 +22,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  *   four_bars: { links: string[], grashof: string }[],
  *   transmissions: { joint: string, links: [string, string], min: number, input: number }[],
  *   outputs: Output[],
- *   roles: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
+ *   roles: Record<string, string>, numbers: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
  *   profile: Profile | null,
  * }} MotionSummary
  * What the engine says of a motion as a whole; inputs are radians, or of a driven slide in the unit of the lengths.
@@ -44,7 +44,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  *   left: number, top: number, width: number, height: number,
  *   x0: number, x1: number, y0: number, y1: number,
  *   xticks: { value: number }[], yticks: { value: number }[],
- *   series: { name: string, role: string }[], marks: Mark[], points: number[],
+ *   series: { name: string, number: string | null, role: string }[], marks: Mark[], points: number[],
  * }} Panel
  * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number, whole: boolean }} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts

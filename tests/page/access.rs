@@ -129,6 +129,24 @@ async fn said(page: &Page, id: &str) -> String {
     page.ask(&script).await.as_str().unwrap().to_owned()
 }
 
+/// The links of any linkage go by their own names, whatever the mixer calls one of that name.
+#[tokio::test]
+async fn links_go_by_their_names() {
+    let page = Page::open().await;
+    crate::gallery::open(&page, "watt-1").await;
+    page.stop_at("80").await;
+    page.choose("plot", "rocker.angle").await;
+    page.until("a description", async || {
+        said(&page, "charts-description").await.contains("rocker")
+    })
+    .await;
+    for id in ["charts-description", "mechanism-description"] {
+        let told = said(&page, id).await;
+        assert!(!told.contains("wheel"), "{told}");
+    }
+    page.close().await;
+}
+
 #[tokio::test]
 async fn drawing_and_plots_are_described_at_rest() {
     let page = Page::open().await;

@@ -96,7 +96,7 @@ function angles({ readouts, phiDeg, words }, summary) {
   const text = (/** @type {string} */ name) => (readouts ? angleText(readouts[name], words) : "");
   const wheels = summary.ratios.map((_, index) => {
     const link = wheelLink(index);
-    return `${linkName(link, words)} ${text(`${link}.angle`)}`;
+    return `${linkName(link, summary.numbers, words)} ${text(`${link}.angle`)}`;
   });
   return {
     crank: angleText(radians(phiDeg), words),
@@ -123,12 +123,12 @@ function drawing(snapshot) {
  * @param {MotionSummary} summary
  * @param {string} key
  */
-function linkage({ readouts, phiDeg, words }, { formula, plotted }, key) {
+function linkage({ readouts, phiDeg, words }, { formula, plotted, numbers }, key) {
   const value = (/** @type {string} */ name) => {
     if (!readouts) return "—";
     return name.endsWith(".angle") ? angleText(readouts[name], words) : words.numbers.fixed(readouts[name], 3);
   };
-  const values = plotted.map((name) => `${quantityName(name, words)} ${value(name)}`).join(", ");
+  const values = plotted.map((name) => `${quantityName({ name, number: numbers[name.replace(/\.angle$/, "")] }, words)} ${value(name)}`).join(", ");
   return words.text(key, { formula, input: angleText(radians(phiDeg), words), values });
 }
 
@@ -159,9 +159,9 @@ function plots({ cycle }, panels, words) {
   const axis = words.text("told.axis", { from: angleText(cycle.start, words), to: angleText(cycle.end, words) });
   const told = panels.map((panel) => {
     const unit = words.text(unitOf(panel), { power: powerOf(panel) });
-    const curves = panel.series.map(({ name, role }) => {
-      const marks = panel.marks.filter((mark) => mark.role === role);
-      return [quantityName(name, words), ...peaks(panel, marks, words)].join(", ");
+    const curves = panel.series.map((one) => {
+      const marks = panel.marks.filter((mark) => mark.role === one.role);
+      return [quantityName(one, words), ...peaks(panel, marks, words)].join(", ");
     });
     return `${unit}: ${curves.join("; ")}.`;
   });
@@ -185,19 +185,25 @@ function peaks(panel, marks, words) {
 }
 
 /**
- * @param {string} name as `rocker.angle`, `C2.x`
+ * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
  * @param {Words} words
  */
-function quantityName(name, words) {
-  const [of, what] = name.split(".");
-  return what === "angle" ? linkName(of, words) : `${subscript(of)} ${what}`;
+function quantityName({ name, number }, words) {
+  const dot = name.lastIndexOf(".");
+  const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
+  return what === "angle" ? linkName(of, number ? { [of]: number } : {}, words) : `${subscript(of)} ${what}`;
 }
+
+/** The number of the rocker, on whose shaft wheel 4 is; greater ones are wheels'. */
+const ROCKER = 3;
 
 /**
  * @param {string} link
+ * @param {Readonly<Record<string, string>>} numbers of the links that go by one
  * @param {Words} words
  */
-function linkName(link, words) {
-  if (link !== "rocker" && !/^wheel\d+$/.test(link)) return link;
-  return link === "rocker" ? words.text("readouts.rocker") : words.text("name.wheels.z", { n: link.replace(/\D/g, "") });
+function linkName(link, numbers, words) {
+  const number = Number(numbers[link] ?? 0);
+  if (number < ROCKER) return link;
+  return number === ROCKER ? words.text("readouts.rocker") : words.text("name.wheels.z", { n: numbers[link] });
 }

@@ -7,21 +7,18 @@ const LETTERS = Object.freeze({
   y: Object.freeze(["y", "ẏ", "ÿ"]),
 });
 
-/** The numbers of the links that are not called by them. */
-const LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ coupler: "2", rocker: "3" }));
-
 /**
- * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ.
- * @param {string} name as `rocker.angle`, `C2.x`
+ * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number the angle goes by its link.
+ * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
  * @param {number} order
  * @param {boolean} physical whether derivatives are by time
  */
-export function symbol(name, order, physical) {
-  const [of, what] = name.split(".");
+export function symbol({ name, number }, order, physical) {
+  const dot = name.lastIndexOf(".");
+  const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
-  const numbered = of in LINKS || /^wheel\d+$/.test(of);
-  const index = what === "angle" && numbered ? subscript(LINKS[of] ?? of.replace(/\D/g, "")) : "";
-  const named = what === "angle" && !numbered ? ` ${of}` : "";
+  const index = number ? subscript(number) : "";
+  const named = what === "angle" && !number ? ` ${of}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
 }
 

@@ -109,8 +109,8 @@ function legend({ panels, size }, theme) {
   let left = LEFT;
   let row = 0;
   const series = panels[0]?.series ?? [];
-  const entries = series.map(({ name, role }) => {
-    const text = symbol(name, 0, false);
+  const entries = series.map(({ role, ...one }) => {
+    const text = symbol(one, 0, false);
     const width = SAMPLE + ROOM + textWidth(context, font, text);
     if (left > LEFT && left + width > size.width) {
       left = LEFT;

@@ -80,8 +80,8 @@ export class ReadoutTable {
     if (!mixer) this.#name(plotted, summary.roles);
     this.#heads.forEach((head, order) => {
       const lengths = plotted.some((name) => !name.endsWith(".angle"));
-      const shown = ofPoint ? ["rocker.angle", "C1.x"] : [lengths ? "C1.x" : "rocker.angle"];
-      const symbols = shown.map((name) => symbol(name, order, axes === "physical").replace("₃", ""));
+      const shown = ofPoint ? [".angle", ".x"] : [lengths ? ".x" : ".angle"];
+      const symbols = shown.map((name) => symbol({ name }, order, axes === "physical").trim());
       write(head, symbols.join(", "));
     });
     if ("ratios" in summary) for (const [index, row] of this.#wheels.entries()) row.hidden = index >= summary.ratios.length;

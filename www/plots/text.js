@@ -80,7 +80,7 @@ function drawTitle(context, panel, words, theme) {
  * @returns {[text: string, role?: string][]}
  */
 function names({ kind, order, physical, series }) {
-  const symbols = series.map(({ name, role }) => /** @type {[string, string]} */ ([symbol(name, order, physical), role]));
+  const symbols = series.map((one) => /** @type {[string, string]} */ ([symbol(one, order, physical), one.role]));
   if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
@@ -92,7 +92,7 @@ function names({ kind, order, physical, series }) {
  * @returns {string} the symbols of the first derivatives
  */
 function firsts({ physical, series }) {
-  const symbols = series.map(({ name }) => symbol(name, 1, physical).replace(/[₀-₉]/g, ""));
+  const symbols = series.map((one) => symbol(one, 1, physical).replace(/[₀-₉]/g, ""));
   return [...new Set(symbols)].join(", ");
 }
 

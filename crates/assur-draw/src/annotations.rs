@@ -11,6 +11,9 @@ use crate::list::Role;
 pub struct Annotations {
     /// The colours of links; the others have theirs in turn.
     pub roles: Vec<(String, Role)>,
+    /// The numbers of links, by which their angles are called: φ₃. The angles of the others
+    /// go by the links' names.
+    pub numbers: Vec<(String, String)>,
     /// Links whose wheels carry stirrer blades, and how many.
     pub blades: Vec<(String, usize)>,
     /// Numbers of wheels.
@@ -67,6 +70,11 @@ impl From<&Mixer> for Annotations {
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));
         let blades = |k: usize| BLADES[k.min(1)];
         let tags = wheels().zip(&lines).enumerate();
+        let numbers = [("crank", 1), ("coupler", 2), ("rocker", 3)];
+        let numbers = numbers.map(|(link, number)| (link.to_owned(), number.to_string()));
+        let numbered = wheels().enumerate();
+        let numbered = numbered.map(|(k, link)| (link, (k + 4).to_string()));
+        let numbers = numbers.into_iter().chain(numbered);
         let vectors = [
             ("A", "B", "l1"),
             ("B", "C", "l2"),
@@ -80,6 +88,7 @@ impl From<&Mixer> for Annotations {
         });
         Self {
             roles: links.into_iter().chain(wheels().zip(WHEELS)).collect(),
+            numbers: numbers.collect(),
             blades: wheels()
                 .enumerate()
                 .map(|(k, link)| (link, blades(k)))

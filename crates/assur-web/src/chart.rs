@@ -1,5 +1,7 @@
 //! What the page asks of a chart, and where it writes the chart's text.
 
+use std::collections::BTreeMap;
+
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
 use assur_file::Problem;
@@ -77,6 +79,8 @@ struct TickLayout {
 #[derive(Serialize)]
 struct SeriesLayout<'a> {
     name: &'a str,
+    /// The number by which the angle is called, where it is.
+    number: Option<&'a str>,
     role: &'static str,
 }
 
@@ -89,16 +93,22 @@ struct MarkLayout {
 }
 
 impl<'a> ChartLayout<'a> {
-    pub(crate) fn new(chart: &'a Chart, panels: Vec<Panel>) -> Self {
+    pub(crate) fn new(
+        chart: &'a Chart,
+        panels: Vec<Panel>,
+        numbers: &'a BTreeMap<String, String>,
+    ) -> Self {
         let panels = panels.into_iter();
         Self {
-            panels: panels.map(|panel| PanelLayout::new(chart, panel)).collect(),
+            panels: panels
+                .map(|panel| PanelLayout::new(chart, panel, numbers))
+                .collect(),
         }
     }
 }
 
 impl<'a> PanelLayout<'a> {
-    fn new(chart: &'a Chart, panel: Panel) -> Self {
+    fn new(chart: &'a Chart, panel: Panel, numbers: &'a BTreeMap<String, String>) -> Self {
         let ticks = |ticks: Vec<Tick>| ticks.into_iter().map(TickLayout::from).collect();
         let series = chart.series().iter();
         let marks = series.clone().zip(&panel.marks);
@@ -128,12 +138,19 @@ impl<'a> PanelLayout<'a> {
             series: series
                 .map(|series| SeriesLayout {
                     name: &series.name,
+                    number: number_of(numbers, &series.name),
                     role: series.role.name(),
                 })
                 .collect(),
             points: panel.points,
         }
     }
+}
+
+/// The number of the link whose angle is named.
+fn number_of<'a>(numbers: &'a BTreeMap<String, String>, name: &str) -> Option<&'a str> {
+    let link = name.strip_suffix(".angle")?;
+    numbers.get(link).map(String::as_str)
 }
 
 impl MarkLayout {

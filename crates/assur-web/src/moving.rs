@@ -1,5 +1,6 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use assur::mechanism::{Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
@@ -21,6 +22,8 @@ pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
     dyads: Vec<RrrDyad>,
+    /// The numbers of links, by which their angles are called.
+    numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
@@ -81,6 +84,7 @@ impl Moving {
             Quantity::X(point) => Some(*point),
             _ => None,
         });
+        let numbers = annotations.numbers.iter().cloned().collect();
         let drawing = Drawing {
             overlays: overlays(view),
             traced: document
@@ -96,6 +100,7 @@ impl Moving {
         let points = mechanism.point_ids();
         Ok(Self {
             dyads: mechanism.rrr_dyads(),
+            numbers,
             quantities,
             driven: Driven::of(&document, mechanism),
             handles: points.filter(|point| figure.is_drawn(*point)).collect(),
@@ -130,6 +135,10 @@ impl Moving {
 
     pub(crate) fn chart(&self) -> &Chart {
         &self.chart
+    }
+
+    pub(crate) fn numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
     }
 
     pub(crate) fn plotted(&self) -> &[Quantity] {

@@ -148,7 +148,8 @@ impl Simulator {
         context: &CanvasRenderingContext2d,
         request: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let chart = self.moving()?.chart();
+        let moving = self.moving()?;
+        let chart = moving.chart();
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
@@ -158,7 +159,7 @@ impl Simulator {
             request.scale,
         );
         let panels = drawn.map_err(|error| one(bad("chart", &error.to_string())))?;
-        Ok(to_js(&ChartLayout::new(chart, panels)))
+        Ok(to_js(&ChartLayout::new(chart, panels, moving.numbers())))
     }
 
     /// The motion as a table `{columns, rows: [{phi_deg, values, reason}]}`, with

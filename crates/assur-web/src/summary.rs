@@ -35,6 +35,8 @@ pub(crate) struct MotionSummary<'a> {
     transmissions: Vec<TransmissionSummary<'a>>,
     outputs: Vec<OutputSummary>,
     roles: BTreeMap<&'a str, &'static str>,
+    /// The numbers of links, by which their angles are called.
+    numbers: &'a BTreeMap<String, String>,
     points: Vec<&'a str>,
     plotted: Vec<String>,
     handles: Vec<HandleSummary<'a>>,
@@ -190,6 +192,7 @@ impl<'a> MotionSummary<'a> {
             outputs: (moving.outputs().into_iter())
                 .map(|one| OutputSummary::new(motion, one))
                 .collect(),
+            numbers: moving.numbers(),
             roles: (mechanism.link_ids())
                 .map(|link| (mechanism.link_name(link), figure.role(link).name()))
                 .collect(),
