@@ -1,7 +1,7 @@
 //! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
 
 use assur::mechanism::{Mechanism, Quantity};
-use assur::motion::{Motion, OutputProfile, PhaseKind};
+use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
 /// The width of a band where none is given: degrees, or parts of the size.
@@ -45,11 +45,15 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
 }
 
 impl ProfileSummary {
-    /// Of a quantity, with dwells within a band of a width in degrees, or in the
-    /// unit of the lengths.
-    pub(crate) fn new(motion: &Motion, quantity: Quantity, width: Option<f64>) -> Self {
-        let (width, band) = band(motion.mechanism(), quantity, width);
-        let profile = OutputProfile::new(motion, quantity);
+    /// Of a quantity's profile, with dwells within a band of a width in degrees, or in
+    /// the unit of the lengths.
+    pub(crate) fn new(
+        mechanism: &Mechanism,
+        quantity: Quantity,
+        profile: &OutputProfile<'_>,
+        width: Option<f64>,
+    ) -> Self {
+        let (width, band) = band(mechanism, quantity, width);
         let phases = profile.cyclogram(band).into_iter();
         Self {
             width,

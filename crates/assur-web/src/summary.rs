@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::mechanism::{FRAME, LinkOrFrame, Quantity};
-use assur::motion::{Motion, OutputProfile};
+use assur::mechanism::{FRAME, LinkOrFrame};
+use assur::motion::OutputProfile;
 use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
 use serde::Serialize;
@@ -160,6 +160,23 @@ impl<'a> MotionSummary<'a> {
         });
         let counts = mechanism.counts();
         let plotted = moving.plotted().iter();
+        // What is plotted first most often is an output: its motion is searched through once.
+        let outputs = moving.outputs();
+        let profiles = outputs.iter().map(|one| {
+            let name = one.name(mechanism, 0);
+            (name, OutputProfile::new(motion, *one))
+        });
+        let profiles: Vec<(String, OutputProfile<'_>)> = profiles.collect();
+        let first = moving.plotted().first().map(|plotted| {
+            let known = outputs.iter().position(|output| output == plotted);
+            let summed = |profile: &OutputProfile<'_>| {
+                ProfileSummary::new(mechanism, *plotted, profile, moving.document().band)
+            };
+            match known {
+                Some(index) => summed(&profiles[index].1),
+                None => summed(&OutputProfile::new(motion, *plotted)),
+            }
+        });
         Self {
             moves: if mechanism.turns() { "angle" } else { "length" },
             cycle: CycleSummary::new(motion.cycle()),
@@ -189,8 +206,8 @@ impl<'a> MotionSummary<'a> {
             change_points: motion.change_points(),
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
-            outputs: (moving.outputs().into_iter())
-                .map(|one| OutputSummary::new(motion, one))
+            outputs: (profiles.iter())
+                .map(|(name, profile)| OutputSummary::new(name, profile))
                 .collect(),
             numbers: moving.numbers(),
             roles: (mechanism.link_ids())
@@ -199,20 +216,16 @@ impl<'a> MotionSummary<'a> {
             points: mechanism.points().collect(),
             plotted: plotted.clone().map(|one| one.name(mechanism, 0)).collect(),
             handles: handles.collect(),
-            profile: plotted
-                .clone()
-                .next()
-                .map(|output| ProfileSummary::new(motion, *output, moving.document().band)),
+            profile: first,
         }
     }
 }
 
 impl OutputSummary {
-    fn new(motion: &Motion, output: Quantity) -> Self {
-        let profile = OutputProfile::new(motion, output);
+    fn new(name: &str, profile: &OutputProfile<'_>) -> Self {
         let limits = profile.limits().into_iter();
         Self {
-            name: output.name(motion.mechanism(), 0),
+            name: name.to_owned(),
             swing: profile.swings().into_iter().map(between).collect(),
             turns: (profile.travels().into_iter())
                 .map(|travel| travel / TAU)

@@ -19,7 +19,7 @@ use crate::summary::MotionSummary;
 pub(crate) struct Linkage(Moving);
 
 impl Linkage {
-    pub(crate) fn new(state: &State, _document: &LinkageDocument) -> Result<Self, Vec<Problem>> {
+    pub(crate) fn new(state: &State) -> Result<Self, Vec<Problem>> {
         let moved = state.moved()?;
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();

@@ -15,9 +15,8 @@ use crate::shown::Shown;
 /// # Errors
 /// Every problem of the state.
 pub(crate) fn shown(state: &State) -> Result<Box<dyn Shown>, Vec<Problem>> {
-    state.check()?;
     Ok(match &state.document {
-        Document::Linkage(document) => Box::new(linkage::Linkage::new(state, document)?),
+        Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
     })
 }
