@@ -1,13 +1,14 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { Refusal } from "assur/core/problem.js";
+import { contains } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
- * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
+ * @typedef {{ [K in Kind]: Readonly<{ id: string, group: string, class: string, kind: K, document: import("assur/state/state.js").Documents[K] }> }[Kind]} Preset
+ * A mechanism of the catalogue: its name, what it is shown among, the highest class of its Assur groups.
  * @typedef {{ min: number, max: number, stroke: number }} Swing
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
@@ -65,10 +66,8 @@ export class Engine {
   roles = module.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
-  /** @type {readonly { id: string, document: import("assur/state/state.js").Presets["mixer"] }[]} */
-  presets = module.presets().map((/** @type {{ id: string, document: MixerDocument }} */ { id, document: { tracers, ...document } }) => ({ id, document }));
-  /** @type {readonly { id: string, document: LinkageDocument }[]} the linkages of the catalogue */
-  gallery = module.gallery();
+  /** @type {readonly Preset[]} */
+  catalogue = module.catalogue();
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} the points whose coordinates can be plotted */
@@ -77,24 +76,23 @@ export class Engine {
   links = [];
 
   /**
-   * @param {LinkageDocument} linkage
-   * @returns {{ id: string, document: LinkageDocument } | undefined} the one of the catalogue that was changed into it
+   * @param {string} id
+   * @returns {Preset | undefined} the mechanism of the catalogue
    */
-  original(linkage) {
-    return this.gallery.find(({ id }) => id === linkage.origin);
+  preset(id) {
+    return this.catalogue.find((preset) => preset.id === id);
   }
 
   /**
-   * @template {Kind} K
-   * @param {K} kind
-   * @param {string} id
-   * @returns {import("assur/state/state.js").Documents[K] | undefined} a document that comes with the engine, nothing traced of it
+   * @param {Pick<State, "kind" | "document">} state
+   * @returns {Preset | undefined} what its document came from: by the origin it has, else by its dimensions, whatever is traced of it
    */
-  preset(kind, id) {
-    const mixer = this.presets.map(({ id: own, document }) => ({ id: own, document: { ...document, tracers: [] } }));
-    /** @type {{ [J in Kind]: readonly { id: string, document: import("assur/state/state.js").Documents[J] }[] }} */
-    const presets = { mixer, linkage: this.gallery };
-    return presets[kind].find((one) => one.id === id)?.document;
+  presetOf({ kind, document }) {
+    if ("origin" in document) return this.preset(document.origin ?? "");
+    return this.catalogue.find((preset) => {
+      const { tracers, ...dimensions } = preset.document;
+      return preset.kind === kind && contains(document, dimensions);
+    });
   }
 
   /** @returns {Promise<Engine>} */

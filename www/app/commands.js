@@ -5,7 +5,7 @@ import { LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { degrees } from "assur/core/angles.js";
 import { placed, turned } from "assur/state/player.js";
-import { contains, withDocument, withMechanism, withView } from "assur/state/state.js";
+import { withDocument, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -51,7 +51,6 @@ function fileCommands(page) {
  * @returns {Commands}
  */
 function motionCommands({ store, model, drafts, history, engine }) {
-  const { presets } = engine;
   const put = (/** @type {(state: State) => number} */ where) => {
     drafts.drop("phi_deg");
     store.update((state) => placed(state, where(state), model));
@@ -71,10 +70,10 @@ function motionCommands({ store, model, drafts, history, engine }) {
   };
 
   // The preset that the mechanism was last; of an opened one that was none, the first.
-  let preset = presets[0].document;
-  const note = (/** @type {State} */ { kind, document }) => {
-    if (kind !== "mixer") return;
-    preset = presets.find((one) => contains(document, one.document))?.document ?? preset;
+  const [first] = engine.catalogue;
+  let preset = first;
+  const note = (/** @type {State} */ state) => {
+    if (state.kind === first.kind) preset = engine.presetOf(state) ?? preset;
   };
   note(store.get());
   store.subscribe(note);
@@ -100,9 +99,8 @@ function motionCommands({ store, model, drafts, history, engine }) {
     redo: () => history.redo(),
     reset: () => {
       history.step(() => store.update((state) => {
-        if (state.kind === "mixer") return withDocument(state, { ...preset, tracers: [] });
-        const original = engine.original(state.document);
-        return original ? withMechanism(state, state.kind, original.document) : state;
+        const original = state.kind === preset.kind ? preset : engine.presetOf(state);
+        return original ? withMechanism(state, original.kind, original.document) : state;
       }));
     },
   };

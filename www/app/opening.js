@@ -77,5 +77,6 @@ export async function open(engine, habits) {
     failures.push(failure);
   }
   const { calm, lang } = habits;
-  return { state: initialState("mixer", { tracers: [], ...engine.presets[0].document }, { playing: !calm, lang }), failures };
+  const [{ kind, document }] = engine.catalogue;
+  return { state: initialState(kind, document, { playing: !calm, lang }), failures };
 }

@@ -4,7 +4,6 @@ import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";
-import { contains } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -75,10 +74,8 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
 /**
  * @param {import("assur/engine.js").Engine} engine
  * @param {import("assur/state/model.js").Model} model
- * @returns {string} `assur-mixer-a`, of a mechanism that is none of the presets `assur-mixer`; `assur-jansen` or `assur-linkage`
+ * @returns {string} `assur-jansen`, of what comes from no preset `assur-linkage`
  */
-function fileName(engine, { good: { kind, document } }) {
-  if (kind !== "mixer") return `assur-${engine.original(document)?.id ?? kind}`;
-  const preset = engine.presets.find((one) => contains(document, one.document));
-  return ["assur", kind, ...(preset ? [preset.id] : [])].join("-");
+function fileName(engine, { good }) {
+  return `assur-${engine.presetOf(good)?.id ?? good.kind}`;
 }

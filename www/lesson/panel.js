@@ -187,7 +187,7 @@ export class LessonPanel {
     this.#shows.replaceChildren(...shows.map((show) => {
       const text = words.text(show.name ? `${id}.show.${show.name}` : "lesson.show");
       const button = make("button", { id: `lesson-show${show.name ? `-${show.name}` : ""}`, class: "segment", type: "button" }, [text]);
-      button.addEventListener("click", () => this.#show(step, show));
+      button.addEventListener("click", () => this.#show(show));
       return button;
     }));
     write(this.#errata, words.text("lesson.errata"));
@@ -226,13 +226,10 @@ export class LessonPanel {
     });
   }
 
-  /**
-   * @param {Step} step
-   * @param {Show} show
-   */
-  #show({ kind = this.#kind }, { preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
-    const whole = this.#presets[preset] ?? { kind, document: this.#page.engine.preset(kind, preset) };
-    if (!whole.document) return;
+  /** @param {Show} show */
+  #show({ preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
+    const whole = this.#presets[preset] ?? this.#page.engine.preset(preset);
+    if (!whole) return;
     const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
     /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
     const plots = { plot: "angles", axes: "analogues" };

@@ -31,7 +31,6 @@
  *
  * @typedef {{ mixer: MixerDocument, linkage: LinkageDocument }} Documents
  * @typedef {keyof Documents} Kind of document
- * @typedef {{ mixer: Omit<MixerDocument, "tracers">, linkage: LinkageDocument }} Presets what each sets: what is traced of a mixer stays
  * @typedef {Partial<MixerDocument> | Partial<LinkageDocument>} Change of a document
  */
 

@@ -1,11 +1,13 @@
 //! Mechanisms that come with Assur, by name, and those of a reader's files.
 
-use assur::mixer::{Case, Mixer};
-use serde::Deserialize;
+use assur::mechanism::Mechanism;
+use assur::mixer::Case;
+use assur::structure::roman;
 use serde::de::IgnoredAny;
+use serde::{Deserialize, Serialize};
 
 use crate::state::{json, part};
-use crate::{LinkageDocument, Problem, State};
+use crate::{Document, LinkageDocument, MixerDocument, Problem, State};
 
 /// Names of the cases of the mixer's figure; what they are is made by the engine.
 const MIXERS: [(&str, Case); 3] = [
@@ -14,43 +16,84 @@ const MIXERS: [(&str, Case); 3] = [
     ("mixer-c", Case::C),
 ];
 
-/// A file of the folder `catalogue` with its name.
-macro_rules! catalogued {
-    ($name:literal) => {
-        (
-            $name,
-            include_str!(concat!("../catalogue/", $name, ".json")),
-        )
-    };
+/// What a mechanism is shown among.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Group {
+    /// Up to four links, the frame among them.
+    FourBars,
+    /// More links than four.
+    SixBars,
+    /// Made for the path of a point: walkers, straight lines. Nothing in the structure tells
+    /// it, the catalogue does.
+    Guides,
+    /// With wheels.
+    Geared,
+    /// With an Assur group of Class III or higher.
+    Higher,
 }
 
-/// Names and texts of the files of the catalogue.
-const FILES: &[(&str, &str)] = &[
-    catalogued!("slider-crank"),
-    catalogued!("slider-crank-offset"),
-    catalogued!("inverted-slider-crank"),
-    catalogued!("whitworth"),
-    catalogued!("scotch-yoke"),
-    catalogued!("watt-1"),
-    catalogued!("watt-2"),
-    catalogued!("stephenson-1"),
-    catalogued!("stephenson-2"),
-    catalogued!("stephenson-3"),
-    catalogued!("chebyshev"),
-    catalogued!("peaucellier"),
-    catalogued!("klann"),
-    catalogued!("jansen"),
-    catalogued!("geared-five-bar"),
-    catalogued!("class3-platform"),
-    catalogued!("class3-slide"),
-    catalogued!("class4-order2"),
-    catalogued!("class4-dwell"),
-    catalogued!("class5"),
-];
+/// A mechanism of the catalogue.
+#[derive(Clone, Debug, Serialize)]
+pub struct Preset {
+    /// Its name.
+    pub id: &'static str,
+    /// What it is shown among.
+    pub group: Group,
+    /// The highest class of its Assur groups, in Roman numerals.
+    pub class: String,
+    /// What it is; serialised as `kind` and `document`.
+    #[serde(flatten)]
+    pub document: Document,
+}
+
+/// A file of the folder `catalogue`.
+struct File {
+    name: &'static str,
+    text: &'static str,
+    /// What it is shown among, where its structure does not tell.
+    group: Option<Group>,
+}
+
+/// Files by their names, of each a group where one has to be told.
+macro_rules! catalogued {
+    ($($name:literal $($group:ident)?,)+) => {
+        &[$(File {
+            name: $name,
+            text: include_str!(concat!("../catalogue/", $name, ".json")),
+            group: catalogued!(@ $($group)?),
+        },)+]
+    };
+    (@ $group:ident) => { Some(Group::$group) };
+    (@) => { None };
+}
+
+const FILES: &[File] = catalogued! {
+    "slider-crank",
+    "slider-crank-offset",
+    "inverted-slider-crank",
+    "whitworth",
+    "scotch-yoke",
+    "watt-1",
+    "watt-2",
+    "stephenson-1",
+    "stephenson-2",
+    "stephenson-3",
+    "chebyshev" Guides,
+    "peaucellier" Guides,
+    "klann" Guides,
+    "jansen" Guides,
+    "geared-five-bar",
+    "class3-platform",
+    "class3-slide",
+    "class4-order2",
+    "class4-dwell",
+    "class5",
+};
 
 /// The names of the linkages of the catalogue, without the mixers.
 pub fn gallery() -> impl Iterator<Item = &'static str> {
-    FILES.iter().map(|(name, _)| *name)
+    FILES.iter().map(|file| file.name)
 }
 
 /// The names of the catalogue.
@@ -59,28 +102,71 @@ pub fn catalogue() -> impl Iterator<Item = &'static str> {
     mixers.chain(gallery())
 }
 
+/// All of the catalogue.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
+pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
+    let mixers = MIXERS
+        .iter()
+        .map(|(id, case)| (*id, Ok(mixer(*case)), None));
+    let files = FILES.iter().map(|file| {
+        let document = linkage(file).map(Document::Linkage);
+        (file.name, document, file.group)
+    });
+    mixers.chain(files).map(|(id, document, told)| {
+        let document = document?;
+        let mechanism = document.linkage()?.mechanism()?;
+        let class = mechanism.structure().class();
+        Ok(Preset {
+            id,
+            group: told.unwrap_or_else(|| Group::of(&mechanism)),
+            class: roman(class),
+            document,
+        })
+    })
+}
+
 /// The linkage of a name of the catalogue; none where there is no such name.
 ///
 /// # Errors
 /// What is wrong with it; a test sees to it that nothing is.
 pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
     if let Some((_, case)) = MIXERS.iter().find(|(one, _)| *one == name) {
-        return Some(match Mixer::new(&case.dimensions()) {
-            Ok(mixer) => LinkageDocument::of_mixer(&mixer).map_err(|problem| vec![problem]),
-            Err(reasons) => Err(reasons.into_iter().map(Problem::from).collect()),
-        });
+        return Some(mixer(*case).linkage());
     }
-    let mut read = from_text(text(name)?);
-    if let Ok(document) = &mut read {
-        document.origin = Some(name.to_owned());
-    }
-    Some(read)
+    file(name).map(linkage)
 }
 
-/// The file of a name of the gallery.
-fn text(name: &str) -> Option<&'static str> {
-    let found = FILES.iter().find(|(one, _)| *one == name);
-    found.map(|(_, text)| *text)
+impl Group {
+    /// What the structure of a mechanism tells.
+    fn of(mechanism: &Mechanism) -> Self {
+        /// The moving links of a four-bar.
+        const THREE: usize = 3;
+        if mechanism.structure().class() > 2 {
+            Self::Higher
+        } else if mechanism.counts().higher_pairs > 0 {
+            Self::Geared
+        } else if mechanism.counts().links > THREE {
+            Self::SixBars
+        } else {
+            Self::FourBars
+        }
+    }
+}
+
+fn mixer(case: Case) -> Document {
+    Document::Mixer(MixerDocument::new(&case.dimensions()))
+}
+
+fn linkage(file: &File) -> Result<LinkageDocument, Vec<Problem>> {
+    let mut document = from_text(file.text)?;
+    document.origin = Some(file.name.to_owned());
+    Ok(document)
+}
+
+fn file(name: &str) -> Option<&'static File> {
+    FILES.iter().find(|file| file.name == name)
 }
 
 /// The title in a file of the gallery.
@@ -89,7 +175,7 @@ pub(crate) fn title(name: &str) -> Option<String> {
     struct Titled {
         title: String,
     }
-    let Titled { title } = serde_json::from_str(text(name)?).ok()?;
+    let Titled { title } = serde_json::from_str(file(name)?.text).ok()?;
     Some(title)
 }
 

@@ -8,7 +8,7 @@ mod problem;
 mod state;
 mod view;
 
-pub use catalogue::{catalogue, from_catalogue, from_text, gallery};
+pub use catalogue::{Group, Preset, catalogue, from_catalogue, from_text, gallery, presets};
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     PointDocument, SlideDocument, TracerDocument,

@@ -18,4 +18,4 @@ mod table;
 mod thin;
 
 pub use design::Design;
-pub use simulator::{Simulator, gallery, presets, read_state, role_names};
+pub use simulator::{Simulator, catalogue, read_state, role_names};

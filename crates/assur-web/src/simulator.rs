@@ -1,11 +1,9 @@
 //! The one object the page talks to.
 
 use assur::Point;
-use assur::mixer::Case;
 use assur_draw::ROLES;
-use assur_file::{LinkageDocument, MixerDocument, Problem, State, from_catalogue};
+use assur_file::{Preset, Problem, State};
 use plotters::prelude::IntoDrawingArea;
-use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
@@ -216,23 +214,14 @@ pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
 }
 
-/// The presets of the lesson: `{id, document}` for each case of the figure.
+/// The catalogue: `{id, group, class, kind, document}` for each mechanism of it.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
 #[wasm_bindgen]
-pub fn presets() -> JsValue {
-    #[derive(Serialize)]
-    struct Preset {
-        id: &'static str,
-        document: MixerDocument,
-    }
-    let preset = |case: Case| Preset {
-        id: match case {
-            Case::A => "a",
-            Case::B => "b",
-            Case::C => "c",
-        },
-        document: MixerDocument::new(&case.dimensions()),
-    };
-    to_js(&Case::ALL.map(preset))
+pub fn catalogue() -> Result<JsValue, JsValue> {
+    let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
+    Ok(to_js(&all.map_err(thrown)?))
 }
 
 /// A state from outside (an address, a file, what was kept), read and checked:
@@ -246,20 +235,4 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let state = State::read(source).map_err(|problem| thrown([problem]))?;
     shown(&state).map_err(thrown)?;
     Ok(to_js(&state))
-}
-
-/// The linkages of the catalogue: `{id, document}` for each.
-#[wasm_bindgen]
-pub fn gallery() -> JsValue {
-    #[derive(Serialize)]
-    struct Entry {
-        id: &'static str,
-        document: LinkageDocument,
-    }
-    let entry = |id| {
-        let document = from_catalogue(id)?.ok()?;
-        Some(Entry { id, document })
-    };
-    let all: Vec<Entry> = assur_file::gallery().filter_map(entry).collect();
-    to_js(&all)
 }

@@ -7,8 +7,8 @@
     reason = "that is how a test fails"
 )]
 
-use assur_web::{Simulator, gallery, read_state};
-use js_sys::{Array, JSON};
+use assur_web::{Simulator, catalogue, read_state};
+use js_sys::{Array, JSON, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -38,18 +38,20 @@ fn changed(file: &str, from: &str, to: &str) -> String {
 }
 
 #[wasm_bindgen_test]
-fn every_mechanism_of_the_gallery_is_taken() {
-    let names: Vec<&str> = assur_file::gallery().collect();
-    let gallery: Array = gallery().unchecked_into();
-    assert_eq!(gallery.length() as usize, names.len());
-    for (entry, name) in gallery.iter().zip(names) {
-        let text = json(&entry);
-        let (head, document) = text.split_once(r#","document":"#).unwrap();
-        assert_eq!(head, format!(r#"{{"id":"{name}""#));
+fn every_mechanism_of_the_catalogue_is_taken() {
+    let names: Vec<&str> = assur_file::catalogue().collect();
+    let all: Array = catalogue().unwrap().unchecked_into();
+    assert_eq!(all.length() as usize, names.len());
+    for (entry, name) in all.iter().zip(names) {
+        assert!(json(&entry).starts_with(&format!(r#"{{"id":"{name}","group":""#)));
+        let state = state(SLIDER_CRANK);
+        Reflect::set(&state, &"format".into(), &2.into()).unwrap();
+        for key in ["kind", "document"] {
+            let value = Reflect::get(&entry, &key.into()).unwrap();
+            Reflect::set(&state, &key.into(), &value).unwrap();
+        }
         let mut simulator = Simulator::new();
-        simulator
-            .set(state(&document[..document.len() - 1]))
-            .unwrap();
+        simulator.set(state).unwrap();
         assert!(!simulator.scene().unwrap().is_empty(), "{name}");
     }
 }

@@ -7,7 +7,7 @@
     reason = "that is how a test fails"
 )]
 
-use assur_web::{Simulator, presets};
+use assur_web::{Simulator, catalogue};
 use js_sys::{Array, JSON, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -126,7 +126,7 @@ fn summary_reads_as_the_papers_conclusions() {
         (2, 87.904_535_205_78, 43.952_267_60),
     ] {
         let state = state();
-        let document = get(&presets(), &format!("{preset}.document"));
+        let document = get(&catalogue().unwrap(), &format!("{preset}.document"));
         Reflect::set(&state, &"document".into(), &document).unwrap();
         let summary = simulator.set(state).unwrap();
         for (output, expected, within) in [(0, rocker, 1e-9), (1, wheel5, 1e-7)] {

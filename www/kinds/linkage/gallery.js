@@ -10,20 +10,18 @@ export function openGallery(page) {
   const { engine, words, store } = page;
   document.getElementById("gallery-dialog")?.remove();
   const state = store.get();
-  const current = state.kind === "mixer" ? "mixer" : engine.original(state.document)?.id;
+  const current = engine.presetOf(state)?.id;
   const entry = (/** @type {string} */ id, /** @type {string} */ key, /** @type {() => void} */ open) => {
     const button = make("button", { id: `gallery-${id}`, class: "segment", "aria-pressed": String(id === current), "data-t": key });
     if (id === current) button.autofocus = true;
     button.addEventListener("click", open);
     return button;
   };
-  const [{ document: mixer }] = engine.presets;
   const dialog = make("dialog", { id: "gallery-dialog", class: "dialog", "aria-labelledby": "gallery-title" }, [
     make("form", { method: "dialog" }, [
       make("h2", { id: "gallery-title", "data-t": "gallery.heading" }),
       make("div", { class: "gallery" }, [
-        entry("mixer", "lesson.mixer", () => page.choose("mixer", { tracers: [], ...mixer })),
-        ...engine.gallery.map(({ id, document: linkage }) => entry(id, `gallery.${id}`, () => page.choose("linkage", linkage))),
+        ...engine.catalogue.map(({ id, kind, document }) => entry(id, `gallery.${id}`, () => page.choose(kind, document))),
       ]),
       make("button", { id: "gallery-close", class: "control", "data-t": "dialog.close" }),
     ]),

@@ -1,10 +1,7 @@
 // The name of the linkage, where the mixer's would stand.
 import { byId, write } from "assur/core/dom.js";
 
-/**
- * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
- * @typedef {import("assur/core/words.js").Words} Words
- */
+/** @typedef {import("assur/core/words.js").Words} Words */
 
 /** What is called otherwise of a linkage: element, attribute, the key of its words of the mixer, and of a linkage. */
 const CALLED = Object.freeze([
@@ -26,7 +23,7 @@ export class LinkageTitle {
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
   render({ state, words }) {
     const mixer = state.kind === "mixer";
-    const name = mixer ? "" : nameOf(this.#engine, state.document, words);
+    const name = mixer ? "" : nameOf(this.#engine, state, words);
     const shown = [mixer, name, words];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
@@ -42,11 +39,11 @@ export class LinkageTitle {
 
 /**
  * @param {import("assur/engine.js").Engine} engine
- * @param {LinkageDocument} linkage
+ * @param {import("assur/state/state.js").State<"linkage">} state
  * @param {Words} words
  * @returns {string} its name in the gallery, else the title it has itself
  */
-function nameOf(engine, linkage, words) {
-  const original = engine.original(linkage);
-  return original ? words.text(`gallery.${original.id}`) : linkage.title || words.text("gallery.own");
+function nameOf(engine, state, words) {
+  const preset = engine.presetOf(state);
+  return preset ? words.text(`gallery.${preset.id}`) : state.document.title || words.text("gallery.own");
 }

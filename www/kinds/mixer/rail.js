@@ -57,8 +57,11 @@ export class Rail {
       new RailList("wheels", wheelCard, anotherWheel, store, drafts),
       new RailList("tracers", tracerCard, anotherTracer, store, drafts),
     ];
-    for (const { id, document } of engine.presets) {
-      const button = make("button", { id: `preset-${id}`, type: "button", class: "segment", "data-t": `preset.${id}` });
+    for (const { id, kind, document: preset } of engine.catalogue) {
+      if (kind !== "mixer") continue;
+      const { tracers, ...document } = preset;
+      const name = id.replace("mixer-", "");
+      const button = make("button", { id: `preset-${name}`, type: "button", class: "segment", "data-t": `preset.${name}` });
       button.addEventListener("click", () => {
         drafts.dropAll(Object.keys(document));
         edit(document);

@@ -15,37 +15,37 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   {
     id: "machine",
     formula: "W = 3n − 2p₁ − p₂",
-    shows: [{ preset: "a", play: true }],
+    shows: [{ preset: "mixer-a", play: true }],
     question: { whole: true, within: 0, answer: ({ counts }) => counts.links, places: ({ counts }) => counts },
   },
   {
     id: "ratio",
     formula: "φ₅ = u φ₃\n|u| = z₄ / z₅",
-    shows: [{ preset: "a", at: () => Math.PI / 2 }],
+    shows: [{ preset: "mixer-a", at: () => Math.PI / 2 }],
     question: { within: 0.005, answer: ({ ratios }) => ratios[0] },
   },
   {
     id: "limits",
     formula: "cos ∠DAC =\n(AC² + l₄² − l₃²) / (2AC·l₄)\nAC = l₂ ± l₁",
-    shows: [{ preset: "a", at: (summary) => limits(summary)?.near.input, overlays: ["traces", "loop_vectors"] }],
+    shows: [{ preset: "mixer-a", at: (summary) => limits(summary)?.near.input, overlays: ["traces", "loop_vectors"] }],
     question: { unit: "°", round: true, within: 0.5, answer: (summary) => inDegrees(limits(summary)?.far.input) },
   },
   {
     id: "swing",
     formula: "Δφ₅ = |u| Δφ₃",
-    shows: [{ preset: "c", at: (summary) => limits(summary)?.near.input }],
+    shows: [{ preset: "mixer-c", at: (summary) => limits(summary)?.near.input }],
     question: { unit: "°", within: 0.5, answer: ({ outputs: [, { swing }] }) => (swing.length === 1 ? inDegrees(swing[0]?.stroke) : undefined) },
   },
   {
     id: "speed",
     formula: "K = Δφ₁ / (360° − Δφ₁)",
-    shows: [{ preset: "a", play: true, overlays: ["traces", "vectors"] }],
+    shows: [{ preset: "mixer-a", play: true, overlays: ["traces", "vectors"] }],
     question: { unit: "°", within: 0.5, answer: slowStroke },
   },
   {
     id: "transmission",
     formula: "cos μ =\n(l₂² + l₃² − BD²) / (2l₂l₃)",
-    shows: [{ name: "a", preset: "a", ...COMPARED }, { name: "b", preset: "b", ...COMPARED }],
+    shows: [{ name: "a", preset: "mixer-a", ...COMPARED }, { name: "b", preset: "mixer-b", ...COMPARED }],
     question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },
   },
 ] });
