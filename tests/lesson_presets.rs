@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 /// The folders of the lessons, with that of the tests.
 fn lessons() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let places = ["www/lessons", "tests/data/lessons"];
+    let places = ["www/lessons", "tests/data/page/lessons"];
     let entries = places.map(|place| fs::read_dir(root.join(place)).unwrap());
     let paths = entries
         .into_iter()

@@ -7,28 +7,32 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ [K in Kind]: Readonly<{ id: string, group: string, class: string, kind: K, document: import("assur/state/state.js").Documents[K] }> }[Kind]} Preset
- * A mechanism of the catalogue: its name, what it is shown among, the highest class of its Assur groups.
+ * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
  * @typedef {{ min: number, max: number, stroke: number }} Swing
  * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
  * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
+ * @typedef {{ name: string, what: "angle" | "x" | "y" | "transmission", of: string[], number: string | null, role: string }} Listed
+ * A read-out beside the drawing: of an angle the link and those fixed to it, of a coordinate the point, of a transmission angle the joint.
  * @typedef {{ name: string, swing: (Swing | null)[], turns: number[], limits: { input: number, value: number }[], time_ratio: number | null }} Output
  * What an output of the document does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
  * @typedef {{
- *   moves: "angle" | "length", cycle: Cycle, home: number, bounds: [number, number, number, number],
+ *   bounds: [number, number, number, number], handles: { name: string, role: string }[], roles: Record<string, string>,
  *   counts: { links: number, lower: number, higher: number, mobility: number },
- *   class: string, order: number, formula: string, assembly: number, assemblies: number,
- *   groups: { term: string, role: string }[], equations: import("assur/kinds/linkage/equations.js").Equation[],
+ *   class: string, order: number, formula: string, groups: { term: string, role: string }[],
+ * }} Structure what the engine says of a drawing and its structure, whether it moves or not
+ * @typedef {Structure & { moves: null }} StillSummary
+ * @typedef {Structure & {
+ *   moves: "angle" | "length", cycle: Cycle, home: number, assembly: number, assemblies: number, equations: import("assur/kinds/linkage/equations.js").Equation[],
  *   dead_points: { input: number, kind: string, links: string[] }[], change_points: number[],
  *   four_bars: { links: string[], grashof: string }[],
  *   transmissions: { joint: string, links: [string, string], min: number, input: number }[],
  *   outputs: Output[],
- *   roles: Record<string, string>, numbers: Record<string, string>, points: string[], plotted: string[], handles: { name: string, role: string }[],
+ *   numbers: Record<string, string>, points: string[], listed: Listed[], plotted: string[],
  *   profile: Profile | null,
  * }} MotionSummary
  * What the engine says of a motion as a whole; inputs are radians, or of a driven slide in the unit of the lengths.
  * @typedef {MotionSummary & { ratios: number[], overlaps: [number, number][], free_direction: number }} MixerSummary
- * @typedef {{ mixer: MixerSummary, linkage: MotionSummary }} Summaries
+ * @typedef {{ mixer: MixerSummary, linkage: MotionSummary, scheme: StillSummary }} Summaries
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{
  *   width: number, stroke: number | null,

@@ -7,9 +7,9 @@ use crate::browser::{Page, setting};
 #[tokio::test]
 async fn opens_from_a_file_and_runs() {
     let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
-    let start = page.value("out-phi1").await;
+    let start = page.value("out-input").await;
     page.until("the crank to turn", async || {
-        (page.value("out-phi1").await - start).rem_euclid(360.0) > 10.0
+        (page.value("out-input").await - start).rem_euclid(360.0) > 10.0
     })
     .await;
     page.click("preset-b").await;
@@ -51,7 +51,7 @@ async fn opens_from_a_file_and_runs() {
     .await;
     page.reload().await;
     assert_eq!(page.lang().await.as_deref(), Some("ru"));
-    assert_eq!(page.value("out-phi1").await, 0.0);
+    assert_eq!(page.value("out-input").await, 0.0);
     let outside: Vec<String> = page.loaded().await;
     assert!(
         outside.iter().all(|name| name.starts_with("data:")),

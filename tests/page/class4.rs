@@ -426,7 +426,7 @@ async fn every_joint_has_its_vectors() {
     assert!(text.text().await.unwrap().contains("E, G, F, K, L and C"));
     page.click("lesson-show").await;
     page.settle().await;
-    assert!((page.value("out-phi1").await - 60.0).abs() < 1e-9);
+    assert!((page.value("out-input").await - 60.0).abs() < 1e-9);
     let svg = drawing(&page).await;
     let svg = roxmltree::Document::parse(&svg).unwrap();
     let motion = document("class4-dwell").motion().unwrap();

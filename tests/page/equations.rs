@@ -28,7 +28,7 @@ async fn agree(page: &Page, name: &str, order: usize) {
     let document = document(name);
     let motion = document.motion().unwrap();
     let mechanism = motion.mechanism();
-    let phi = page.value("out-phi1").await;
+    let phi = page.value("out-input").await;
     let pose = motion.pose::<3>(phi.to_radians()).unwrap();
     let rows = page.count("#equations tbody tr").await;
     assert_eq!(rows, mechanism.constraints().len(), "{name}");

@@ -34,14 +34,14 @@ async fn plots_drive_the_crank() {
         page.attribute("play", "data-playing").await.as_deref(),
         Some("false")
     );
-    assert!((page.value("out-phi1").await - 90.0).abs() < 1.0);
+    assert!((page.value("out-input").await - 90.0).abs() < 1.0);
     let before = page.picture("mechanism").await;
     page.drag_along("charts", &places).await;
-    assert!((page.value("out-phi1").await - 300.0).abs() < 1.0);
+    assert!((page.value("out-input").await - 300.0).abs() < 1.0);
     assert!(page.picture("mechanism").await.difference(&before) > 2000);
     // Beyond its end a drag stays at the end.
     page.drag_along("charts", &[places[2], (2.0, 200.0)]).await;
-    assert_eq!(page.value("out-phi1").await, 0.0);
+    assert_eq!(page.value("out-input").await, 0.0);
     page.close().await;
 }
 
@@ -59,7 +59,7 @@ async fn plots_show_values_under_the_pointer() {
         (under.parse::<f64>().unwrap() - 250.0).abs() < 1.0,
         "{under}"
     );
-    assert_eq!(page.value("out-phi1").await, 90.0);
+    assert_eq!(page.value("out-input").await, 90.0);
     page.hover("mechanism", (9.0, 9.0)).await;
     assert_eq!(
         page.attribute("charts", "data-hover").await.as_deref(),
@@ -78,9 +78,9 @@ async fn fingers_drive_the_crank() {
         slide.push(vec![(column(&page, degrees).await, 90.0)]);
     }
     page.fingers("charts", &slide).await;
-    assert!((page.value("out-phi1").await - 250.0).abs() < 1.0);
+    assert!((page.value("out-input").await - 250.0).abs() < 1.0);
     page.fingers("charts", &slide[..1]).await; // a tap
-    assert!((page.value("out-phi1").await - 100.0).abs() < 1.0);
+    assert!((page.value("out-input").await - 100.0).abs() < 1.0);
     page.close().await;
 }
 
@@ -153,7 +153,7 @@ async fn dragging_b_drives_the_crank() {
         &[view.at(b), (view.at(b).0 - 40.0, view.at(b).1), view.at(to)],
     )
     .await;
-    assert!((page.value("out-phi1").await - 135.0).abs() < 0.6);
+    assert!((page.value("out-input").await - 135.0).abs() < 0.6);
     assert_eq!(lengths(&page).await, start);
     page.close().await;
 }

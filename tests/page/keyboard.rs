@@ -65,11 +65,11 @@ async fn all_is_done_by_keys() {
     page.keys(" ").await;
     page.keys(Key::Home + "").await;
     page.keys(Key::Right + "").await;
-    assert_near(page.value("out-phi1").await, 1.0, 1e-12, "a step");
+    assert_near(page.value("out-input").await, 1.0, 1e-12, "a step");
     tab_to(&page, "angle").await;
     page.keys("75,5").await; // what was there is selected
     page.keys(Key::Enter + "").await;
-    assert_eq!(page.value("out-phi1").await, 75.5);
+    assert_eq!(page.value("out-input").await, 75.5);
     tab_to(&page, "speed").await;
     page.keys(Key::Down + "").await;
     assert_eq!(page.written("speed").await, "2");

@@ -20,17 +20,17 @@ async fn every_key_does_what_the_help_says() {
 
     page.keys(Key::Home + "").await;
     assert!(!playing(&page).await);
-    assert_eq!(page.value("out-phi1").await, 0.0);
+    assert_eq!(page.value("out-input").await, 0.0);
     page.keys(Key::Right + "").await;
     page.keys(Key::Right + "").await;
     page.keys(Key::Left + "").await;
-    assert_near(page.value("out-phi1").await, 1.0, 1e-12, "arrows");
+    assert_near(page.value("out-input").await, 1.0, 1e-12, "arrows");
     page.chord(&[Key::Shift], Key::Right).await;
     page.chord(&[Key::Shift], Key::Right).await;
     page.chord(&[Key::Shift], Key::Left).await;
-    assert_near(page.value("out-phi1").await, 11.0, 1e-12, "with Shift");
+    assert_near(page.value("out-input").await, 11.0, 1e-12, "with Shift");
     page.keys(Key::End + "").await;
-    assert_eq!(page.value("out-phi1").await, 360.0);
+    assert_eq!(page.value("out-input").await, 360.0);
 
     page.keys("+").await;
     assert_eq!(page.written("speed").await, "2");
@@ -78,7 +78,7 @@ async fn keys_are_left_to_the_element_that_uses_them() {
     assert!(!playing(&page).await);
     let pressed = page.attribute("preset-a", "aria-pressed").await;
     assert_eq!(pressed.as_deref(), Some("false"));
-    assert_eq!(page.value("out-phi1").await, 75.0);
+    assert_eq!(page.value("out-input").await, 75.0);
     page.keys(Key::Escape + "").await;
 
     // A slider has its arrows, not Space nor undo.
@@ -86,7 +86,7 @@ async fn keys_are_left_to_the_element_that_uses_them() {
     page.focus("slider-l1").await;
     page.keys(Key::Right + "").await;
     assert_eq!(page.written("slider-l1").await, "0.38");
-    assert_eq!(page.value("out-phi1").await, 75.0);
+    assert_eq!(page.value("out-input").await, 75.0);
     page.chord(&[Key::Control], 'z').await;
     assert_eq!(page.written("slider-l1").await, "0.37");
 
@@ -107,11 +107,11 @@ async fn keys_are_left_to_the_element_that_uses_them() {
     page.focus("step-forward").await;
     page.keys(" ").await;
     assert!(!playing(&page).await);
-    assert_near(page.value("out-phi1").await, 76.0, 1e-12, "the button");
+    assert_near(page.value("out-input").await, 76.0, 1e-12, "the button");
 
     // On the scrubber Shift makes it ten.
     page.focus("scrubber").await;
     page.chord(&[Key::Shift], Key::Up).await;
-    assert_near(page.value("out-phi1").await, 86.0, 1e-12, "the scrubber");
+    assert_near(page.value("out-input").await, 86.0, 1e-12, "the scrubber");
     page.close().await;
 }

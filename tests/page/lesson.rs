@@ -17,7 +17,7 @@ fn pose(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> Pose<3> {
 
 /// All read-outs of the pose that the page shows, against the engine.
 async fn check_readouts(page: &Page, lengths: [f64; 4], assembly: Assembly, ratio: f64) {
-    let degrees = page.value("out-phi1").await;
+    let degrees = page.value("out-input").await;
     let pose = pose(lengths, assembly, degrees);
     for (name, angle, factor) in [
         ("coupler", pose.coupler, 1.0),
@@ -47,27 +47,27 @@ async fn plays_pauses_and_turns_about() {
         page.attribute("play", "data-playing").await.as_deref(),
         Some("true")
     );
-    let start = page.value("out-phi1").await;
+    let start = page.value("out-input").await;
     let first = page.picture("mechanism").await;
     page.until("the crank to turn", async || {
-        let turned = (page.value("out-phi1").await - start).rem_euclid(360.0);
+        let turned = (page.value("out-input").await - start).rem_euclid(360.0);
         (20.0..300.0).contains(&turned)
     })
     .await;
     assert!(page.picture("mechanism").await.difference(&first) > 2000);
 
     page.click("play").await;
-    let rest = page.value("out-phi1").await;
+    let rest = page.value("out-input").await;
     let still = page.picture("mechanism").await;
     tokio::time::sleep(std::time::Duration::from_millis(300)).await;
-    assert_eq!(page.value("out-phi1").await, rest);
+    assert_eq!(page.value("out-input").await, rest);
     assert_eq!(page.picture("mechanism").await.difference(&still), 0);
 
     page.click("reverse").await;
     page.write("angle", "200").await;
     page.click("play").await;
     page.until("the crank to turn back", async || {
-        (100.0..190.0).contains(&page.value("out-phi1").await)
+        (100.0..190.0).contains(&page.value("out-input").await)
     })
     .await;
     page.close().await;
@@ -78,12 +78,12 @@ async fn scrubs_steps_and_takes_an_exact_angle() {
     let page = Page::open().await;
     let lengths = Case::A.dimensions().lengths;
     page.stop_at("123.456").await;
-    assert_eq!(page.value("out-phi1").await, 123.456);
+    assert_eq!(page.value("out-input").await, 123.456);
     check_readouts(&page, lengths, Assembly::First, -2.0).await;
 
     page.click("step-forward").await;
     assert_near(
-        page.value("out-phi1").await,
+        page.value("out-input").await,
         124.456,
         1e-12,
         "a step forward",
@@ -91,7 +91,7 @@ async fn scrubs_steps_and_takes_an_exact_angle() {
     page.click("step-back").await;
     page.click("step-back").await;
     assert_near(
-        page.value("out-phi1").await,
+        page.value("out-input").await,
         122.456,
         1e-12,
         "two steps back",
@@ -99,14 +99,14 @@ async fn scrubs_steps_and_takes_an_exact_angle() {
     check_readouts(&page, lengths, Assembly::First, -2.0).await;
 
     page.drag("scrubber", 0.34, 0.75).await;
-    let dragged = page.value("out-phi1").await;
+    let dragged = page.value("out-input").await;
     assert!((dragged - 270.0).abs() < 8.0, "{dragged}");
     check_readouts(&page, lengths, Assembly::First, -2.0).await;
 
     page.press("scrubber", Key::Home).await;
-    assert_eq!(page.value("out-phi1").await, 0.0);
+    assert_eq!(page.value("out-input").await, 0.0);
     page.press("scrubber", Key::Right).await;
-    assert_near(page.value("out-phi1").await, 1.0, 1e-12, "an arrow key");
+    assert_near(page.value("out-input").await, 1.0, 1e-12, "an arrow key");
     page.close().await;
 }
 
@@ -207,7 +207,7 @@ async fn partial_turn_swings_between_its_limits() {
     })
     .await;
     page.click("play").await;
-    let phi = page.value("out-phi1").await;
+    let phi = page.value("out-input").await;
     assert!((low..=high).contains(&phi), "{phi} in {low}..{high}");
     assert_eq!(page.text("problem").await, "");
     page.close().await;
@@ -218,7 +218,7 @@ async fn speaks_russian_and_writes_the_comma() {
     let page = Page::open_at(&crate::browser::setting("ASSUR_URL"), "ru").await;
     assert_eq!(page.lang().await.as_deref(), Some("ru"));
     page.stop_at("75,5").await;
-    assert_eq!(page.value("out-phi1").await, 75.5);
+    assert_eq!(page.value("out-input").await, 75.5);
     assert!(page.text("out-swing-rocker").await.contains("87,905°"));
     assert!(page.text("out-grashof").await.contains("коромысл"));
     for lang in ["uk", "kk"] {

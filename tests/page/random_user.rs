@@ -166,7 +166,7 @@ impl Hand<'_> {
         let number = |key: &str| one[key].as_f64().unwrap();
         let at = (number("x"), number("y"));
         let (width, height) = (number("width"), number("height"));
-        let mut within = |dice: &mut Dice| {
+        let within = |dice: &mut Dice| {
             let part = |dice: &mut Dice| dice.below(1000) as f64 / 1000.0 - 0.5;
             (at.0 + width * part(dice), at.1 + height * part(dice))
         };

@@ -26,7 +26,7 @@ async fn check_changed(page: &Page, rocker: f64) {
         page.attribute("play", "data-playing").await.as_deref(),
         Some("false")
     );
-    assert_eq!(page.value("out-phi1").await, 123.25);
+    assert_eq!(page.value("out-input").await, 123.25);
     assert_eq!(page.value("out-rocker").await, rocker);
     assert_eq!(page.value("out-ratio").await, 2.0);
     assert!(!page.element("traces").await.is_selected().await.unwrap());
@@ -229,7 +229,7 @@ async fn damaged_addresses_are_sentences() {
             let injected = page.count("img, #notice b, #notice script").await;
             assert_eq!(injected, 0, "{brief}");
             assert!(page.ask("return window.hurt ?? null").await.is_null());
-            assert_eq!(page.value("out-phi1").await, 75.0, "{brief}");
+            assert_eq!(page.value("out-input").await, 75.0, "{brief}");
         }
         page.click("notice-close").await;
     }

@@ -161,7 +161,7 @@ async fn what_is_shown() {
     page.click("lesson-show").await;
     let a = mixer(Case::A);
     let limit = a.linkage.limits(a.assembly)[0].crank.to_degrees();
-    assert!((page.value("out-phi1").await - limit).abs() < 1e-9);
+    assert!((page.value("out-input").await - limit).abs() < 1e-9);
     assert!(page.value("out-drocker").await.abs() < 1e-9);
     assert!(
         page.element("loop_vectors")

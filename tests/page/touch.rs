@@ -56,9 +56,9 @@ async fn controls_are_tapped() {
     assert_eq!(playing().await.as_deref(), Some("true"));
     tap(&page, "play").await;
     assert_eq!(playing().await.as_deref(), Some("false"));
-    let before = page.value("out-phi1").await;
+    let before = page.value("out-input").await;
     tap(&page, "step-forward").await;
-    assert_near(page.value("out-phi1").await, before + 1.0, 1e-9, "a step");
+    assert_near(page.value("out-input").await, before + 1.0, 1e-9, "a step");
 
     for overlay in [
         "traces",
@@ -93,7 +93,7 @@ async fn controls_are_tapped() {
 async fn sliders_and_plots_are_slid() {
     let page = phone().await;
     slide(&page, "scrubber", 0.2, 0.75).await;
-    let phi = page.value("out-phi1").await;
+    let phi = page.value("out-input").await;
     assert!((phi - 270.0).abs() < 12.0, "{phi}");
     slide(&page, "slider-l2", 0.55, 0.7).await;
     let l2 = lengths(&page).await[1];
@@ -108,7 +108,7 @@ async fn sliders_and_plots_are_slid() {
         way.push(vec![(column(&page, degrees).await, 500.0)]);
     }
     page.fingers("charts", &way).await;
-    let phi = page.value("out-phi1").await;
+    let phi = page.value("out-input").await;
     assert!((phi - 250.0).abs() < 1.5, "{phi}");
 
     // Up and down the finger scrolls the page and drives nothing.
@@ -120,7 +120,7 @@ async fn sliders_and_plots_are_slid() {
         scrolled().await > before + 50.0
     })
     .await;
-    assert_eq!(page.value("out-phi1").await, phi);
+    assert_eq!(page.value("out-input").await, phi);
     page.close().await;
 }
 
@@ -135,7 +135,7 @@ async fn joints_are_dragged_and_two_fingers_zoom() {
     };
     let [a, b, c, d] = joints(start, Assembly::First, 60.0);
     drag(b, a + Vector::new(-0.3, 0.3)).await;
-    let phi = page.value("out-phi1").await;
+    let phi = page.value("out-input").await;
     assert!((phi - 135.0).abs() < 1.0, "{phi}");
     assert_eq!(lengths(&page).await, start);
     page.write("angle", "60").await;

@@ -36,7 +36,7 @@ async fn check(page: &Page, link: &str, carrier: Carrier, place: Point, slack: f
         number(page, "field-P1-y").await,
     ];
     let mixer = Mixer::new(&with_point(carrier, x, y)).unwrap();
-    let crank = page.value("out-phi1").await.to_radians();
+    let crank = page.value("out-input").await.to_radians();
     let pose = mixer.linkage.pose::<3>(mixer.assembly, crank).unwrap();
     let point = mixer.traced(&pose, &mixer.tracers()[0]);
     let off = (point.place() - place).norm();
@@ -45,7 +45,7 @@ async fn check(page: &Page, link: &str, carrier: Carrier, place: Point, slack: f
     for (order, prefix) in ["", "d", "dd"].into_iter().enumerate() {
         let expected = point.derivative(order);
         for (axis, expected) in [("x", expected.x), ("y", expected.y)] {
-            let shown = page.value(&format!("out-{prefix}{axis}")).await;
+            let shown = page.value(&format!("out-{prefix}P1.{axis}")).await;
             // The fields show six digits.
             assert!(
                 (shown - expected).abs() < 1e-5,
@@ -133,7 +133,7 @@ async fn a_point_by_keyboard_alone() {
         page.keys(text.to_owned() + Key::Enter).await;
     }
     let mixer = Mixer::new(&with_point(Carrier::Wheel(0), 0.1, -0.02)).unwrap();
-    let crank = page.value("out-phi1").await.to_radians();
+    let crank = page.value("out-input").await.to_radians();
     let pose = mixer.linkage.pose::<1>(mixer.assembly, crank).unwrap();
     let place = mixer.traced(&pose, &mixer.tracers()[0]).place();
     check(&page, "wheel5", Carrier::Wheel(0), place, 1e-12).await;

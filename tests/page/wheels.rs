@@ -27,7 +27,7 @@ fn with_wheels(wheels: &[(f64, f64)]) -> Dimensions {
 /// What is shown of every wheel, against the engine.
 async fn check(page: &Page, wheels: &[(f64, f64)]) {
     let mixer = Mixer::new(&with_wheels(wheels)).unwrap();
-    let crank = page.value("out-phi1").await.to_radians();
+    let crank = page.value("out-input").await.to_radians();
     let pose = mixer.linkage.pose::<3>(mixer.assembly, crank).unwrap();
     let swing = mixer.linkage.swings(mixer.assembly)[0];
     let travel = mixer.linkage.travels(mixer.assembly)[0];

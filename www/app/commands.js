@@ -3,8 +3,8 @@ import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
-import { degrees } from "assur/core/angles.js";
-import { placed, turned } from "assur/state/player.js";
+import { INPUT } from "assur/state/drafts.js";
+import { turned } from "assur/state/player.js";
 import { withDocument, withMechanism, withView } from "assur/state/state.js";
 
 /**
@@ -50,12 +50,12 @@ function fileCommands(page) {
  * @param {Page} page
  * @returns {Commands}
  */
-function motionCommands({ store, model, drafts, history, engine }) {
-  const put = (/** @type {(state: State) => number} */ where) => {
-    drafts.drop("phi_deg");
-    store.update((state) => placed(state, where(state), model));
+function motionCommands(page) {
+  const { store, model, drafts, history, engine } = page;
+  const step = (/** @type {number} */ count) => {
+    const { coordinate } = model;
+    page.drive(coordinate.of(store.get()) + count * coordinate.step);
   };
-  const turn = (/** @type {number} */ by) => put(({ view }) => view.phi_deg + by);
   const assemble = (/** @type {1 | 2} */ assembly) => {
     const assemblies = "assemblies" in model.summary ? model.summary.assemblies : 2;
     if (assembly > assemblies) return;
@@ -80,16 +80,16 @@ function motionCommands({ store, model, drafts, history, engine }) {
 
   return {
     play: () => {
-      drafts.drop("phi_deg");
+      drafts.drop(INPUT);
       store.update((state) => withView(state, { playing: !state.view.playing }));
     },
     reverse: () => store.update((state) => withView(state, { direction: turned(state.view.direction) })),
-    back: () => turn(-1),
-    forward: () => turn(1),
-    back10: () => turn(-10),
-    forward10: () => turn(10),
-    start: () => put(() => degrees(model.summary.cycle.start)),
-    end: () => put(() => degrees(model.summary.cycle.end)),
+    back: () => step(-1),
+    forward: () => step(1),
+    back10: () => step(-10),
+    forward10: () => step(10),
+    start: () => page.drive(model.coordinate.start),
+    end: () => page.drive(model.coordinate.end),
     faster: () => hasten(1),
     slower: () => hasten(-1),
     assembly1: () => assemble(1),

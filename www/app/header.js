@@ -40,7 +40,7 @@ export class Header {
     menu.open = false;
   }
 
-  /** @param {import("assur/state/model.js").Snapshot} snapshot */
+  /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state }) {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     const { canUndo, canRedo } = this.#history;

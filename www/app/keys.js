@@ -12,8 +12,8 @@ import { byId, make } from "assur/core/dom.js";
 /** @type {readonly Key[]} */
 export const KEYS = Object.freeze([
   { command: "play", name: "key.play", combos: ["Space"], control: "play" },
-  { command: "back", name: "transport.back", combos: ["ArrowLeft"], control: "step-back", again: true },
-  { command: "forward", name: "transport.forward", combos: ["ArrowRight"], control: "step-forward", again: true },
+  { command: "back", name: "key.back", combos: ["ArrowLeft"], control: "step-back", again: true },
+  { command: "forward", name: "key.forward", combos: ["ArrowRight"], control: "step-forward", again: true },
   { command: "back10", name: "key.back10", combos: ["Shift+ArrowLeft"], again: true },
   { command: "forward10", name: "key.forward10", combos: ["Shift+ArrowRight"], again: true },
   { command: "start", name: "key.start", combos: ["Home"] },
@@ -21,8 +21,8 @@ export const KEYS = Object.freeze([
   { command: "faster", name: "key.faster", combos: ["Plus", "="], control: "speed" },
   { command: "slower", name: "key.slower", combos: ["-"] },
   { command: "reverse", name: "transport.reverse", combos: ["R"], control: "reverse" },
-  { command: "assembly1", name: "key.assembly1", combos: ["1"], control: "assembly-1" },
-  { command: "assembly2", name: "key.assembly2", combos: ["2"], control: "assembly-2" },
+  { command: "assembly1", name: "key.assembly1", combos: ["1"] },
+  { command: "assembly2", name: "key.assembly2", combos: ["2"] },
   { command: "trace", name: "tracers.trace", combos: ["T"], control: "trace" },
   { command: "undo", name: "edit.undo", combos: ["Control+Z"], control: "undo", again: true },
   { command: "redo", name: "edit.redo", combos: ["Control+Shift+Z", "Control+Y"], control: "redo", again: true },

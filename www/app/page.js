@@ -8,17 +8,16 @@ import { Notices } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { Views } from "assur/app/views.js";
 import { Theme } from "assur/canvas/theme.js";
-import { degrees } from "assur/core/angles.js";
 import { byId, setData } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
 import { Lesson } from "assur/lesson/lesson.js";
 import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
-import { Drafts } from "assur/state/drafts.js";
+import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
-import { played } from "assur/state/player.js";
+import { placed, played } from "assur/state/player.js";
 import { withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
@@ -65,7 +64,7 @@ export class Page {
     const header = new Header(this.history, commands);
     const lesson = new Lesson(this);
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
-    this.#views = new Views(this, [this.mechanism, pointer, this.chart, lesson, header, this.notices]);
+    this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
     const help = byId("help", HTMLDialogElement);
     byId("help-open", HTMLButtonElement).addEventListener("click", () => help.showModal());
     listen({
@@ -131,11 +130,21 @@ export class Page {
     this.history.step(() => {
       store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
       this.mechanism.fit();
-      // The crank of another mechanism may not go where this one's stands.
+      // The driver of another mechanism may not go where this one's stands.
       model.follow(store.get());
-      if (!model.placed) store.update((state) => withView(state, { phi_deg: degrees(model.summary.home) }));
+      const { coordinate, home } = model;
+      if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
       store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
+  }
+
+  /**
+   * Puts the driver to a place by hand; it stays there.
+   * @param {number} place as readers count
+   */
+  drive(place) {
+    this.drafts.drop(INPUT);
+    this.store.update((state) => placed(state, place, this.model));
   }
 
   /** @param {Words} words the language from now on */
@@ -153,10 +162,15 @@ export class Page {
   }
 
   #render() {
+    this.model.follow(this.store.get());
+    // What was plotted may have gone with a part of the mechanism.
+    if (this.model.unplottable) {
+      this.store.update((state) => withView(state, { plot: "angles" }));
+      this.model.follow(this.store.get());
+    }
     const state = this.store.get();
     const legible = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
     if (legible) this.#unwritten = 0;
-    this.model.follow(state);
     this.theme.project(state.view.projector);
     this.#views.render(this.model.snapshot(state, this.words, legible));
   }

@@ -1,11 +1,12 @@
 // All that shows the state. What only one kind of mechanism has comes with its kind, sentences for screen readers with the
 // first rest.
 import { LOST } from "assur/app/notices.js";
+import { Title } from "assur/app/title.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
 import { Transport } from "assur/controls/transport.js";
 import { byId, setData } from "assur/core/dom.js";
-import { HERE, LATER } from "assur/kinds/kinds.js";
+import { HERE, LATER } from "assur/kinds/index.js";
 import { PlotBar } from "assur/plots/bar.js";
 import { ChartCursor } from "assur/plots/cursor.js";
 import { ChartPointer } from "assur/plots/pointer.js";
@@ -14,15 +15,21 @@ import { ReadoutTable } from "assur/plots/readouts.js";
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/state/state.js").Kind} Kind
- * @typedef {{ render(snapshot: Snapshot): void }} View
+ * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
+ * @typedef {{ render(snapshot: AnySnapshot): void }} View
+ * @typedef {{ render(snapshot: Snapshot): void }} MotionView of what moves
+ * @typedef {(page: Page) => readonly MotionView[]} Make what of the page only one kind of mechanism has
  */
 
 export class Views {
   #page;
   /** @type {View[]} */
   #views;
-  /** @type {Map<Kind, readonly View[]>} those of the kinds that were loaded, or are on their way */
+  /** @type {MotionView[]} */
+  #moving;
+  /** The kind of what is drawn. */
+  #kind = "";
+  /** @type {Map<string, readonly View[]>} those of the kinds that were loaded, or are on their way */
   #own = new Map();
   #described = false;
   /** Whether the first rest is a reader's doing. */
@@ -40,28 +47,44 @@ export class Views {
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
-    this.#views = [...views, cursor, new Transport(page), new PlotBar(page), new ReadoutTable(), new ProblemView(), new Switches(store)];
-    for (const [kind, make] of HERE) this.#add(kind, make);
+    this.#views = [...views, new ProblemView(), new Switches(store), new Title(page)];
+    this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable()];
+    for (const [kind, here] of HERE) this.#add(kind, here);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {AnySnapshot} snapshot */
   render(snapshot) {
     const { state, kind } = snapshot;
     if (!state.view.playing && !this.#described) this.#describe();
-    setData(document.documentElement, "kind", kind);
+    if (kind !== this.#kind) this.#turn(kind);
+    setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
+    if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
     if (!own) this.#bring(kind);
-    for (const view of own ?? []) view.render(snapshot);
+    // Views of a kind are given what is of it.
+    for (const view of own ?? []) view.render(/** @type {Snapshot} */ (snapshot));
   }
 
-  /** @param {Kind} kind */
+  /**
+   * Shows what is of this kind, and nothing of another.
+   * @param {string} kind
+   */
+  #turn(kind) {
+    this.#kind = kind;
+    setData(document.documentElement, "kind", kind);
+    for (const element of document.querySelectorAll("[data-of]")) {
+      element.classList.toggle("elsewhere", element instanceof HTMLElement && element.dataset.of !== kind);
+    }
+  }
+
+  /** @param {string} kind */
   async #bring(kind) {
     this.#own.set(kind, []);
     try {
-      const make = await LATER.get(kind)?.();
-      if (make) this.#add(kind, make);
+      const later = await LATER.get(kind)?.();
+      if (later) this.#add(kind, later.views);
       this.#page.redraw();
     } catch {
       this.#page.notices.tell(LOST);
@@ -69,14 +92,13 @@ export class Views {
   }
 
   /**
-   * @param {Kind} kind
-   * @param {import("assur/kinds/kinds.js").Make} make
+   * @param {string} kind
+   * @param {Make} views
    */
-  #add(kind, make) {
-    const { views, common } = make(this.#page);
-    this.#own.set(kind, views);
-    this.#views.push(...common);
+  #add(kind, views) {
+    this.#own.set(kind, views(this.#page));
     this.#page.words.fill(document);
+    this.#turn(this.#kind);
   }
 
   /** Most visits begin in motion, and need no sentences for screen readers. */
@@ -84,10 +106,18 @@ export class Views {
     this.#described = true;
     try {
       const { Description } = await import("assur/app/description.js");
-      this.#views.push(new Description(this.#page.chart, this.#opened));
+      this.#moving.push(new Description(this.#page.chart, this.#opened));
       this.#page.redraw();
     } catch {
       this.#described = false;
     }
   }
+}
+
+/**
+ * @param {AnySnapshot} snapshot
+ * @returns {snapshot is Snapshot}
+ */
+function moves(snapshot) {
+  return snapshot.summary.moves !== null;
 }

@@ -2,17 +2,18 @@
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
 import { subscript } from "assur/core/symbols.js";
-import { LISTS } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/state/state.js").State["document"]} Document
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
 const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
+/** The number of the first entry of a list, as readers count. */
+const FIRST = Object.freeze({ wheels: 5, tracers: 1 });
 /** A dimension of a linkage: `links[5].length`, `points[8].x`. */
 const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
 
@@ -27,7 +28,7 @@ function fieldName(field, words, document) {
   if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at)) ?? at });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
-  const number = String(Number(index) + LISTS[/** @type {keyof typeof LISTS} */ (list)].first);
+  const number = String(Number(index) + FIRST[/** @type {keyof typeof FIRST} */ (list)]);
   return words.text(`field.${list}.${part}`, { n: list === "tracers" ? subscript(number) : number });
 }
 

@@ -19,13 +19,13 @@ export class StatusLine {
   #shown = "";
 
   /**
-   * @param {string} kind the class of its entries
+   * @param {string} kind whose entries they are
    * @param {readonly Item<S>[]} items
    */
   constructor(kind, items) {
     this.#entries = items.map(({ name, title, n = "", class: more = "", say }) => {
       const output = make("dd", { id: `out-${name}` });
-      const entry = make("div", { class: `entry ${kind} ${more}`.trim() }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
+      const entry = make("div", { class: `entry ${more}`.trim(), "data-of": kind }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
       this.#list.append(entry);
       return { say, entry, output };
     });

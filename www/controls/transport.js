@@ -1,8 +1,8 @@
 // The bottom bar: play and pause, direction, steps, scrubber, exact angle, speed.
 import { NumberBox } from "assur/controls/number-box.js";
 import { Scrubber } from "assur/controls/scrubber.js";
-import { degrees } from "assur/core/angles.js";
-import { byId, make } from "assur/core/dom.js";
+import { byId, make, write } from "assur/core/dom.js";
+import { INPUT } from "assur/state/drafts.js";
 import { placed, turned } from "assur/state/player.js";
 import { withView } from "assur/state/state.js";
 
@@ -24,7 +24,12 @@ export class Transport {
   #scrubber = byId("scrubber", HTMLInputElement);
   #bar;
   #speed = byId("speed", HTMLSelectElement);
-  #angle;
+  #symbol = byId("input-symbol", HTMLElement);
+  #steps = Object.freeze([
+    { button: byId("step-back", HTMLButtonElement), sense: /** @type {const} */ (-1) },
+    { button: byId("step-forward", HTMLButtonElement), sense: /** @type {const} */ (1) },
+  ]);
+  #box;
   /** @type {View | null} the view the controls show */
   #view = null;
   /** @type {Cycle | null} the cycle the scrubber was made for */
@@ -36,29 +41,22 @@ export class Transport {
   /**
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor({ store, model, drafts, theme }) {
+  constructor(page) {
+    const { store, model, drafts, theme } = page;
     this.#bar = new Scrubber(byId("scrubber-bar", HTMLCanvasElement), theme);
-    const put = (/** @type {number} */ phiDeg) => store.update((state) => placed(state, phiDeg, model));
-    const step = (/** @type {number} */ by) => {
-      drafts.drop("phi_deg");
-      put(store.get().view.phi_deg + by);
-    };
+    const step = (/** @type {1 | -1} */ sense) => page.drive(model.coordinate.of(store.get()) + sense * model.coordinate.step);
     this.#play.addEventListener("click", () => {
-      drafts.drop("phi_deg");
+      drafts.drop(INPUT);
       store.update((state) => withView(state, { playing: !state.view.playing }));
     });
     this.#reverse.addEventListener("click", () => {
       store.update((state) => withView(state, { direction: turned(state.view.direction) }));
     });
-    byId("step-back", HTMLButtonElement).addEventListener("click", () => step(-1));
-    byId("step-forward", HTMLButtonElement).addEventListener("click", () => step(1));
-    this.#scrubber.addEventListener("input", () => {
-      drafts.drop("phi_deg");
-      put(Number(this.#scrubber.value));
-    });
-    this.#angle = new NumberBox(byId("angle", HTMLInputElement), "phi_deg", drafts, (value) => {
-      put(value);
-      return store.get().view.phi_deg;
+    this.#steps.forEach(({ button, sense }) => button.addEventListener("click", () => step(sense)));
+    this.#scrubber.addEventListener("input", () => page.drive(Number(this.#scrubber.value)));
+    this.#box = new NumberBox(byId("angle", HTMLInputElement), INPUT, drafts, (value) => {
+      store.update((state) => placed(state, value, model));
+      return model.coordinate.of(store.get());
     });
     for (const speed of [...SPEEDS, TRUE_TIME]) this.#speed.append(make("option", { value: String(speed) }));
     this.#speed.addEventListener("change", () => {
@@ -70,25 +68,23 @@ export class Transport {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, phiDeg, words, legible } = snapshot;
+    const { summary, coordinate, place, words, legible } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
-    if (this.#cycle !== summary.cycle) this.#fit(summary.cycle);
-    const [start, end] = [degrees(summary.cycle.start), degrees(summary.cycle.end)];
-    this.#bar.show((phiDeg - start) / (end - start), this.#arcs);
+    if (this.#cycle !== summary.cycle) this.#fit(snapshot);
+    const { start, end } = coordinate;
+    this.#bar.show(Math.min(Math.max((place - start) / (end - start), 0), 1), this.#arcs);
     if (legible) this.#write(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #write({ state, words, phiDeg, problems, stale }) {
-    const angle = `${words.numbers.fixed(phiDeg, 3)}°`;
+  #write({ state, words, coordinate, place, stale, faded }) {
+    const brief = coordinate.written(place, words, 3);
     const { playing } = state.view;
-    this.#scrubber.value = String(phiDeg);
-    if (!playing) this.#scrubber.setAttribute("aria-valuetext", angle);
-    if (playing && this.#angle.busy) return;
-    const unplaced = problems.some(({ code, phi }) => phi !== undefined && code !== "dead_point");
-    const written = { brief: angle, full: `${words.numbers.exact(phiDeg)}°` };
-    this.#angle.show(state.view.phi_deg, written, unplaced && !stale);
+    this.#scrubber.value = String(place);
+    if (!playing) this.#scrubber.setAttribute("aria-valuetext", brief);
+    if (playing && this.#box.busy) return;
+    this.#box.show(coordinate.of(state), { brief, full: coordinate.exact(place, words) }, faded && !stale);
   }
 
   /**
@@ -122,11 +118,19 @@ export class Transport {
   /** @param {Words} words */
   #translate(words) {
     this.#lang = words.lang;
+    this.#view = null;
+    this.#cycle = null;
+  }
+
+  /**
+   * @param {Words} words
+   * @param {string} moves
+   */
+  #translateSpeeds(words, moves) {
     for (const option of this.#speed.options) {
       const times = { value: words.numbers.upTo(Number(option.value), 2) };
-      option.textContent = option.value === TRUE_TIME ? words.text("transport.true_time") : words.text("transport.times", times);
+      option.textContent = option.value === TRUE_TIME ? words.text(`transport.true_time.${moves}`) : words.text("transport.times", times);
     }
-    this.#view = null;
   }
 
   /**
@@ -142,14 +146,27 @@ export class Transport {
 
   /**
    * The scrubber shows the whole axis; where nothing can be assembled its track is broken.
-   * @param {Cycle} cycle
+   * @param {Snapshot} snapshot
    */
-  #fit(cycle) {
+  #fit({ summary: { cycle }, coordinate, words }) {
     this.#cycle = cycle;
     const { start, end, full, arcs } = cycle;
-    this.#scrubber.min = String(degrees(start));
-    this.#scrubber.max = String(degrees(end));
-    const part = (/** @type {number} */ phi) => (phi - start) / (end - start);
+    this.#scrubber.min = String(coordinate.start);
+    this.#scrubber.max = String(coordinate.end);
+    const part = (/** @type {number} */ input) => (input - start) / (end - start);
     this.#arcs = full ? null : arcs.map(([from, to]) => [part(from), part(to)]);
+    const { moves, step } = coordinate;
+    write(this.#symbol, coordinate.symbol);
+    const size = words.numbers.short(step) + (moves === "angle" ? "°" : "");
+    for (const { button, sense } of this.#steps) {
+      write(button, (sense < 0 ? "−" : "+") + size);
+      const name = words.text(`transport.${sense < 0 ? "back" : "forward"}`, { n: size });
+      button.ariaLabel = name;
+      button.title = name;
+    }
+    for (const [element, key] of /** @type {const} */ ([[this.#scrubber, "scrubber"], [byId("angle", HTMLInputElement), "input"]])) {
+      element.ariaLabel = words.text(`transport.${key}.${moves}`);
+    }
+    this.#translateSpeeds(words, moves);
   }
 }

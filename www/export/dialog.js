@@ -47,12 +47,13 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
       button(part, "png", async () => download(await toPng(picture(), theme), `${name}-${part}.png`)),
     ]);
   };
+  const { coordinate } = model;
   const step = make("select", { id: "export-step", class: "control", "aria-labelledby": "export-table export-step-name" });
-  step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [`${words.numbers.upTo(360 / steps, 1)}°`])));
+  step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [coordinate.share(steps, words)])));
   step.value = `${USUAL}`;
   const saveTable = () => {
     const { value } = attempt(() => engine.ask((simulator) => simulator.sweep(Number(step.value))));
-    if (value) download(toCsv(value), `${name}.csv`);
+    if (value) download(toCsv(value, coordinate.field), `${name}.csv`);
   };
   return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
     make("form", { method: "dialog" }, [

@@ -6,7 +6,7 @@ import { withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/lesson/offer.js").Entry} Entry
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
 
 export class Lesson {

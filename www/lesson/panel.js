@@ -9,7 +9,7 @@ import { SWITCHES, withView } from "assur/state/state.js";
 /**
  * @typedef {import("assur/state/state.js").Documents} Documents
  * @typedef {import("assur/state/state.js").Kind} Kind
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/engine.js").Summaries} Summaries
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers

@@ -1,6 +1,7 @@
 // Above the plots: what is plotted, by what the derivatives are, and how the crank turns where they are by time.
 import { NumberBox } from "assur/controls/number-box.js";
-import { byId, make } from "assur/core/dom.js";
+import { byId, make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
 
@@ -31,7 +32,7 @@ export class PlotBar {
   /**
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor({ store, engine, drafts }) {
+  constructor({ store, engine, model, drafts }) {
     this.#engine = engine;
     const look = (/** @type {Partial<View>} */ change) => store.update((state) => withView(state, change));
     this.#plot.addEventListener("change", () => look({ plot: this.#plot.value }));
@@ -41,7 +42,7 @@ export class PlotBar {
       look({ omega_unit: /** @type {View["omega_unit"]} */ (this.#unit.value) });
     });
     this.#omega = new NumberBox(byId("omega", HTMLInputElement), "omega", drafts, (value) => {
-      look({ omega: value * UNITS[store.get().view.omega_unit] });
+      look({ omega: value * this.#per(model.coordinate.moves, store.get().view.omega_unit) });
       return store.get().view.omega;
     });
     this.#epsilon = new NumberBox(byId("epsilon", HTMLInputElement), "epsilon", drafts, (value) => {
@@ -51,45 +52,65 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, kind, words, problems }) {
+  render({ state: { view }, coordinate, words, problems }) {
     const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, ...wrong];
+    const { moves } = coordinate;
+    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words, kind);
+    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words);
+    if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
     this.#plot.value = plot;
     this.#axes.value = axes;
     this.#unit.value = unit;
     this.#input.hidden = axes === "analogues" && !trueTime;
-    this.#omega.show(omega, both(omega / UNITS[unit], words.numbers), wrong[0]);
+    this.#unit.hidden = moves !== "angle";
+    this.#omega.show(omega, both(omega / this.#per(moves, unit), words.numbers), wrong[0]);
     this.#epsilon.show(epsilon, both(epsilon, words.numbers), wrong[1]);
     this.#note.hidden = epsilon === 0 || !trueTime;
   }
 
   /**
+   * @param {string} moves
+   * @param {View["omega_unit"]} unit
+   * @returns {number} what the unit is for the engine
+   */
+  #per(moves, unit) {
+    return moves === "angle" ? UNITS[unit] : 1;
+  }
+
+  /**
+   * @param {import("assur/state/coordinate.js").Coordinate} coordinate
+   * @param {Words} words
+   */
+  #name({ moves, rates }, words) {
+    const said = (/** @type {string} */ key) => words.text(`input.${key}.${moves}`);
+    for (const [i, name] of /** @type {const} */ (["omega", "epsilon"]).entries()) {
+      write(byId(`${name}-symbol`, HTMLElement), rates[i]);
+      byId(name, HTMLInputElement).ariaLabel = said(name);
+    }
+    byId("epsilon", HTMLInputElement).title = said("instant");
+    write(byId("epsilon-unit", HTMLElement), words.text(`unit.acceleration.${moves}`));
+    write(this.#note, said("true_time"));
+    const physical = this.#axes.options.namedItem("axes-physical");
+    if (physical) write(physical, words.text(`axes.physical.${moves}`));
+  }
+
+  /**
    * @param {readonly string[]} points
    * @param {Words} words
-   * @param {string} shown the kind of what is
    */
-  #offer(points, words, shown) {
+  #offer(points, words) {
     this.#points = points;
-    if (shown !== "mixer") {
-      const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
-        make("option", { value }, [words.text(key, { name })]);
-      this.#plot.replaceChildren(
-        option("angles", "plots.links", ""),
-        ...this.#engine.links.map((name) => option(`${name}.angle`, "plots.link", name)),
-        ...points.map((name) => option(name, "plots.point", subscript(name))),
-      );
-      return;
-    }
-    const options = points.map((value) => {
-      const kind = /^C\d/.test(value) ? "plots.centre" : value.startsWith("P") ? "plots.traced" : "plots.joint";
-      return make("option", { value }, [words.text(kind, { name: subscript(value) })]);
-    });
-    this.#plot.replaceChildren(make("option", { value: "angles" }, [words.text("plots.angles")]), ...options);
+    const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
+      make("option", { value }, [words.text(key, { name })]);
+    this.#plot.replaceChildren(
+      option("angles", "plots.main", ""),
+      ...this.#engine.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
+      ...points.map((point) => option(point, "plots.point", subscript(point))),
+    );
   }
 }
 

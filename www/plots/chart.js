@@ -85,7 +85,6 @@ export class ChartView {
    * @returns {readonly Panel[]} where the plots are
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
-    const { words } = snapshot;
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     // Not as the text that was written last left it.
@@ -93,8 +92,8 @@ export class ChartView {
     const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole }));
     const panels = drawn.value?.panels ?? [];
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
-    const titles = drawChartText(context, panels, words, theme);
-    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], words, theme));
+    const titles = drawChartText(context, panels, snapshot, theme);
+    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
     return panels;
   }
 }

@@ -1,8 +1,7 @@
-// The cursor over the plots: a line at the crank angle, a dot and a number on each curve. Redrawn every frame. Where a
+// The cursor over the plots: a line at the input, a dot and a number on each curve. Redrawn every frame. Where a
 // pointer hovers, a second, dashed one.
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
-import { degrees, radians } from "assur/core/angles.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { across, down, shows } from "assur/plots/panel.js";
@@ -30,7 +29,7 @@ export class ChartCursor {
   #theme;
   #chart;
   #engine;
-  /** @type {number | null} the crank angle under a pointer, radians */
+  /** @type {number | null} the input under a pointer */
   #hovered = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
@@ -58,7 +57,7 @@ export class ChartCursor {
     this.redraw();
   }
 
-  /** @param {number | null} phi a crank angle to show the values at, radians */
+  /** @param {number | null} phi the input to show the values at */
   hover(phi) {
     if (phi === this.#hovered) return;
     this.#hovered = phi;
@@ -73,7 +72,7 @@ export class ChartCursor {
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
     const { panels } = this.#chart;
     // Two sets of numbers would cover each other: under a pointer only its own are written.
-    const phi = radians(snapshot.phiDeg);
+    const phi = snapshot.input;
     for (const panel of panels) this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? this.#written : null);
     if (hovered === null || panels.length === 0) return;
     for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, ghost, GHOST);
@@ -89,14 +88,14 @@ export class ChartCursor {
   }
 
   /**
-   * The crank angle of the second cursor, above the topmost plot.
+   * The input of the second cursor, above the topmost plot.
    * @param {Panel} panel
    * @param {number} phi
    * @param {Snapshot} snapshot
    */
-  #angle(panel, phi, { words }) {
+  #angle(panel, phi, { coordinate, words }) {
     const { context } = this.#surface;
-    const text = `${words.numbers.fixed(degrees(phi), 1)}°`;
+    const text = coordinate.text(phi, words, 1);
     const font = setChartFont(context, this.#theme);
     const width = textWidth(context, font, text) + 10;
     const middle = across(panel, phi);

@@ -1,6 +1,5 @@
-// The labels at zeros, extrema and limit positions: a value and its angle, placed where no label covers another.
+// The labels at zeros, extrema and limit positions: a value and its input, placed where no label covers another.
 import { textWidth } from "assur/canvas/text-width.js";
-import { degrees } from "assur/core/angles.js";
 import { across, down } from "assur/plots/panel.js";
 import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
@@ -9,7 +8,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {import("assur/engine.js").Mark} Mark
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
@@ -31,10 +30,10 @@ const MOST_COVERED = 4;
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {Box} title the place of the panel's title
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @param {Theme} theme
  */
-export function drawMarks(context, panel, title, words, theme) {
+export function drawMarks(context, panel, title, snapshot, theme) {
   const font = setChartFont(context, theme);
   context.textAlign = "left";
   context.textBaseline = "middle";
@@ -44,7 +43,7 @@ export function drawMarks(context, panel, title, words, theme) {
   const points = [...panel.points, ...zeroLine(panel)];
   const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   for (const mark of labelled(panel.marks)) {
-    const text = markText(mark, panel, words);
+    const text = markText(mark, panel, snapshot);
     const box = freePlace(panel, mark, textWidth(context, font, text), taken, points, theme.scale);
     if (!box) continue;
     taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
@@ -75,10 +74,10 @@ function labelled(marks) {
 /**
  * @param {Mark} mark
  * @param {Panel} panel
- * @param {Words} words
+ * @param {Snapshot} snapshot
  */
-function markText({ kind, phi, value }, panel, words) {
-  const angle = `${words.numbers.fixed(degrees(phi), 1)}°`;
+function markText({ kind, phi, value }, panel, { coordinate, words }) {
+  const angle = coordinate.text(phi, words, 1);
   return kind === "zero" ? angle : words.text("plots.mark", { value: written(panel, value, words.numbers), angle });
 }
 

@@ -4,7 +4,7 @@
 
 /**
  * @param {Panel} panel
- * @param {number} phi radians
+ * @param {number} phi the input
  * @returns {number} CSS pixels from the left
  */
 export function across(panel, phi) {
@@ -14,7 +14,7 @@ export function across(panel, phi) {
 /**
  * @param {Panel} panel
  * @param {number} left CSS pixels from the left
- * @returns {number} the crank angle there, radians; at the ends of the axis for what lies beyond
+ * @returns {number} the input there; at the ends of the axis for what lies beyond
  */
 export function angleAt(panel, left) {
   const share = Math.min(Math.max((left - panel.left) / panel.width, 0), 1);

@@ -1,8 +1,6 @@
-// Hands on the plots: a click or a drag drives the crank to the angle under the pointer, hovering shows the values there.
-import { degrees } from "assur/core/angles.js";
+// Hands on the plots: a click or a drag drives to the input under the pointer, hovering shows the values there.
 import { setData } from "assur/core/dom.js";
 import { angleAt } from "assur/plots/panel.js";
-import { placed } from "assur/state/player.js";
 
 /** A finger that moved less, in pixels, has only touched. */
 const SLOP = 6;
@@ -15,6 +13,7 @@ export class ChartPointer {
   #chart;
   #cursor;
   #drive;
+  #model;
   /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pointer that is down */
   #held = null;
 
@@ -23,14 +22,13 @@ export class ChartPointer {
    * @param {{ hover(phi: number | null): void }} cursor
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor(canvas, cursor, { chart, store, model, drafts }) {
+  constructor(canvas, cursor, page) {
+    const { chart, model } = page;
     this.#canvas = canvas;
     this.#chart = chart;
     this.#cursor = cursor;
-    this.#drive = (/** @type {number} */ phi) => {
-      drafts.drop("phi_deg");
-      store.update((state) => placed(state, degrees(phi), model));
-    };
+    this.#model = model;
+    this.#drive = (/** @type {number} */ input) => page.drive(model.coordinate.place(input));
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#up(event));
@@ -86,14 +84,14 @@ export class ChartPointer {
 
   /** @param {number | null} phi */
   #hover(phi) {
-    setData(this.#canvas, "hover", phi === null ? "" : String(degrees(phi)));
+    setData(this.#canvas, "hover", phi === null ? "" : String(this.#model.coordinate.place(phi)));
     this.#cursor.hover(phi);
   }
 
   /**
    * @param {PointerEvent} event
    * @param {number} beyond
-   * @returns {number | null} the crank angle under the pointer; null where there is no axis
+   * @returns {number | null} the input under the pointer; null where there is no axis
    */
   #angle(event, beyond) {
     const [panel] = this.#chart.panels;

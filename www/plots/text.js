@@ -10,6 +10,8 @@ import { inDegrees, power, powerOf, unitOf } from "assur/plots/units.js";
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/coordinate.js").Coordinate} Coordinate
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  */
 
 const SIZE = 11;
@@ -20,15 +22,15 @@ const MOST_NAMED = 3;
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {readonly Panel[]} panels
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @param {Theme} theme
  * @returns {Box[]} where the titles are
  */
-export function drawChartText(context, panels, words, theme) {
-  const titles = panels.map((panel) => drawTitle(context, panel, words, theme));
+export function drawChartText(context, panels, { coordinate, words }, theme) {
+  const titles = panels.map((panel) => drawTitle(context, panel, coordinate, words, theme));
   for (const panel of panels) drawValues(context, panel, words, theme);
   const last = panels[panels.length - 1];
-  if (last) drawAngles(context, last, words, theme);
+  if (last) drawInputs(context, last, coordinate, words, theme);
   return titles;
 }
 
@@ -47,11 +49,12 @@ export function setChartFont(context, theme, size = SIZE) {
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
+ * @param {Coordinate} coordinate
  * @param {Words} words
  * @param {Theme} theme
  * @returns {Box}
  */
-function drawTitle(context, panel, words, theme) {
+function drawTitle(context, panel, coordinate, words, theme) {
   const { left, top } = panel;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
@@ -65,7 +68,7 @@ function drawTitle(context, panel, words, theme) {
   context.font = font;
   for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
-  const unit = words.text(unitOf(panel), { power: powerOf(panel) });
+  const unit = words.text(unitOf(panel, coordinate), { power: powerOf(panel) });
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel) })}` : "";
   // Where all of it has no room, the unit goes without its name.
   const fits = right + textWidth(context, font, `  ${unit}${proof}`) <= left + panel.width;
@@ -119,21 +122,23 @@ function drawValues(context, panel, words, theme) {
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
+ * @param {Coordinate} coordinate
  * @param {Words} words
  * @param {Theme} theme
  */
-function drawAngles(context, panel, words, theme) {
+function drawInputs(context, panel, coordinate, words, theme) {
   const font = setChartFont(context, theme);
   context.textBaseline = "top";
   context.fillStyle = theme.colours.secondary;
   const right = panel.left + panel.width;
   const top = panel.top + panel.height + 7 * theme.scale;
+  const turns = coordinate.moves === "angle";
   let free = -Infinity;
   for (const { value } of panel.xticks) {
-    const text = `${words.numbers.upTo(value, 2)}°`;
+    const text = words.numbers.upTo(value, turns ? 2 : 6) + (turns ? "°" : "");
     const half = textWidth(context, font, text) / 2;
     // Numbers at the very ends stay on the canvas; numbers without room are left out.
-    const middle = Math.min(across(panel, radians(value)), right + 8 - half);
+    const middle = Math.min(across(panel, coordinate.input(value)), right + 8 - half);
     if (middle - half < free) continue;
     context.textAlign = "center";
     context.fillText(text, middle, top);

@@ -36,10 +36,12 @@ export function written(panel, value, numbers) {
 
 /**
  * @param {Panel} panel
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate by which derivatives are, if not by time
  * @returns {string} the key of the words that say what a panel shows, and in which unit
  */
-export function unitOf({ kind, order, physical }) {
-  return `plots.${kind}.${physical && order > 0 ? "by_time" : "unit"}.${order}`;
+export function unitOf({ kind, order, physical }, coordinate) {
+  const by = coordinate.moves === "angle" ? "unit" : "by_length";
+  return `plots.${kind}.${order === 0 ? "unit" : physical ? "by_time" : by}.${order}`;
 }
 
 /**

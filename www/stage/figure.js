@@ -8,7 +8,7 @@ import { paintSquares } from "assur/stage/paper.js";
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -125,11 +125,11 @@ function readPoses(frame) {
  * @param {string} label a name, or a symbol and the read-out it is written with: `μ=C.transmission`
  * @param {Snapshot} snapshot
  */
-function labelText(label, { frameDeg, readouts, words }) {
+function labelText(label, { frameInput, coordinate, readouts, words }) {
   const [symbol, readout] = label.split("=");
   if (readout === undefined) return low(label);
-  const angle = readout === "input" ? frameDeg : readouts && degrees(readouts[readout]);
-  return angle === null ? symbol : `${symbol} = ${words.numbers.fixed(angle, 1)}°`;
+  if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, 1)}`;
+  return readouts ? `${symbol} = ${words.numbers.fixed(degrees(readouts[readout]), 1)}°` : symbol;
 }
 
 /** @param {string} label */

@@ -1,9 +1,7 @@
 // Hands on the drawing: joints and traced points are dragged, empty paper is panned, the wheel and two fingers zoom.
-import { degrees, ontoAxis, radians } from "assur/core/angles.js";
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { placed } from "assur/state/player.js";
-import { LISTS, withDocument, withView } from "assur/state/state.js";
+import { TRACERS, withDocument, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/stage/view.js").Joint} Joint
@@ -24,6 +22,7 @@ const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;
 
 export class MechanismPointer {
+  #page;
   #canvas;
   #view;
   #engine;
@@ -42,8 +41,9 @@ export class MechanismPointer {
    * @param {HTMLCanvasElement} canvas
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor(canvas, { mechanism, engine, store, model, drafts }) {
-    const view = mechanism;
+  constructor(canvas, page) {
+    const { mechanism: view, engine, store, model, drafts } = page;
+    this.#page = page;
     this.#canvas = canvas;
     this.#view = view;
     this.#engine = engine;
@@ -62,7 +62,6 @@ export class MechanismPointer {
     byId("zoom-in", HTMLButtonElement).addEventListener("click", () => view.zoom(STEP));
     byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));
     byId("zoom-fit", HTMLButtonElement).addEventListener("click", () => view.fit());
-    byId("presets", HTMLElement).addEventListener("click", () => view.fit());
     this.#trace.addEventListener("click", () => this.trace(!this.#tracing));
   }
 
@@ -78,7 +77,7 @@ export class MechanismPointer {
 
   /** @param {{ state: State }} snapshot */
   render({ state }) {
-    const full = (state.document.tracers ?? []).length >= LISTS.tracers.most;
+    const full = (state.document.tracers ?? []).length >= TRACERS.most;
     if (this.#trace.disabled !== full) this.#trace.disabled = full;
   }
 
@@ -139,8 +138,7 @@ export class MechanismPointer {
    */
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
-    const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
-    const put = attempt(() => this.#engine.trace(radians(phiDeg), x, y)).value;
+    const put = attempt(() => this.#engine.trace(this.#input, x, y)).value;
     if (!put) return null;
     this.#store.update((state) => withDocument(state, put.document));
     this.trace(false);
@@ -149,22 +147,26 @@ export class MechanismPointer {
     return { name, role: this.#model.summary.roles[link] ?? "ink", x, y };
   }
 
+  /** Where the driver is, for the engine. */
+  get #input() {
+    const { coordinate } = this.#model;
+    return coordinate.input(coordinate.of(this.#store.get()));
+  }
+
   /**
    * @param {{ name: Joint["name"], dx: number, dy: number }} taken
    * @param {Place} at
    */
   #drag({ name, dx, dy }, at) {
     const [x, y] = this.#view.view.toModel(at.x + dx, at.y + dy);
-    const phiDeg = ontoAxis(this.#store.get().view.phi_deg, this.#model.summary.cycle);
-    const change = attempt(() => this.#engine.drag(name, radians(phiDeg), x, y)).value;
+    const change = attempt(() => this.#engine.drag(name, this.#input, x, y)).value;
     if (!change) return;
     const { document, input } = change;
     if (document) {
       this.#drafts.dropAll(Object.keys(document));
       this.#store.update((state) => withDocument(state, document));
     } else {
-      this.#drafts.drop("phi_deg");
-      this.#store.update((state) => placed(state, degrees(input), this.#model));
+      this.#page.drive(this.#model.coordinate.place(input));
     }
   }
 

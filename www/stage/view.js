@@ -7,7 +7,7 @@ import { Backdrop } from "assur/stage/paper.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {{ name: string, role: string, x: number, y: number }} Joint a joint or a traced point in model coordinates
  */

@@ -1,5 +1,8 @@
 // What stands in number fields and is no number yet: kept as typed, until it becomes one.
 
+/** The field of where the driver is, whatever it is counted in. */
+export const INPUT = "input";
+
 export class Drafts {
   /** @type {Map<string, string>} */
   #texts = new Map();

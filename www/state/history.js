@@ -1,5 +1,5 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { OVERLAYS, withDocument, withMechanism, withView } from "assur/state/state.js";
+import { OVERLAYS, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -104,11 +104,7 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => {
-        const mixer = now.kind === "mixer" && next.kind === "mixer";
-        const changed = mixer ? withDocument(now, next.document) : withMechanism(now, next.kind, next.document);
-        return withView(changed, next.shown);
-      });
+      this.#store.update((now) => withView(withMechanism(now, next.kind, next.document), next.shown));
     } finally {
       this.#walking = false;
     }

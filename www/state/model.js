@@ -1,6 +1,6 @@
 // From the state to everything that is shown: asks the engine only for what a change makes necessary.
-import { degrees, ontoAxis, radians } from "assur/core/angles.js";
 import { attempt } from "assur/core/problem.js";
+import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
 import { DRAWN } from "assur/state/state.js";
 
@@ -19,13 +19,15 @@ import { DRAWN } from "assur/state/state.js";
  *
  * @typedef {{
  *   state: State,
- *   phiDeg: number,
+ *   coordinate: Coordinate,
+ *   place: number,
+ *   input: number,
  *   words: Words,
  *   scene: Float32Array,
  *   revision: number,
  *   frame: Float64Array,
  *   handles: Float64Array,
- *   frameDeg: number,
+ *   frameInput: number,
  *   readouts: Readouts | null,
  *   plotted: Float64Array | null,
  *   problems: readonly Problem[],
@@ -33,28 +35,38 @@ import { DRAWN } from "assur/state/state.js";
  *   faded: boolean,
  *   legible: boolean,
  * }} Shown
- * What the views draw. `phiDeg` is the crank angle on the angle axis; `revision` counts the mechanisms taken; `frameDeg` the crank angle
- * of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
+ * What the views draw. `place` is where the input is on its axis, as readers count, `input` the same for the engine; `revision` counts
+ * the mechanisms taken; `frameInput` is the input of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame).
  */
 
 /**
+ * The kinds of what moves.
+ * @typedef {{ [K in Kind]: import("assur/engine.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
+ */
+
+/**
  * The mechanism that is drawn: its kind, and what the engine says of its motion.
- * @template {Kind} [K=Kind]
+ * @template {Kind} [K=Moving]
  * @typedef {K extends Kind ? { kind: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
  */
 
 /**
- * @template {Kind} [K=Kind]
+ * @template {Kind} [K=Moving]
  * @typedef {Shown & Drawn<K>} Snapshot
  */
+
+/** @typedef {Snapshot<Kind>} AnySnapshot also of what does not move */
 
 /**
  * Where the mechanism that is drawn is of the state's own kind.
  * @template {Kind} K
  * @typedef {Snapshot<K> & { state: State<K> }} OwnSnapshot
  */
+
+/** What does not move has an input that nobody sees. */
+const STILL = Object.freeze({ moves: /** @type {const} */ ("angle"), cycle: { start: 0, end: 2 * Math.PI, full: true, arcs: [] }, home: 0 });
 
 const TRAPPED = Object.freeze({ code: "trapped" });
 
@@ -73,13 +85,15 @@ export class Model {
   #revision = 0;
   /** Of which mechanism the last place is, by its revision. */
   #placed = 0;
-  /** @type {Drawn} */
+  /** @type {Drawn<Kind>} */
   #drawn;
   /** @type {Float32Array} */
   #scene;
   /** @type {import("assur/engine.js").Here} the last place that could be drawn */
   #here;
-  #frameDeg;
+  #frameInput;
+  /** How the input is counted. */
+  #coordinate;
   /** @type {Readouts | null} */
   #readouts = null;
   /** @type {Float64Array | null} */
@@ -101,8 +115,9 @@ export class Model {
     this.#drafts = drafts;
     this.#drawn = drawn(engine, state);
     this.#scene = engine.scene();
-    this.#here = engine.at(this.summary.home);
-    this.#frameDeg = degrees(this.summary.home);
+    this.#coordinate = this.#counted();
+    this.#here = engine.at(this.home);
+    this.#frameInput = this.home;
     this.#revision = 1;
     this.#asked = state;
     this.#good = state;
@@ -112,6 +127,16 @@ export class Model {
   /** @returns {Summary} */
   get summary() {
     return this.#drawn.summary;
+  }
+
+  /** The input of the drawing as it is saved, for the engine. */
+  get home() {
+    return (this.summary.moves ? this.summary : STILL).home;
+  }
+
+  /** How the input of what is drawn is counted. */
+  get coordinate() {
+    return this.#coordinate;
   }
 
   /** @returns {State} the state asked about, or the last the engine took before it */
@@ -124,7 +149,12 @@ export class Model {
     return this.#refused.length === 0;
   }
 
-  /** Whether the mechanism can be assembled where its crank is now. */
+  /** Whether the state asks for a plot of what the mechanism has not. */
+  get unplottable() {
+    return this.#refused.some(({ code, field }) => code === "unknown_choice" && field === "plot");
+  }
+
+  /** Whether the mechanism can be assembled where its driver is now. */
   get placed() {
     return this.#unplaced.length === 0;
   }
@@ -136,7 +166,7 @@ export class Model {
   follow(state) {
     const asked = this.#asked;
     const other = !asked || asked.document !== state.document || DRAWN.some((name) => asked.view[name] !== state.view[name]);
-    const moved = !asked || asked.view.phi_deg !== state.view.phi_deg;
+    const moved = !asked || FIELDS.some((name) => asked.view[name] !== state.view[name]);
     if (other) this.#take(state);
     if (other || moved) this.#place(state);
     this.#asked = state;
@@ -147,7 +177,7 @@ export class Model {
    * @param {State} state
    * @param {Words} words
    * @param {boolean} legible
-   * @returns {Snapshot}
+   * @returns {AnySnapshot}
    */
   snapshot(state, words, legible) {
     // What is typed takes the place of what the state still holds.
@@ -158,16 +188,19 @@ export class Model {
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
+    const place = this.#coordinate.of(state);
     return {
       ...this.#drawn,
       state,
-      phiDeg: ontoAxis(state.view.phi_deg, this.summary.cycle),
+      coordinate: this.#coordinate,
+      place,
+      input: this.#coordinate.input(place),
       words,
       scene: this.#scene,
       revision: this.#revision,
       frame: this.#here.frame,
       handles: this.#here.handles,
-      frameDeg: this.#frameDeg,
+      frameInput: this.#frameInput,
       readouts: this.#readouts,
       plotted: this.#plotted,
       problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
@@ -177,29 +210,34 @@ export class Model {
     };
   }
 
+  #counted() {
+    const { moves, cycle } = this.summary.moves ? this.summary : STILL;
+    return new Coordinate(moves, cycle);
+  }
+
   /** @param {State} state */
   #take(state) {
     const taken = attempt(() => ({ drawn: drawn(this.#engine, state), scene: this.#engine.scene() }));
     this.#refused = taken.problems;
     if (!taken.value) return;
     this.#drawn = taken.value.drawn;
+    this.#coordinate = this.#counted();
     this.#scene = taken.value.scene;
     this.#revision += 1;
   }
 
   /** @param {State} state */
   #place(state) {
-    const phiDeg = ontoAxis(state.view.phi_deg, this.summary.cycle);
-    const phi = radians(phiDeg);
-    const { value: here, problems } = attempt(() => this.#engine.at(phi));
+    const input = this.#coordinate.input(this.#coordinate.of(state));
+    const { value: here, problems } = attempt(() => this.#engine.at(input));
     this.#unplaced = problems;
-    this.#unread = here && !here.readouts ? this.#engine.why(phi) : [];
+    this.#unread = here && !here.readouts ? this.#engine.why(input) : [];
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     // Where there is none the last place stays, unless it is that of another mechanism.
     if (!here && this.#placed === this.#revision) return;
-    this.#here = here ?? this.#engine.at(this.summary.home);
-    this.#frameDeg = here ? phiDeg : degrees(this.summary.home);
+    this.#here = here ?? this.#engine.at(this.home);
+    this.#frameInput = here ? input : this.home;
     this.#placed = this.#revision;
   }
 }
@@ -207,8 +245,8 @@ export class Model {
 /**
  * @param {Engine} engine
  * @param {State} state
- * @returns {Drawn}
+ * @returns {Drawn<Kind>}
  */
 function drawn(engine, state) {
-  return /** @type {Drawn} */ ({ kind: state.kind, summary: engine.set(state) });
+  return /** @type {Drawn<Kind>} */ ({ kind: state.kind, summary: engine.set(state) });
 }

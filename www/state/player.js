@@ -1,5 +1,4 @@
-// Moving the crank: by time, by hand, by steps.
-import { degrees, ontoAxis, radians } from "assur/core/angles.js";
+// Moving the driver: by time, by hand, by steps.
 import { attempt } from "assur/core/problem.js";
 import { withView } from "assur/state/state.js";
 
@@ -8,9 +7,6 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state/model.js").Model} Model
  */
-
-/** At speed 1 the crank turns once in six seconds, in radians per second. */
-const CRANK_SPEED = (2 * Math.PI) / 6;
 
 /**
  * The state dt seconds later.
@@ -24,24 +20,25 @@ export function played(state, dt, engine, model) {
   const { view } = state;
   if (!view.playing) return state;
   // Where nothing can be assembled there is no motion to go on with: it starts at home.
-  const from = model.placed ? radians(view.phi_deg) : model.summary.home;
-  // In real time the driver turns with ω₁ alone: ε₁ is what it has at the instant, it does not hasten.
-  const speed = view.true_time ? view.omega : view.speed * CRANK_SPEED;
+  const { coordinate } = model;
+  const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
+  // In real time the driver moves with ω₁ alone: ε₁ is what it has at the instant, it does not hasten.
+  const speed = view.true_time ? view.omega : view.speed * coordinate.speed;
   const moved = attempt(() => engine.advance(from, view.direction * speed * dt));
   if (!moved.value) return withView(state, { playing: false });
   const direction = moved.value.sign < 0 ? turned(view.direction) : view.direction;
-  return withView(state, { phi_deg: degrees(moved.value.input), direction });
+  return withView(coordinate.put(state, coordinate.place(moved.value.input)), { direction });
 }
 
 /**
- * The crank put to an angle by hand; it stays there.
+ * The driver put to a place by hand; it stays there.
  * @param {State} state
- * @param {number} phiDeg
+ * @param {number} place as readers count
  * @param {Model} model
  * @returns {State}
  */
-export function placed(state, phiDeg, model) {
-  return withView(state, { phi_deg: ontoAxis(phiDeg, model.summary.cycle), playing: false });
+export function placed(state, place, model) {
+  return withView(model.coordinate.put(state, place), { playing: false });
 }
 
 /**

@@ -1,36 +1,18 @@
 // The shape of the state and the few ways to change it. Plain JSON: it can be saved, sent and undone.
 
 /**
- * @typedef {"external" | "internal" | "as_printed"} Mesh
- * @typedef {"l1" | "l2" | "l3" | "l4" | "z4" | "module"} NumberField
- * @typedef {Readonly<{ z: number, centre_line_deg: number }>} Wheel
- * @typedef {Readonly<{ link: string, x: number, y: number }>} Tracer
- *
- * @typedef {Readonly<{
- *   l1: number, l2: number, l3: number, l4: number, z4: number, wheels: readonly Wheel[],
- *   mesh: Mesh, module: number, assembly: 1 | 2, tracers: readonly Tracer[],
- * }>} MixerDocument
- *
- * @typedef {Readonly<{
- *   phi_deg: number, s: number, playing: boolean, direction: 1 | -1, speed: number, lang: string,
- *   traces: boolean, centres: boolean, vectors: boolean, loop_vectors: boolean, transmission: boolean, groups: boolean,
- *   plot: string, axes: "analogues" | "physical", omega: number, omega_unit: "rad_per_s" | "per_min", epsilon: number,
- *   true_time: boolean, differenced: boolean,
- *   lesson: Readonly<{ id: string, step: number }> | null,
- *   projector: boolean,
- * }>} View
- *
- * @typedef {Readonly<{ crank?: string, base?: string, slide?: number, range?: readonly number[] }>} Driver
- * @typedef {Readonly<{ name: string, points: readonly string[], length?: number | null, shape?: readonly (readonly [number, number])[] | null, fixed_to?: string | null }>} LinkEntry
- * @typedef {Readonly<{
- *   title?: string | null, origin?: string | null, points: readonly Readonly<{ name: string, at: readonly [number, number] }>[], frame: readonly string[],
- *   links: readonly LinkEntry[], drivers: readonly Driver[], slides?: readonly Readonly<{ point: string, line: readonly string[] }>[],
- *   tracers?: readonly Readonly<{ name: string, link: string, at: readonly [number, number] }>[],
- *   assembly?: number | null, band?: number | null,
- * }>} LinkageDocument and what else docs/file-format.md has, which the page only passes on
- *
- * @typedef {{ mixer: MixerDocument, linkage: LinkageDocument }} Documents
- * @typedef {keyof Documents} Kind of document
+ * @template T
+ * @typedef {T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T} Frozen what nobody changes in place
+ */
+
+/**
+ * @typedef {Frozen<import("assur/types/file.js").View>} Saved the view as it is saved
+ * @typedef {Omit<Saved, "lesson"> & { readonly lesson: NonNullable<Saved["lesson"]> | null }} View
+ * @typedef {Frozen<import("assur/types/file.js").MixerDocument>} MixerDocument
+ * @typedef {Frozen<import("assur/types/file.js").LinkageDocument>} LinkageDocument
+ * @typedef {Frozen<import("assur/types/file.js").Document>} Document
+ * @typedef {Document["kind"]} Kind of document
+ * @typedef {{ [K in Kind]: Extract<Document, { kind: K }>["document"] }} Documents
  * @typedef {Partial<MixerDocument> | Partial<LinkageDocument>} Change of a document
  */
 
@@ -50,27 +32,8 @@ export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
-/** Of a list of the document: the number of its first entry as readers count, and how many it may have. */
-export const LISTS = Object.freeze({
-  wheels: Object.freeze({ first: 5, least: 1, most: 6 }),
-  tracers: Object.freeze({ first: 1, least: 0, most: 6 }),
-});
-
-/**
- * @param {string} link that carries a traced point
- * @returns {number} which peripheral wheel it is, from 0; below 0 where it is none
- */
-export function wheelOf(link) {
-  return link.startsWith("wheel") ? Number(link.slice(5)) - LISTS.wheels.first : -1;
-}
-
-/**
- * @param {number} index of a peripheral wheel, from 0
- * @returns {string} the link's name, which is also its role's
- */
-export function wheelLink(index) {
-  return `wheel${index + LISTS.wheels.first}`;
-}
+/** How many traced points a mechanism may have. */
+export const TRACERS = Object.freeze({ most: 6 });
 
 /**
  * @param {Partial<View>} view
@@ -133,17 +96,7 @@ function stateOf(kind, document, view) {
  * @returns {State}
  */
 export function withMechanism(state, kind, document) {
-  const { plot } = state.view;
-  const kept = "links" in document ? plotsOf(document).includes(plot) : state.kind === kind;
-  return withView(stateOf(kind, document, state.view), { plot: kept ? plot : "angles" });
-}
-
-/**
- * @param {LinkageDocument} document
- * @returns {string[]} what can be plotted of a linkage
- */
-export function plotsOf({ links, points, tracers = [] }) {
-  return ["angles", ...links.map(({ name }) => `${name}.angle`), ...[...points, ...tracers].map(({ name }) => name)];
+  return stateOf(kind, document, state.view);
 }
 
 /**
@@ -153,14 +106,7 @@ export function plotsOf({ links, points, tracers = [] }) {
  */
 export function withDocument(state, change) {
   const document = merged(state.document, change);
-  if (document === state.document) return state;
-  if ("links" in document) return withMechanism(state, "linkage", document);
-  // With a wheel goes what was traced of it.
-  const tracers = document.tracers.filter(({ link }) => wheelOf(link) < document.wheels.length);
-  const { plot } = state.view;
-  const gone = /^P\d$/.test(plot) && Number(plot.slice(1)) > tracers.length;
-  const left = tracers.length < document.tracers.length ? Object.freeze({ ...document, tracers }) : document;
-  return withView(stateOf("mixer", left, state.view), { plot: gone ? "angles" : plot });
+  return document === state.document ? state : /** @type {State} */ (Object.freeze({ ...state, document }));
 }
 
 /**

@@ -18,6 +18,7 @@ const MIXERS: [(&str, Case); 3] = [
 
 /// What a mechanism is shown among.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Group {
     /// Up to four links, the frame among them.
@@ -35,6 +36,7 @@ pub enum Group {
 
 /// A mechanism of the catalogue.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Preset {
     /// Its name.
     pub id: &'static str,

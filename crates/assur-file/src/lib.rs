@@ -6,6 +6,8 @@ mod catalogue;
 mod kinds;
 mod problem;
 mod state;
+#[cfg(test)]
+mod types;
 mod view;
 
 pub use catalogue::{Group, Preset, catalogue, from_catalogue, from_text, gallery, presets};

@@ -21,6 +21,7 @@ const NAME_LIMIT: usize = 64;
 
 /// How the mechanism is looked at; nothing here changes the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct View {
     /// Where the input is, if it is an angle: the crank angle, degrees.
     pub phi_deg: f64,
@@ -31,6 +32,7 @@ pub struct View {
     /// In motion or at rest.
     pub playing: bool,
     /// 1 or −1: sense in which the crank turns.
+    #[cfg_attr(test, ts(type = "1 | -1"))]
     pub direction: f64,
     /// Multiple of one turn in six seconds.
     pub speed: f64,
@@ -74,6 +76,7 @@ pub struct View {
     pub differenced: bool,
     /// The lesson that is open, if one is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub lesson: Option<OpenLesson>,
     /// Large text, thick lines, high contrast.
     #[serde(default)]
@@ -84,6 +87,7 @@ pub struct View {
 
 /// A lesson, open at one of its steps.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct OpenLesson {
     /// Its name: that of its folder.
     pub id: String,
@@ -93,6 +97,7 @@ pub struct OpenLesson {
 
 /// What derivatives are by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Axes {
     /// The crank angle.
@@ -104,6 +109,7 @@ pub enum Axes {
 
 /// A unit of angular velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum SpeedUnit {
     /// Radians in a second.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
 use assur::motion::{Column, Motion};
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::{Chart, Settings};
@@ -25,6 +25,8 @@ pub(crate) struct Moving {
     /// The numbers of links, by which their angles are called.
     numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
+    /// What is listed whatever is plotted.
+    listed: Vec<Reading>,
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
     /// The points that can be dragged.
@@ -32,6 +34,14 @@ pub(crate) struct Moving {
     figure: Figure,
     chart: Chart,
     explain: Explain,
+}
+
+/// What is read of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Reading {
+    Quantity(Quantity),
+    /// The transmission angle of a dyad, by its number.
+    Transmission(usize),
 }
 
 /// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
@@ -43,6 +53,16 @@ pub(crate) struct Here {
 }
 
 impl Here {
+    /// Of what never moves, by its frame.
+    pub(crate) fn still(frame: Vec<f32>) -> Self {
+        Self {
+            frame,
+            handles: Vec::new(),
+            readouts: Vec::new(),
+            plotted: Vec::new(),
+        }
+    }
+
     /// The lengths of the lists, then the lists.
     pub(crate) fn flat(&self) -> Vec<f64> {
         let Self {
@@ -102,6 +122,7 @@ impl Moving {
             dyads: mechanism.rrr_dyads(),
             numbers,
             quantities,
+            listed: Vec::new(),
             driven: Driven::of(&document, mechanism),
             handles: points.filter(|point| figure.is_drawn(*point)).collect(),
             chart: figure.chart(&plotted, settings(view)),
@@ -111,6 +132,15 @@ impl Moving {
             document,
             explain,
         })
+    }
+
+    /// The same with every transmission angle and the angles of these links listed, whatever
+    /// is plotted.
+    pub(crate) fn listing(mut self, links: impl Iterator<Item = LinkId>) -> Self {
+        let angles = links.map(|link| Reading::Quantity(Quantity::Angle(link)));
+        let transmissions = (0..self.dyads.len()).map(Reading::Transmission);
+        self.listed = angles.chain(transmissions).collect();
+        self
     }
 
     pub(crate) fn document(&self) -> &LinkageDocument {
@@ -169,6 +199,13 @@ impl Moving {
         }
     }
 
+    /// What is listed beside the drawing: what always is, then what is plotted.
+    pub(crate) fn listed(&self) -> impl Iterator<Item = Reading> + '_ {
+        let plotted = self.plotted.iter().copied().map(Reading::Quantity);
+        let plotted = plotted.filter(|one| !self.listed.contains(one));
+        self.listed.iter().copied().chain(plotted)
+    }
+
     pub(crate) fn handles(&self) -> &[PointId] {
         &self.handles
     }
@@ -177,10 +214,8 @@ impl Moving {
     /// every quantity with its first (′) and second (″) derivative.
     pub(crate) fn readout_names(&self) -> Vec<String> {
         let mechanism = self.mechanism();
-        let angles = self.dyads.iter().map(|dyad| {
-            let joint = mechanism.point_name(dyad.inner);
-            format!("{joint}.transmission")
-        });
+        let angles =
+            (0..self.dyads.len()).map(|dyad| self.reading_name(Reading::Transmission(dyad)));
         let quantities = self.quantities.iter().flat_map(|one| {
             let name = one.name(mechanism, 0);
             ["", "′", "″"].map(|stroke| [&name, stroke].concat())
@@ -190,6 +225,18 @@ impl Moving {
             .chain(angles)
             .chain(quantities)
             .collect()
+    }
+
+    /// The name of a read-out.
+    pub(crate) fn reading_name(&self, reading: Reading) -> String {
+        let mechanism = self.mechanism();
+        match reading {
+            Reading::Quantity(quantity) => quantity.name(mechanism, 0),
+            Reading::Transmission(dyad) => {
+                let joint = mechanism.point_name(self.dyads[dyad].inner);
+                format!("{joint}.transmission")
+            }
+        }
     }
 
     /// All of a place of the motion, from one pose. Where derivatives are unbounded there

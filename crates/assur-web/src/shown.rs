@@ -20,6 +20,11 @@ pub(crate) trait Shown {
     /// What is rigid.
     fn scene(&self) -> &List;
 
+    /// The frame of what never moves, as of [`crate::Simulator::at`]; of what moves none.
+    fn still(&self) -> Vec<f32> {
+        Vec::new()
+    }
+
     /// What moves, is read, listed and plotted, where anything is.
     fn moving(&self) -> Option<&Moving> {
         None

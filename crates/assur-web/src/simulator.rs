@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{thrown, to_js};
 use crate::kinds::shown;
-use crate::moving::Moving;
+use crate::moving::{Here, Moving};
 use crate::shown::{Edited, Shown};
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
@@ -67,12 +67,17 @@ impl Simulator {
     /// y of each; the values of `readoutNames`; of each plotted quantity, in the order of
     /// the chart's series, the value and the first two derivatives. Derivatives are those
     /// of the axes, by the input or by time; where they are unbounded the last two lists
-    /// are empty, and `why` says it.
+    /// are empty, and `why` says it. What never moves is the same at every input, and has
+    /// the frame alone.
     ///
     /// # Errors
     /// Why there is no pose.
     pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
-        Ok(self.moving()?.at(input).map_err(one)?.flat())
+        let shown = self.shown()?;
+        let Some(moving) = shown.moving() else {
+            return Ok(Here::still(shown.still()).flat());
+        };
+        Ok(moving.at(input).map_err(one)?.flat())
     }
 
     /// The last of the lists of `at` alone: for the cursor of the plots.
@@ -87,9 +92,10 @@ impl Simulator {
     /// derivatives.
     ///
     /// # Errors
-    /// Before the first `set`; where nothing moves.
+    /// Before the first `set`.
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
-        Ok(thrown(self.moving()?.why(input)))
+        let moving = self.shown()?.moving();
+        Ok(thrown(moving.and_then(|moving| moving.why(input))))
     }
 
     /// The names of the read-outs: the input, the transmission angles of the RRR dyads,

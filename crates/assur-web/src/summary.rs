@@ -3,29 +3,38 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::mechanism::{FRAME, LinkOrFrame};
+use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, Quantity};
 use assur::motion::OutputProfile;
 use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
+use assur_draw::Figure;
 use serde::Serialize;
 
 use crate::equations::EquationSummary;
-use crate::moving::Moving;
+use crate::moving::{Moving, Reading};
 use crate::profile::ProfileSummary;
 
-/// All of it; a kind adds what only it has.
+/// What is said of a drawing and of its structure, whether it moves or not.
 #[derive(Serialize)]
-pub(crate) struct MotionSummary<'a> {
-    /// What the input is: `angle` or `length`.
-    moves: &'static str,
-    cycle: CycleSummary,
-    home: f64,
+pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
     class: String,
     order: usize,
     formula: String,
     groups: Vec<GroupSummary>,
+    roles: BTreeMap<&'a str, &'static str>,
+}
+
+/// All that is said of a motion; a kind adds what only it has.
+#[derive(Serialize)]
+pub(crate) struct MotionSummary<'a> {
+    /// What the input is: `angle` or `length`.
+    moves: &'static str,
+    #[serde(flatten)]
+    structure: StructureSummary<'a>,
+    cycle: CycleSummary,
+    home: f64,
     equations: Vec<EquationSummary<'a>>,
     assembly: usize,
     assemblies: usize,
@@ -34,10 +43,10 @@ pub(crate) struct MotionSummary<'a> {
     four_bars: Vec<FourBarSummary<'a>>,
     transmissions: Vec<TransmissionSummary<'a>>,
     outputs: Vec<OutputSummary>,
-    roles: BTreeMap<&'a str, &'static str>,
     /// The numbers of links, by which their angles are called.
     numbers: &'a BTreeMap<String, String>,
     points: Vec<&'a str>,
+    listed: Vec<ListedSummary<'a>>,
     plotted: Vec<String>,
     handles: Vec<HandleSummary<'a>>,
     profile: Option<ProfileSummary>,
@@ -116,18 +125,58 @@ struct LimitSummary {
     value: f64,
 }
 
+/// A read-out of the list beside the drawing, and whose it is: of an angle the link and
+/// those fixed to it, of a coordinate the point, of a transmission angle the joint.
+#[derive(Serialize)]
+struct ListedSummary<'a> {
+    name: String,
+    /// `angle`, `x`, `y` or `transmission`.
+    what: &'static str,
+    of: Vec<&'a str>,
+    /// The number by which the angle is called.
+    number: Option<&'a str>,
+    role: &'static str,
+}
+
 #[derive(Serialize)]
 struct HandleSummary<'a> {
     name: &'a str,
     role: &'static str,
 }
 
-impl<'a> MotionSummary<'a> {
-    pub(crate) fn new(moving: &'a Moving) -> Self {
-        let (motion, mechanism, figure) = (moving.motion(), moving.mechanism(), moving.figure());
+impl<'a> StructureSummary<'a> {
+    pub(crate) fn new(mechanism: &'a Mechanism, figure: &Figure) -> Self {
         let structure = mechanism.structure();
         let highest = structure.groups().max_by_key(|group| group.class);
         let groups = mechanism.terms().into_iter().zip(figure.step_roles());
+        let counts = mechanism.counts();
+        Self {
+            bounds: figure.bounds(),
+            counts: CountsSummary {
+                links: counts.links,
+                lower: counts.lower_pairs,
+                higher: counts.higher_pairs,
+                mobility: counts.mobility,
+            },
+            class: roman(structure.class()),
+            order: highest.map_or(1, |group| group.order()),
+            formula: mechanism.formula(),
+            groups: groups
+                .map(|(term, role)| GroupSummary {
+                    term,
+                    role: role.name(),
+                })
+                .collect(),
+            roles: (mechanism.link_ids())
+                .map(|link| (mechanism.link_name(link), figure.role(link).name()))
+                .collect(),
+        }
+    }
+}
+
+impl<'a> MotionSummary<'a> {
+    pub(crate) fn new(moving: &'a Moving) -> Self {
+        let (motion, mechanism, figure) = (moving.motion(), moving.mechanism(), moving.figure());
         let dead_points = motion.dead_points().iter().map(|end| DeadPointSummary {
             input: end.input,
             kind: end.kind.code(),
@@ -158,7 +207,6 @@ impl<'a> MotionSummary<'a> {
             name: mechanism.point_name(*handle),
             role: moving.role(*handle),
         });
-        let counts = mechanism.counts();
         let plotted = moving.plotted().iter();
         // What is plotted first most often is an output: its motion is searched through once.
         let outputs = moving.outputs();
@@ -180,23 +228,8 @@ impl<'a> MotionSummary<'a> {
         Self {
             moves: if mechanism.turns() { "angle" } else { "length" },
             cycle: CycleSummary::new(motion.cycle()),
+            structure: StructureSummary::new(mechanism, figure),
             home: motion.home(),
-            bounds: figure.bounds(),
-            counts: CountsSummary {
-                links: counts.links,
-                lower: counts.lower_pairs,
-                higher: counts.higher_pairs,
-                mobility: counts.mobility,
-            },
-            class: roman(structure.class()),
-            order: highest.map_or(1, |group| group.order()),
-            formula: mechanism.formula(),
-            groups: groups
-                .map(|(term, role)| GroupSummary {
-                    term,
-                    role: role.name(),
-                })
-                .collect(),
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
@@ -210,13 +243,43 @@ impl<'a> MotionSummary<'a> {
                 .map(|(name, profile)| OutputSummary::new(name, profile))
                 .collect(),
             numbers: moving.numbers(),
-            roles: (mechanism.link_ids())
-                .map(|link| (mechanism.link_name(link), figure.role(link).name()))
-                .collect(),
             points: mechanism.points().collect(),
             plotted: plotted.clone().map(|one| one.name(mechanism, 0)).collect(),
+            listed: (moving.listed())
+                .map(|reading| ListedSummary::new(moving, reading))
+                .collect(),
             handles: handles.collect(),
             profile: first,
+        }
+    }
+}
+
+impl<'a> ListedSummary<'a> {
+    fn new(moving: &'a Moving, reading: Reading) -> Self {
+        let mechanism = moving.mechanism();
+        let (what, of, role) = match reading {
+            Reading::Quantity(Quantity::Angle(link)) => {
+                let fixed = mechanism.link_ids();
+                let fixed =
+                    fixed.filter(|one| *one != link && mechanism.root_of(*one) == Some(link));
+                let links = [link].into_iter().chain(fixed);
+                let of = links.map(|link| mechanism.link_name(link)).collect();
+                ("angle", of, moving.figure().role(link).name())
+            }
+            Reading::Quantity(Quantity::X(point)) => ("x", vec![mechanism.point_name(point)], "x"),
+            Reading::Quantity(Quantity::Y(point)) => ("y", vec![mechanism.point_name(point)], "y"),
+            Reading::Transmission(dyad) => {
+                let joint = mechanism.point_name(moving.dyads()[dyad].inner);
+                ("transmission", vec![joint], "secondary")
+            }
+        };
+        let number = of.first().and_then(|link| moving.numbers().get(*link));
+        Self {
+            name: moving.reading_name(reading),
+            what,
+            number: number.map(String::as_str).filter(|_| what == "angle"),
+            of,
+            role,
         }
     }
 }

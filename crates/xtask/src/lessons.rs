@@ -108,7 +108,11 @@ mod tests {
     fn a_folder_more_is_a_lesson_more() {
         let lessons = Copy::of_the_lessons("fixture");
         let before = found(&lessons.0).unwrap();
-        let fixture = root().join("tests").join("data").join("lessons");
+        let fixture = root()
+            .join("tests")
+            .join("data")
+            .join("page")
+            .join("lessons");
         copy(&fixture, &lessons.0).unwrap();
         let mut after = found(&lessons.0).unwrap();
         let added = after.iter().position(|lesson| lesson.id == "fixture");
@@ -158,7 +162,11 @@ mod tests {
         for (number, (sentence, spoil)) in faults.into_iter().enumerate() {
             let lessons = Copy::of_the_lessons(&format!("fault-{number}"));
             copy(
-                &root().join("tests").join("data").join("lessons"),
+                &root()
+                    .join("tests")
+                    .join("data")
+                    .join("page")
+                    .join("lessons"),
                 &lessons.0,
             )
             .unwrap();

@@ -7,6 +7,7 @@
 mod bench;
 mod browser;
 mod bundle;
+mod kinds;
 mod lessons;
 mod media;
 mod minify;
@@ -21,6 +22,7 @@ mod words;
 mod workspace;
 
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::Result;
@@ -74,7 +76,11 @@ enum Task {
     /// Builds the page into one file, dist/assur.html, that opens by double-click
     Bundle,
     /// Builds the page into the folder `site` of the target directory
-    Build,
+    Build {
+        /// A folder with `lessons` and `kinds` of its own: with them the page is built once more, into `site.more`
+        #[arg(long, value_name = "FOLDER")]
+        with: Option<PathBuf>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -89,15 +95,20 @@ fn main() -> ExitCode {
 
 fn perform(task: &Task) -> Result<ExitCode> {
     let workspace = Workspace::locate()?;
-    match *task {
-        Task::Serve { port, no_open } => serve(&workspace, port, !no_open)?,
+    match task {
+        Task::Serve { port, no_open } => serve(&workspace, *port, !no_open)?,
         Task::Test => return test::run(&workspace),
-        Task::Bench { minutes } => bench::run(&workspace, minutes)?,
+        Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;
         }
-        Task::Build => site::set_up_and_build(&workspace)?,
+        Task::Build { with } => {
+            site::set_up_and_build(&workspace)?;
+            if let Some(more) = with {
+                site::build_with(&workspace, more)?;
+            }
+        }
     }
     Ok(ExitCode::SUCCESS)
 }

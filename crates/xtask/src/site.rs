@@ -8,6 +8,7 @@ use std::{env, fs};
 use anyhow::{Context, Result};
 
 use crate::bundle::{STYLE_CLOSE, STYLE_OPEN};
+use crate::kinds;
 use crate::lessons;
 use crate::minify;
 use crate::scripts::{self, Sources};
@@ -38,14 +39,7 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
 pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let (site, fresh) = (workspace.site(), workspace.target().join("site.new"));
     announce("page", "building the release");
-    remove(&fresh)?;
-    let root = workspace.root();
-    copy(&root.join("www"), &fresh)?;
-    copy(&root.join("lang"), &fresh.join("lang"))?;
-    fill_words(&fresh)?;
-    list_lessons(workspace, &fresh)?;
-    join_scripts(&fresh)?;
-    join_styles(&fresh)?;
+    put_together(workspace, None, &fresh)?;
     bind(workspace, &compile(workspace)?, &fresh.join("pkg"))?;
     minify_all(&fresh)?;
 
@@ -54,6 +48,32 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         .with_context(|| format!("the new page cannot be moved to {}", site.display()))?;
     announce("page", &format!("built in {}", site.display()));
     Ok(())
+}
+
+/// The page as it was built, with more folders of lessons and kinds, in a place of its own.
+pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<PathBuf> {
+    let place = workspace.target().join("site.more");
+    put_together(workspace, Some(more), &place)?;
+    copy(&workspace.site().join("pkg"), &place.join("pkg"))?;
+    minify_all(&place)?;
+    announce("page with more", &format!("built in {}", place.display()));
+    Ok(place)
+}
+
+/// All of the page but the wasm side.
+fn put_together(workspace: &Workspace, more: Option<&Path>, site: &Path) -> Result<()> {
+    let root = workspace.root();
+    remove(site)?;
+    copy(&root.join("www"), site)?;
+    if let Some(more) = more {
+        copy(more, site)?;
+    }
+    copy(&root.join("lang"), &site.join("lang"))?;
+    kinds::add_words(&site.join("kinds"), &site.join("lang"))?;
+    fill_words(site)?;
+    list_folders(workspace, site)?;
+    join_scripts(site)?;
+    join_styles(site)
 }
 
 /// Writes the module that JavaScript imports.
@@ -127,13 +147,24 @@ fn fill_words(site: &Path) -> Result<()> {
     write(&index, &filled)
 }
 
-/// Writes the list of the lessons, and its types for the checker.
-fn list_lessons(workspace: &Workspace, site: &Path) -> Result<()> {
-    let list = lessons::list(&site.join("lessons"))?;
-    write(&site.join(lessons::LIST), &list)?;
-    let types = workspace.types().join("lessons");
-    fs::create_dir_all(&types).with_context(|| unwritable(&types))?;
-    write(&types.join("index.d.ts"), lessons::TYPES)
+/// Writes the lists of the lessons and of the kinds, and their types for the checker.
+fn list_folders(workspace: &Workspace, site: &Path) -> Result<()> {
+    let lists = [
+        (
+            lessons::LIST,
+            lessons::list(&site.join("lessons"))?,
+            lessons::TYPES,
+        ),
+        (kinds::LIST, kinds::list(&site.join("kinds"))?, kinds::TYPES),
+    ];
+    for (place, list, types) in lists {
+        write(&site.join(place), &list)?;
+        let declared = workspace.types().join(place).with_extension("d.ts");
+        let folder = declared.parent().unwrap_or(&declared);
+        fs::create_dir_all(folder).with_context(|| unwritable(folder))?;
+        write(&declared, types)?;
+    }
+    Ok(())
 }
 
 /// Puts the scripts together, before those of the wasm side are beside them.

@@ -202,7 +202,12 @@ fn page_tests(
     let browser = needed(browser)?;
     // The workers answer until this program ends.
     let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
-    Ok(page_test(workspace, "page", address, browser))
+    let folders = workspace.root().join("tests").join("data").join("page");
+    let more = site::build_with(workspace, &folders)?;
+    let (with_more, _workers) = server::start(server::listen(0)?, &more)?;
+    let mut test = page_test(workspace, "page", address, browser);
+    test.env("ASSUR_MORE_URL", format!("http://{with_more}/"));
+    Ok(test)
 }
 
 /// A test target that opens the page served at an address.

@@ -134,7 +134,7 @@ export class CourseView {
       store.update((state) => withDocument(state, { band })),
     );
     const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
-    const section = make("section", { class: "of-linkage" }, [
+    const section = make("section", { "data-of": "linkage" }, [
       make("h2", { "data-t": "dwell.heading" }),
       this.#row.element,
       make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
@@ -147,7 +147,7 @@ export class CourseView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#design.render(snapshot);
-    const { state, summary, words, problems, stale } = snapshot;
+    const { state, summary, coordinate, words, problems, stale } = snapshot;
     const { profile, plotted } = summary;
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
     const band = state.document.band ?? profile?.width;
@@ -160,7 +160,7 @@ export class CourseView {
     if (stale) return;
     const angle = plotted[0].endsWith(".angle");
     const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
-    const turned = (/** @type {number} */ phi) => `${words.numbers.upTo(degrees(phi), 3)}°`;
+    const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
     const { stroke, dwell } = profile;
     write(this.#name, words.text("dwell.of", { name: plotted[0].replace(/\.angle$/, "") }));
     const none = words.text("dwell.none");

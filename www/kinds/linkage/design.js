@@ -89,7 +89,8 @@ export class DesignView {
   render(snapshot) {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
-    const { state, summary, words, stale } = snapshot;
+    const { state, summary, coordinate, words, stale } = snapshot;
+    this.element.hidden = coordinate.moves !== "angle";
     if (this.#worker && !this.#holds(state)) this.#finish("stopped");
     this.#build(snapshot);
     const { profile } = summary;

@@ -1,5 +1,5 @@
 // The constraint equations of a linkage at the crank angle there is: both sides in numbers, and by how much they differ.
-import { degrees, radians } from "assur/core/angles.js";
+import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 
@@ -50,7 +50,7 @@ export class EquationsView {
     this.#table.prepend(make("thead", {}, [make("tr", {}, head)]));
     // What scrolls must be reached by keys, too.
     const window = make("div", { class: "equations", tabindex: "0", role: "region", "data-t-label": "equations.heading" }, [this.#table]);
-    this.#details = make("details", { id: "equations", class: "of-linkage" }, [
+    this.#details = make("details", { id: "equations", "data-of": "linkage" }, [
       make("summary", { "data-t": "equations.heading" }),
       this.#order,
       this.#note,
@@ -70,14 +70,14 @@ export class EquationsView {
 
   #show() {
     if (!this.#details.open || !this.#snapshot) return;
-    const { summary, words, phiDeg, stale, problems } = this.#snapshot;
+    const { summary, words, input, stale, problems } = this.#snapshot;
     setData(this.#table, "faded", String(stale));
     const order = Number(this.#order.value);
     this.#build(summary.equations, order);
-    const written = [summary, order, phiDeg, words, problems.length];
+    const written = [summary, order, input, words, problems.length];
     if (stale || written.every((part, i) => part === this.#written[i])) return;
     this.#written = written;
-    const { value: sides } = attempt(() => this.#engine.ask((simulator) => simulator.equations(radians(phiDeg), order)));
+    const { value: sides } = attempt(() => this.#engine.ask((simulator) => simulator.equations(input, order)));
     summary.equations.forEach(({ kind }, row) => {
       const angle = order === 0 && (kind === "direction" || kind === "mesh");
       SIDES.forEach((side, column) => {

@@ -49,7 +49,7 @@ export class LinkageRail {
     this.#driver.addEventListener("change", () => this.#edit({ drivers: [{ crank: this.#driver.value }], assembly: null }));
     this.#assembly.addEventListener("change", () => this.#edit({ assembly: Number(this.#assembly.value) }));
     const section = (/** @type {string} */ key, /** @type {HTMLElement} */ content) =>
-      make("section", { class: "of-linkage" }, [make("h2", { "data-t": key }), content]);
+      make("section", { "data-of": "linkage" }, [make("h2", { "data-t": key }), content]);
     const sections = [
       section("field.drivers", this.#driver),
       section("lengths.links", this.#lengths),

@@ -7,14 +7,13 @@ import { make } from "assur/core/dom.js";
  * @typedef {import("assur/engine.js").MotionSummary} Summary
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/state/state.js").State<"linkage">} LinkageState
  */
 
-/** @type {Readonly<Record<string, (summary: Summary, words: Words, state: LinkageState) => string | (Node | string)[]>>} */
+/** @type {Readonly<Record<string, (summary: Summary, words: Words, snapshot: Snapshot) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
   mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
-  formula: ({ formula, groups }, _, { view }) => (view.groups ? coloured(groups) : formula),
+  formula: ({ formula, groups }, _, { state: { view } }) => (view.groups ? coloured(groups) : formula),
   "linkage-assembly": ({ assembly, assemblies }, words) =>
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
   "linkage-grashof": ({ four_bars: bars }, words) =>
@@ -29,10 +28,11 @@ const ENTRIES = Object.freeze({
       ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${name.replace(/\.angle$/, "")})`],
     ).join("; "),
   "linkage-transmission": ({ transmissions }, words) => transmissions.map(({ joint, min }) => `${angle(min, words)} (${joint})`).join("; "),
-  "linkage-range": ({ cycle }, words) => (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => angle(end, words)).join("…")).join(", ")),
-  "linkage-dead": ({ dead_points: dead }, words) =>
-    dead.map(({ input, kind, links }) => `${angle(input, words)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
-  "linkage-change": ({ change_points: points }, words) => points.map((phi) => angle(phi, words)).join(", "),
+  "linkage-range": ({ cycle }, words, { coordinate }) =>
+    (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => coordinate.short(end, words, 2)).join("…")).join(", ")),
+  "linkage-dead": ({ dead_points: dead }, words, { coordinate }) =>
+    dead.map(({ input, kind, links }) => `${coordinate.short(input, words, 2)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
+  "linkage-change": ({ change_points: points }, words, { coordinate }) => points.map((input) => coordinate.short(input, words, 2)).join(", "),
 });
 
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
@@ -42,8 +42,8 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
 
 /** @returns {StatusLine<Snapshot>} */
 export function linkageStatus() {
-  return new StatusLine("of-linkage", Object.entries(ENTRIES).map(([name, say]) => ({
-    name, title: `status.${TITLES[name] ?? name}`, say: ({ summary, words, state }) => ({ text: say(summary, words, state) }),
+  return new StatusLine("linkage", Object.entries(ENTRIES).map(([name, say]) => ({
+    name, title: `status.${TITLES[name] ?? name}`, say: (snapshot) => ({ text: say(snapshot.summary, snapshot.words, snapshot) }),
   })));
 }
 

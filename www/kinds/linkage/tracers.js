@@ -6,7 +6,7 @@ import { edited } from "assur/state/state.js";
 export class TracedPoints {
   #store;
   #list = make("div");
-  #section = make("section", { class: "of-linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
+  #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 

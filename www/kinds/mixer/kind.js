@@ -2,7 +2,5 @@
 import { Rail } from "assur/kinds/mixer/rail.js";
 import { mixerStatus } from "assur/kinds/mixer/status.js";
 
-/** @param {import("assur/app/page.js").Page} page */
-export function mixerViews(page) {
-  return { views: [new Rail(page), mixerStatus()], common: [] };
-}
+/** @type {import("assur/app/views.js").Make} */
+export const views = (page) => [new Rail(page), mixerStatus()];

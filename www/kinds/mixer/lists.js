@@ -1,9 +1,10 @@
 // The lists of the document in the rail, the peripheral wheels and the traced points: a card for each, one more, one less.
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
-import { byId, make } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 import { subscript } from "assur/core/symbols.js";
-import { LISTS, wheelLink, wheelOf, edited } from "assur/state/state.js";
+import { WHEELS, wheelLink, wheelOf } from "assur/kinds/mixer/wheels.js";
+import { TRACERS, edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").MixerSummary} Summary
@@ -11,8 +12,8 @@ import { LISTS, wheelLink, wheelOf, edited } from "assur/state/state.js";
  * @typedef {import("assur/state/drafts.js").Drafts} Drafts
  * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/state/state.js").Wheel} Wheel
- * @typedef {import("assur/state/state.js").Tracer} Tracer
+ * @typedef {MixerDocument["wheels"][number]} Wheel
+ * @typedef {MixerDocument["tracers"][number]} Tracer
  * @typedef {Wheel | Tracer} Entry
  * @typedef {(change: Partial<Wheel & Tracer>) => void} Put
  */
@@ -26,6 +27,9 @@ import { LISTS, wheelLink, wheelOf, edited } from "assur/state/state.js";
  * @template {Entry} E
  * @typedef {(index: number, put: Put, drafts: Drafts, remove: HTMLButtonElement) => { lines: HTMLElement[], show: Show<E> }} Build
  */
+
+/** Of each list the number of its first entry as readers count, and how many it may have. */
+const LISTS = Object.freeze({ wheels: WHEELS, tracers: { ...TRACERS, first: 1, least: 0 } });
 
 export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 
@@ -42,7 +46,10 @@ export class RailList {
   #build;
   #store;
   #drafts;
-  #add;
+  /** The button for one more. */
+  add;
+  /** Where the cards are. */
+  cards;
   /** @type {{ show: Show<E>, element: HTMLElement, remove: HTMLButtonElement }[]} */
   #cards = [];
   /** @type {Summary | null} */
@@ -60,8 +67,9 @@ export class RailList {
     this.#build = build;
     this.#store = store;
     this.#drafts = drafts;
-    this.#add = byId(`${name}-add`, HTMLButtonElement);
-    this.#add.addEventListener("click", () => {
+    this.cards = make("div", { id: name });
+    this.add = make("button", { id: `${name}-add`, class: "control add", type: "button", "data-t": `${name}.add` });
+    this.add.addEventListener("click", () => {
       const summary = this.#summary;
       if (summary) this.#change((entries, document) => ({ [name]: [...entries, another(document, summary)] }));
     });
@@ -78,7 +86,7 @@ export class RailList {
     while (this.#cards.length < entries.length) {
       const card = this.#card(this.#cards.length);
       this.#cards.push(card);
-      byId(this.#name, HTMLElement).append(card.element);
+      this.cards.append(card.element);
       snapshot.words.fill(card.element);
     }
     const focused = document.activeElement;
@@ -87,10 +95,10 @@ export class RailList {
       card.remove.hidden = entries.length <= least;
       if (entries[index]) card.show(entries[index], snapshot, wrong);
     }
-    this.#add.disabled = entries.length >= most;
+    this.add.disabled = entries.length >= most;
     // A button that is there no more gives the focus away, else it would be lost.
-    if (focused === this.#add && this.#add.disabled) this.#cards[entries.length - 1].remove.focus();
-    if (this.#cards.some(({ remove }) => remove === focused && remove.offsetParent === null)) this.#add.focus();
+    if (focused === this.add && this.add.disabled) this.#cards[entries.length - 1].remove.focus();
+    if (this.#cards.some(({ remove }) => remove === focused && remove.offsetParent === null)) this.add.focus();
   }
 
   /** @param {number} index */
@@ -133,18 +141,27 @@ export class RailList {
 function removed(name, index, entries, { tracers }) {
   const rest = { [name]: entries.filter((_, at) => at !== index) };
   if (name !== "wheels") return rest;
-  const staying = tracers.filter(({ link }) => wheelOf(link) !== index);
-  const renamed = staying.map((tracer) => {
+  const others = tracers.filter(({ link }) => wheelOf(link) !== index);
+  const renamed = others.map((tracer) => {
     const wheel = wheelOf(tracer.link);
     return wheel > index ? { ...tracer, link: wheelLink(wheel - 1) } : tracer;
   });
   return { ...rest, tracers: renamed };
 }
 
+/**
+ * @param {readonly Tracer[]} tracers
+ * @param {readonly Wheel[]} wheels
+ * @returns {Tracer[]} those that are not of a wheel there is no more
+ */
+export function staying(tracers, wheels) {
+  return tracers.filter(({ link }) => wheelOf(link) < wheels.length);
+}
+
 /** @type {Build<Wheel>} */
 export function wheelCard(index, put, drafts, remove) {
   const n = String(index + LISTS.wheels.first);
-  const common = { n, role: wheelLink(index) };
+  const common = { n, role: "secondary" };
   const teeth = new NumberRow(
     { ...common, field: `wheels[${index}].z`, id: `z${n}`, key: "wheels.z", symbol: `z${subscript(n)}`, slider: TEETH, counted: "wheels.teeth" },
     drafts,
@@ -159,7 +176,9 @@ export function wheelCard(index, put, drafts, remove) {
   line.element.append(remove);
   return {
     lines: [teeth.element, line.element],
-    show(wheel, { words }, wrong) {
+    show(wheel, { words, summary }, wrong) {
+      const accent = `var(--role-${summary.roles[wheelLink(index)]})`;
+      for (const { element } of [teeth, line]) element.style.setProperty("--accent", accent);
       teeth.show(wheel.z, words, wrong.has(teeth.field));
       line.show(wheel.centre_line_deg, words, wrong.has(line.field));
     },
@@ -184,7 +203,7 @@ export function tracerCard(index, put, drafts, remove) {
   let offered = "";
   return {
     lines: [head, ...rows.map(({ element }) => element)],
-    show(tracer, { words, state }, wrong) {
+    show(tracer, { words, state, summary }, wrong) {
       const { wheels } = state.document;
       if (offered !== `${wheels.length} ${words.lang}`) {
         offered = `${wheels.length} ${words.lang}`;
@@ -195,7 +214,7 @@ export function tracerCard(index, put, drafts, remove) {
         select.replaceChildren(...links, ...more);
       }
       select.value = tracer.link;
-      head.style.setProperty("--accent", `var(--role-${tracer.link})`);
+      head.style.setProperty("--accent", `var(--role-${summary.roles[tracer.link] ?? "secondary"})`);
       rows[0].show(tracer.x, words, wrong.has(rows[0].field));
       rows[1].show(tracer.y, words, wrong.has(rows[1].field));
     },

@@ -1,13 +1,13 @@
 // The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
-import { RailList, TEETH, anotherTracer, anotherWheel, tracerCard, wheelCard } from "assur/kinds/mixer/lists.js";
-import { contains, withDocument } from "assur/state/state.js";
+import { RailList, TEETH, anotherTracer, anotherWheel, staying, tracerCard, wheelCard } from "assur/kinds/mixer/lists.js";
+import { contains, edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state/state.js").MixerDocument} MixerDocument
- * @typedef {import("assur/state/state.js").NumberField} NumberField
+ * @typedef {"l1" | "l2" | "l3" | "l4" | "z4" | "module"} NumberField
  * @typedef {import("assur/controls/number-row.js").RowKind} RowKind
  */
 
@@ -24,7 +24,7 @@ const LENGTHS = Object.freeze([
 /** @type {readonly RowKind[]} */
 const WHEELS = Object.freeze([
   { field: "module", symbol: "m", role: "secondary" },
-  { field: "z4", symbol: "z₄", role: "wheel4", slider: TEETH, counted: "wheels.teeth" },
+  { field: "z4", symbol: "z₄", role: "accent1", slider: TEETH, counted: "wheels.teeth" },
 ]);
 
 const MESHES = /** @type {const} */ (["external", "internal", "as_printed"]);
@@ -44,33 +44,40 @@ export class Rail {
   /**
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor({ store, engine, drafts }) {
-    const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => withDocument(state, change));
-    for (const [place, kinds] of /** @type {const} */ ([["lengths", LENGTHS], ["train", WHEELS]])) {
-      for (const kind of kinds) {
-        const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
-        byId(place, HTMLElement).append(row.element);
-        this.#rows.push(row);
-      }
-    }
-    this.#lists = [
-      new RailList("wheels", wheelCard, anotherWheel, store, drafts),
-      new RailList("tracers", tracerCard, anotherTracer, store, drafts),
-    ];
+  constructor({ store, engine, drafts, mechanism }) {
+    const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => edited(state, "mixer", () => change));
+    const rows = (/** @type {readonly RowKind[]} */ kinds) => kinds.map((kind) => {
+      const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
+      this.#rows.push(row);
+      return row.element;
+    });
+    const wheels = new RailList("wheels", wheelCard, anotherWheel, store, drafts);
+    const tracers = new RailList("tracers", tracerCard, anotherTracer, store, drafts);
+    this.#lists = [wheels, tracers];
+    const presets = make("div", { id: "presets", class: "segments", role: "group", "data-t-label": "preset.heading" });
     for (const { id, kind, document: preset } of engine.catalogue) {
       if (kind !== "mixer") continue;
-      const { tracers, ...document } = preset;
+      const { tracers: _, ...document } = preset;
       const name = id.replace("mixer-", "");
       const button = make("button", { id: `preset-${name}`, type: "button", class: "segment", "data-t": `preset.${name}` });
       button.addEventListener("click", () => {
         drafts.dropAll(Object.keys(document));
-        edit(document);
+        store.update((state) => edited(state, "mixer", ({ tracers: traced }) => ({ ...document, tracers: staying(traced, document.wheels) })));
+        mechanism.fit();
       });
-      byId("presets", HTMLElement).append(button);
+      presets.append(button);
       this.#presets.push({ button, document });
     }
-    for (const mesh of MESHES) this.#choice("mesh", mesh, () => edit({ mesh }));
-    for (const assembly of ASSEMBLIES) this.#choice("assembly", assembly, () => edit({ assembly }));
+    const mesh = MESHES.map((value) => this.#choice("mesh", value, () => edit({ mesh: value })));
+    const assembly = ASSEMBLIES.map((value) => this.#choice("assembly", value, () => edit({ assembly: value })));
+    byId("overlays", HTMLElement).before(
+      section("preset.heading", [presets]),
+      section("lengths.heading", [make("div", { id: "lengths" }, rows(LENGTHS))]),
+      section("wheels.heading", [make("div", { id: "train" }, rows(WHEELS)), wheels.cards, wheels.add]),
+      choices("field.mesh", make("div", { id: "mesh", class: "choices" }, mesh)),
+      choices("field.assembly", make("div", { id: "assembly", class: "segments" }, assembly)),
+      section("tracers.heading", [tracers.cards, tracers.add]),
+    );
   }
 
   /** @param {Snapshot} snapshot */
@@ -95,9 +102,25 @@ export class Rail {
    */
   #choice(field, value, choose) {
     const input = make("input", { id: `${field}-${value}`, type: "radio", name: field, value: String(value) });
-    const label = make("label", { class: field === "mesh" ? "choice" : "segment" }, [input, make("span", { "data-t": `${field}.${value}` })]);
+    if (field === "assembly") input.setAttribute("aria-keyshortcuts", String(value));
     input.addEventListener("change", choose);
-    byId(field, HTMLElement).append(label);
     this.#choices.push({ input, field, value });
+    return make("label", { class: field === "mesh" ? "choice" : "segment" }, [input, make("span", { "data-t": `${field}.${value}` })]);
   }
+}
+
+/**
+ * @param {string} key of its heading
+ * @param {readonly HTMLElement[]} content
+ */
+function section(key, content) {
+  return make("section", { "data-of": "mixer" }, [make("h2", { "data-t": key }), ...content]);
+}
+
+/**
+ * @param {string} key of what is chosen
+ * @param {HTMLElement} content
+ */
+function choices(key, content) {
+  return make("fieldset", { "data-of": "mixer" }, [make("legend", { "data-t": key }), content]);
 }

@@ -1,7 +1,7 @@
 // The status line: what kind of mechanism it is and what it does over a turn.
 import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
-import { LISTS, wheelLink } from "assur/state/state.js";
+import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
 
 /**
  * @typedef {import("assur/engine.js").MixerSummary} Summary
@@ -14,11 +14,8 @@ import { LISTS, wheelLink } from "assur/state/state.js";
 
 /** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say what an entry says; null where there is nothing to say */
 
-/** The most peripheral wheels there are, from 0. */
-const WHEELS = Object.freeze([...Array(LISTS.wheels.most).keys()]);
-
-/** @type {[string, Say][]} */
-const WHEEL_SWINGS = WHEELS.map((index) => [
+/** @type {[string, Say][]} of the most peripheral wheels there can be */
+const WHEEL_SWINGS = [...Array(WHEELS.most).keys()].map((index) => [
   `swing-${wheelLink(index)}`,
   ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
 ]);
@@ -47,7 +44,7 @@ const ENTRIES = Object.freeze({
 
 /** @returns {StatusLine<Snapshot>} */
 export function mixerStatus() {
-  return new StatusLine("of-mixer", Object.entries(ENTRIES).map(([name, say]) => {
+  return new StatusLine("mixer", Object.entries(ENTRIES).map(([name, say]) => {
     const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
     return {
       name,
@@ -78,7 +75,7 @@ function swingEntry(swings, words) {
  */
 function overlapsEntry(pairs, words) {
   if (pairs.length === 0) return null;
-  const { first } = LISTS.wheels;
+  const { first } = WHEELS;
   const pair = (/** @type {readonly [number, number]} */ [one, other]) =>
     words.text("status.pair", { one: String(one + first), other: String(other + first) });
   return { text: pairs.map(pair).join(", ") };

@@ -16,16 +16,20 @@ pub use problem::LinkageProblem;
 /// A linkage: things name each other, lengths are in any one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LinkageDocument {
     /// What it is called.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
     /// Where its dimensions are from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub origin: Option<String>,
     /// Every point with its place in the drawing.
     pub points: Vec<PointDocument>,
@@ -35,33 +39,41 @@ pub struct LinkageDocument {
     pub links: Vec<LinkDocument>,
     /// Prismatic pairs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub slides: Vec<SlideDocument>,
     /// Gear couplings.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub gears: Vec<GearDocument>,
     /// What is driven.
     pub drivers: Vec<DriverDocument>,
     /// Points that links carry besides their joints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub tracers: Vec<TracerDocument>,
     /// What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub plots: Vec<String>,
     /// The points whose paths are drawn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
     /// The full width of the band within which the first quantity that is plotted
     /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub band: Option<f64>,
     /// Which of its assemblies moves, from 1; without it the drawn one. Only links
     /// and files of before name one: an assembly is saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub assembly: Option<usize>,
 }
 
 /// A point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct PointDocument {
     /// Its name.
@@ -72,6 +84,7 @@ pub struct PointDocument {
 
 /// A point that a link carries and that joins nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct TracerDocument {
     /// Its name, unlike that of any point.
@@ -85,6 +98,7 @@ pub struct TracerDocument {
 
 /// A moving link.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LinkDocument {
     /// Its name.
@@ -93,23 +107,29 @@ pub struct LinkDocument {
     pub points: Vec<String>,
     /// The distance of its two points, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub length: Option<f64>,
     /// The places of its points on the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub shape: Option<Vec<[f64; 2]>>,
     /// The link that it turns as one with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub fixed_to: Option<String>,
     /// Its centre of mass, one of its points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub centre_of_mass: Option<String>,
     /// Its mass, kilograms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub mass_kg: Option<f64>,
 }
 
 /// A prismatic pair.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct SlideDocument {
     /// The link that slides.
@@ -124,6 +144,7 @@ pub struct SlideDocument {
 
 /// A gear coupling.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct GearDocument {
     /// The two links.
@@ -138,6 +159,7 @@ pub struct GearDocument {
 
 /// How two wheels engage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum MeshDocument {
     /// Outer teeth on both.
@@ -151,19 +173,24 @@ pub enum MeshDocument {
 /// A driven pair: a crank with what it turns on, or a slide with its range.
 /// (Two kinds in one, so that an error's path ends at the field at fault.)
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct DriverDocument {
     /// The link that is turned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub crank: Option<String>,
     /// The link that it is turned against; without it the frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub base: Option<String>,
     /// Which of the slides is moved, from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub slide: Option<usize>,
     /// Its least and greatest coordinate along the line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
     pub range: Option<[f64; 2]>,
 }
 

@@ -13,6 +13,7 @@ use crate::{LinkageDocument, LinkageProblem, Problem};
 /// which points are traced. Numbers are taken as they come;
 /// [`MixerDocument::mixer`] checks them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
     /// Crank AB.
@@ -28,10 +29,12 @@ pub struct MixerDocument {
     /// The peripheral wheels it drives: wheel 5, 6, …
     pub wheels: Vec<WheelDocument>,
     /// `external`, `internal` or `as_printed`.
+    #[cfg_attr(test, ts(as = "crate::MeshDocument"))]
     pub mesh: String,
     /// Module of the wheels, metres.
     pub module: f64,
     /// 1 or 2.
+    #[cfg_attr(test, ts(type = "1 | 2"))]
     pub assembly: f64,
     /// The points traced: P₁, P₂, …
     pub tracers: Vec<MixerTracerDocument>,
@@ -39,6 +42,7 @@ pub struct MixerDocument {
 
 /// A peripheral wheel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct WheelDocument {
     /// Its teeth.
     pub z: f64,
@@ -48,6 +52,7 @@ pub struct WheelDocument {
 
 /// A traced point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub struct MixerTracerDocument {
     /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,

@@ -3,6 +3,7 @@
 
 pub(crate) mod linkage;
 pub(crate) mod mixer;
+pub(crate) mod scheme;
 
 use assur::mechanism::Quantity;
 use assur::motion::Motion;
@@ -12,6 +13,7 @@ use crate::state::{Body, part};
 use crate::{Problem, View};
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
+use scheme::SchemeDocument;
 
 /// What the document of every kind can be asked.
 pub trait Kind {
@@ -49,6 +51,7 @@ macro_rules! kinds {
     ($($(#[$about:meta])+ $name:literal => $kind:ident($document:ty),)+) => {
         /// What a state shows; serialised as `kind` and `document`.
         #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[cfg_attr(test, derive(ts_rs::TS))]
         #[serde(tag = "kind", content = "document")]
         pub enum Document {
             $($(#[$about])+ #[serde(rename = $name)] $kind($document),)+
@@ -87,6 +90,8 @@ kinds! {
     "linkage" => Linkage(LinkageDocument),
     /// Crank-rocker and gears.
     "mixer" => Mixer(MixerDocument),
+    /// A linkage drawn still.
+    "scheme" => Scheme(SchemeDocument),
 }
 
 impl Document {

@@ -1,7 +1,7 @@
 //! The mixer on the page: a linkage that its parameters describe.
 
 use assur::gears::GearPair;
-use assur::mechanism::{Mechanism, Quantity, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
 use assur_draw::{Annotations, List};
@@ -75,6 +75,11 @@ impl Mixer {
         };
         let annotations = Annotations::from(&parameters);
         let quantities = told(&moved.document, moved.motion.mechanism());
+        let angles = quantities.iter().filter_map(|one| match one {
+            Quantity::Angle(link) => Some(*link),
+            Quantity::X(_) | Quantity::Y(_) => None,
+        });
+        let angles: Vec<LinkId> = angles.collect();
         let moving = Moving::new(
             &state.view,
             moved,
@@ -82,6 +87,7 @@ impl Mixer {
             quantities,
             Box::new(explain),
         )?;
+        let moving = moving.listing(angles.into_iter());
         Ok(Self { parameters, moving })
     }
 

@@ -3,6 +3,7 @@
 
 mod linkage;
 mod mixer;
+mod scheme;
 
 pub(crate) use linkage::Redrawn;
 
@@ -18,5 +19,6 @@ pub(crate) fn shown(state: &State) -> Result<Box<dyn Shown>, Vec<Problem>> {
     Ok(match &state.document {
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
+        Document::Scheme(_) => Box::new(scheme::Scheme::new(state)?),
     })
 }

@@ -1,0 +1,51 @@
+//! The shapes of what is saved, as the scripts of the page know them: `types.d.ts` of this crate is
+//! written by this test where `ASSUR_WRITE_TYPES` is set, and compared else.
+
+use std::{env, fs};
+
+use ts_rs::{Config, TS};
+
+use crate::kinds::linkage::{
+    DriverDocument, GearDocument, LinkDocument, MeshDocument, PointDocument, SlideDocument,
+    TracerDocument,
+};
+use crate::kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+use crate::kinds::scheme::SchemeDocument;
+use crate::view::{Axes, OpenLesson, SpeedUnit};
+use crate::{Document, Group, LinkageDocument, Preset, View};
+
+#[test]
+fn the_scripts_know_what_is_saved() {
+    let config = Config::new().with_large_int("number");
+    let types = [
+        View::decl(&config),
+        OpenLesson::decl(&config),
+        Axes::decl(&config),
+        SpeedUnit::decl(&config),
+        Document::decl(&config),
+        MixerDocument::decl(&config),
+        WheelDocument::decl(&config),
+        MixerTracerDocument::decl(&config),
+        LinkageDocument::decl(&config),
+        PointDocument::decl(&config),
+        LinkDocument::decl(&config),
+        SlideDocument::decl(&config),
+        GearDocument::decl(&config),
+        MeshDocument::decl(&config),
+        DriverDocument::decl(&config),
+        TracerDocument::decl(&config),
+        SchemeDocument::decl(&config),
+        Preset::decl(&config),
+        Group::decl(&config),
+    ];
+    let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n";
+    let text: String = types
+        .map(|declared| format!("export {declared}\n"))
+        .concat();
+    let text = [first, &text].concat();
+    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/types.d.ts");
+    if env::var_os("ASSUR_WRITE_TYPES").is_some() {
+        fs::write(place, &text).unwrap();
+    }
+    assert_eq!(fs::read_to_string(place).unwrap(), text);
+}

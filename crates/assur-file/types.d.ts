@@ -1,0 +1,340 @@
+// Written by the tests of this crate from its Rust: see src/types.rs.
+export type View = { 
+/**
+ * Where the input is, if it is an angle: the crank angle, degrees.
+ */
+phi_deg: number, 
+/**
+ * Where the input is, if it is a length: the way of the driven slide, in the unit of
+ * the lengths.
+ */
+s: number, 
+/**
+ * In motion or at rest.
+ */
+playing: boolean, 
+/**
+ * 1 or −1: sense in which the crank turns.
+ */
+direction: 1 | -1, 
+/**
+ * Multiple of one turn in six seconds.
+ */
+speed: number, 
+/**
+ * Paths of the joints shown.
+ */
+traces: boolean, 
+/**
+ * Centres of mass shown. Older states say nothing of this and the next.
+ */
+centres: boolean, 
+/**
+ * Velocity and acceleration analogues of the joints shown.
+ */
+vectors: boolean, 
+/**
+ * Vectors of the loop shown.
+ */
+loop_vectors: boolean, 
+/**
+ * Arc of the transmission angle shown.
+ */
+transmission: boolean, 
+/**
+ * Links in the colours of their Assur groups.
+ */
+groups: boolean, 
+/**
+ * What is plotted: `angles`, or the name of a point (`C2`).
+ */
+plot: string, 
+/**
+ * What the derivatives are by.
+ */
+axes: Axes, 
+/**
+ * ω₁ of the crank, rad/s.
+ */
+omega: number, 
+/**
+ * The unit in which ω₁ is written.
+ */
+omega_unit: SpeedUnit, 
+/**
+ * ε₁ of the crank, rad/s².
+ */
+epsilon: number, 
+/**
+ * Played with ω₁ instead of `speed`.
+ */
+true_time: boolean, 
+/**
+ * Differences of φ′ shown over φ″.
+ */
+differenced: boolean, 
+/**
+ * The lesson that is open, if one is.
+ */
+lesson?: OpenLesson | null, 
+/**
+ * Large text, thick lines, high contrast.
+ */
+projector: boolean, 
+/**
+ * Language of the page.
+ */
+lang: string, };
+export type OpenLesson = { 
+/**
+ * Its name: that of its folder.
+ */
+id: string, 
+/**
+ * The step, counted from 1.
+ */
+step: number, };
+export type Axes = "analogues" | "physical";
+export type SpeedUnit = "rad_per_s" | "per_min";
+export type Document = { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument };
+export type MixerDocument = { 
+/**
+ * Crank AB.
+ */
+l1: number, 
+/**
+ * Coupler BC.
+ */
+l2: number, 
+/**
+ * Rocker DC.
+ */
+l3: number, 
+/**
+ * Frame AD.
+ */
+l4: number, 
+/**
+ * Teeth of the wheel on the rocker's shaft.
+ */
+z4: number, 
+/**
+ * The peripheral wheels it drives: wheel 5, 6, …
+ */
+wheels: Array<WheelDocument>, 
+/**
+ * `external`, `internal` or `as_printed`.
+ */
+mesh: MeshDocument, 
+/**
+ * Module of the wheels, metres.
+ */
+module: number, 
+/**
+ * 1 or 2.
+ */
+assembly: 1 | 2, 
+/**
+ * The points traced: P₁, P₂, …
+ */
+tracers: Array<MixerTracerDocument>, };
+export type WheelDocument = { 
+/**
+ * Its teeth.
+ */
+z: number, 
+/**
+ * Direction from the shaft of wheel 4 to its own, degrees.
+ */
+centre_line_deg: number, };
+export type MixerTracerDocument = { 
+/**
+ * What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+ */
+link: string, 
+/**
+ * Along the link from its first joint, metres.
+ */
+x: number, 
+/**
+ * Across it, to the left, metres.
+ */
+y: number, };
+export type LinkageDocument = { 
+/**
+ * What it is called.
+ */
+title?: string | null, 
+/**
+ * Where its dimensions are from.
+ */
+source?: string | null, 
+/**
+ * The mechanism of the catalogue that it was made from, by name.
+ */
+origin?: string | null, 
+/**
+ * Every point with its place in the drawing.
+ */
+points: Array<PointDocument>, 
+/**
+ * The points of the frame.
+ */
+frame: Array<string>, 
+/**
+ * The moving links.
+ */
+links: Array<LinkDocument>, 
+/**
+ * Prismatic pairs.
+ */
+slides?: Array<SlideDocument>, 
+/**
+ * Gear couplings.
+ */
+gears?: Array<GearDocument>, 
+/**
+ * What is driven.
+ */
+drivers: Array<DriverDocument>, 
+/**
+ * Points that links carry besides their joints.
+ */
+tracers?: Array<TracerDocument>, 
+/**
+ * What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
+ */
+plots?: Array<string>, 
+/**
+ * The points whose paths are drawn.
+ */
+traces?: Array<string>, 
+/**
+ * The full width of the band within which the first quantity that is plotted
+ * counts as dwelling: degrees of an angle, else in the unit of the lengths.
+ */
+band?: number | null, 
+/**
+ * Which of its assemblies moves, from 1; without it the drawn one. Only links
+ * and files of before name one: an assembly is saved as its drawing.
+ */
+assembly?: number | null, };
+export type PointDocument = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Where it is drawn: x, y.
+ */
+at: [number, number], };
+export type LinkDocument = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Its points; its angle runs from the first to the second.
+ */
+points: Array<string>, 
+/**
+ * The distance of its two points, if not as drawn.
+ */
+length?: number | null, 
+/**
+ * The places of its points on the link, if not as drawn.
+ */
+shape?: Array<[number, number]> | null, 
+/**
+ * The link that it turns as one with.
+ */
+fixed_to?: string | null, 
+/**
+ * Its centre of mass, one of its points.
+ */
+centre_of_mass?: string | null, 
+/**
+ * Its mass, kilograms.
+ */
+mass_kg?: number | null, };
+export type SlideDocument = { 
+/**
+ * The link that slides.
+ */
+link: string, 
+/**
+ * Its point that stays at its drawn distance from the line.
+ */
+point: string, 
+/**
+ * The link that has the line, or `frame`.
+ */
+on: string, 
+/**
+ * Two points of that link.
+ */
+line: [string, string], };
+export type GearDocument = { 
+/**
+ * The two links.
+ */
+links: [string, string], 
+/**
+ * The link both are hinged on, or `frame`.
+ */
+carrier: string, 
+/**
+ * Their numbers of teeth.
+ */
+teeth: [number, number], 
+/**
+ * How they engage.
+ */
+mesh: MeshDocument, };
+export type MeshDocument = "external" | "internal" | "as_printed";
+export type DriverDocument = { 
+/**
+ * The link that is turned.
+ */
+crank?: string | null, 
+/**
+ * The link that it is turned against; without it the frame.
+ */
+base?: string | null, 
+/**
+ * Which of the slides is moved, from 0.
+ */
+slide?: number | null, 
+/**
+ * Its least and greatest coordinate along the line.
+ */
+range?: [number, number] | null, };
+export type TracerDocument = { 
+/**
+ * Its name, unlike that of any point.
+ */
+name: string, 
+/**
+ * The link that carries it.
+ */
+link: string, 
+/**
+ * Its place on the link: x from the link's first point towards its second, y
+ * to the left.
+ */
+at: [number, number], };
+export type SchemeDocument = LinkageDocument;
+export type Preset = { 
+/**
+ * Its name.
+ */
+id: string, 
+/**
+ * What it is shown among.
+ */
+group: Group, 
+/**
+ * The highest class of its Assur groups, in Roman numerals.
+ */
+class: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument });
+export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher";

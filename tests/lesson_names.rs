@@ -1,0 +1,68 @@
+//! No script of the page branches on a lesson, a mechanism or a kind of document: their names
+//! stand in their own folders only, which the build finds.
+#![cfg(not(target_family = "wasm"))]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// What stands in a folder, by the names without endings.
+fn names(folder: &str, is: fn(&Path) -> bool) -> BTreeSet<String> {
+    let entries = fs::read_dir(root().join(folder)).unwrap();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let stem = |path: PathBuf| path.file_stem().unwrap().to_str().unwrap().to_owned();
+    paths.filter(|path| is(path)).map(stem).collect()
+}
+
+/// The scripts of a folder and of those in it, by their paths from the root.
+fn scripts(folder: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root().join(folder)).unwrap() {
+        let entry = entry.unwrap();
+        let path = format!("{folder}/{}", entry.file_name().into_string().unwrap());
+        if entry.path().is_dir() {
+            found.extend(scripts(&path));
+        } else if path.ends_with(".js") {
+            found.push((path, fs::read_to_string(entry.path()).unwrap()));
+        }
+    }
+    found
+}
+
+/// The code of a line: a type may name a kind.
+fn code(line: &str) -> &str {
+    let line = line.trim_start();
+    if line.starts_with('*') || line.starts_with("/*") || line.starts_with("//") {
+        return "";
+    }
+    line.split(" // ").next().unwrap_or_default()
+}
+
+#[test]
+fn lessons_and_mechanisms_are_named_in_their_folders_only() {
+    let mut all = names("www/lessons", Path::is_dir);
+    all.extend(names("www/kinds", Path::is_dir));
+    all.extend(names("crates/assur-file/catalogue", Path::is_file));
+    assert!(all.contains("mixer") && all.contains("linkage") && all.len() > 15);
+    let mut found = Vec::new();
+    for (path, script) in scripts("www") {
+        let own = |name: &str| {
+            let folder = format!("www/kinds/{name}/");
+            // A lesson says of which kinds its documents are, and which mechanisms it shows.
+            path.starts_with("www/lessons/") || path.starts_with(&folder)
+        };
+        for (number, line) in (1..).zip(script.lines()) {
+            for name in &all {
+                let quoted = ['"', '\'', '`'].map(|mark| format!("{mark}{name}{mark}"));
+                if !own(name) && quoted.iter().any(|quoted| code(line).contains(quoted)) {
+                    found.push(format!("{path}:{number}: {name}"));
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}

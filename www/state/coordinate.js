@@ -1,0 +1,181 @@
+// The input of the motion as readers meet it: the angle of a crank in degrees, or how far a slide has come. The engine has
+// radians, or the unit of the lengths.
+import { degrees, radians } from "assur/core/angles.js";
+import { withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Cycle} Cycle
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+/** What moves: the place of its input in the view, its symbols and those of its rates, the units that are written after numbers. */
+const SORTS = Object.freeze({
+  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ₁", rates: Object.freeze(["ω₁", "ε₁"]), unit: "°" }),
+  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v₁", "a₁"]), unit: " m" }),
+});
+
+/** At speed 1 a crank turns once, and a slide goes there and back, in so many seconds. */
+const PERIOD = 6;
+
+/** A slide's way is gone in about so many small steps. */
+const STEPS = 100;
+
+/** The fields of the view that hold an input, whatever moves. */
+export const FIELDS = Object.freeze(Object.values(SORTS).map(({ field }) => field));
+
+export class Coordinate {
+  #turns;
+  #cycle;
+  #sort;
+
+  /**
+   * @param {"angle" | "length"} moves
+   * @param {Cycle} cycle where the input goes, in the engine's unit
+   */
+  constructor(moves, cycle) {
+    this.moves = moves;
+    this.#turns = moves === "angle";
+    this.#cycle = cycle;
+    this.#sort = SORTS[moves];
+  }
+
+  /** The field of the view that holds it. */
+  get field() {
+    return this.#sort.field;
+  }
+
+  get symbol() {
+    return this.#sort.symbol;
+  }
+
+  /** The symbols of its velocity and its acceleration. */
+  get rates() {
+    return this.#sort.rates;
+  }
+
+  /** The ends of its axis, as readers count. */
+  get start() {
+    return this.place(this.#cycle.start);
+  }
+
+  get end() {
+    return this.place(this.#cycle.end);
+  }
+
+  /** A small step by hand, as readers count. */
+  get step() {
+    return this.#turns ? 1 : 10 ** Math.round(Math.log10(this.#way / STEPS));
+  }
+
+  /** How fast it goes at speed 1, in the engine's unit per second. */
+  get speed() {
+    return this.#turns ? (2 * Math.PI) / PERIOD : (2 * this.#way) / PERIOD;
+  }
+
+  get #way() {
+    return this.#cycle.end - this.#cycle.start;
+  }
+
+  /**
+   * @param {number} input of the engine
+   * @returns {number} as readers count
+   */
+  place(input) {
+    return this.#turns ? degrees(input) : input;
+  }
+
+  /**
+   * @param {number} place as readers count
+   * @returns {number} for the engine
+   */
+  input(place) {
+    return this.#turns ? radians(place) : place;
+  }
+
+  /**
+   * @param {State} state
+   * @returns {number} where its input is on the axis, as readers count. Both ends of the axis stay as they are.
+   */
+  of({ view }) {
+    return this.#onto(view[this.field]);
+  }
+
+  /**
+   * @param {State} state
+   * @param {number} place as readers count
+   * @returns {State} with the input there; a slide stops at the ends of its way
+   */
+  put(state, place) {
+    const reached = this.#turns ? this.#onto(place) : Math.min(Math.max(place, this.start), this.end);
+    return withView(state, { [this.field]: reached });
+  }
+
+  /**
+   * @param {number} input of the engine
+   * @param {Words} words
+   * @param {number} decimals of an angle; of a length as many of its way
+   */
+  text(input, words, decimals) {
+    return this.written(this.place(input), words, decimals);
+  }
+
+  /**
+   * @param {number} place as readers count
+   * @param {Words} words
+   * @param {number} decimals
+   */
+  written(place, { numbers }, decimals) {
+    return numbers.fixed(place, this.#decimals(decimals)) + this.#sort.unit;
+  }
+
+  /**
+   * As {@link written}, without zeros at the end.
+   * @param {number} input of the engine
+   * @param {Words} words
+   * @param {number} decimals
+   */
+  short(input, { numbers }, decimals) {
+    return numbers.upTo(this.place(input), this.#decimals(decimals)) + this.#sort.unit;
+  }
+
+  /**
+   * @param {number} place as readers count
+   * @param {Words} words
+   * @returns {string} with all its digits, to be typed over
+   */
+  exact(place, { numbers }) {
+    return numbers.exact(place) + (this.#turns ? this.#sort.unit : "");
+  }
+
+  /**
+   * @param {number} count
+   * @param {Words} words
+   * @returns {string} a turn, or a slide's way, divided into so many parts
+   */
+  share(count, { numbers }) {
+    return this.#turns ? `${numbers.upTo(360 / count, 1)}°` : numbers.upTo(this.#way / count, this.#decimals(5)) + this.#sort.unit;
+  }
+
+  /**
+   * @param {number} one
+   * @param {number} other input of the engine
+   * @returns {boolean} whether nobody sees a difference: half a degree, or a part of a slide's way
+   */
+  near(one, other) {
+    if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);
+    return Math.abs(Math.sin((one - other) / 2)) < radians(0.5) / 2;
+  }
+
+  /** @param {number} decimals */
+  #decimals(decimals) {
+    return this.#turns ? decimals : Math.max(0, decimals - Math.floor(Math.log10(this.#way)));
+  }
+
+  /** @param {number} place */
+  #onto(place) {
+    if (!this.#turns || (place >= this.start && place <= this.end)) return place;
+    const period = this.end - this.start;
+    return place - period * Math.floor((place - this.start) / period);
+  }
+}
