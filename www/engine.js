@@ -59,6 +59,15 @@ import init, * as module from "assur/pkg/assur_web.js";
 /** How many lists a place of the motion has. */
 const LISTS = 4;
 
+/**
+ * @param {Float64Array} flat how many numbers each of the lists has, then the lists
+ * @returns {Float64Array[]}
+ */
+function lists(flat) {
+  let end = LISTS;
+  return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
+}
+
 export class Engine {
   #simulator = new module.Simulator();
   /** @type {State | null} the last state the simulator took */
@@ -131,6 +140,22 @@ export class Engine {
     return this.ask(() => module.readState(value));
   }
 
+  /**
+   * @param {State} state another than the one that is set, which stays
+   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array }} its drawing as it is drawn in the document
+   */
+  sketch(state) {
+    return this.ask(() => {
+      const other = new module.Simulator();
+      try {
+        const { bounds, home = 0 } = other.set(state);
+        return { bounds, scene: other.scene(), frame: lists(other.at(home))[0] };
+      } finally {
+        other.free();
+      }
+    });
+  }
+
   /** @returns {Float32Array} display list of all that is rigid */
   scene() {
     return this.ask((simulator) => simulator.scene());
@@ -142,10 +167,7 @@ export class Engine {
    * @returns {Here}
    */
   at(input) {
-    const flat = this.ask((simulator) => simulator.at(input));
-    let end = LISTS;
-    const list = (/** @type {number} */ index) => flat.subarray(end, (end += flat[index]));
-    const [frame, handles, readouts, plotted] = [list(0), list(1), list(2), list(3)];
+    const [frame, handles, readouts, plotted] = lists(this.ask((simulator) => simulator.at(input)));
     const read = readouts.length > 0;
     return { frame, handles, readouts: read ? this.#named(readouts) : null, plotted: read ? plotted : null };
   }

@@ -9,7 +9,7 @@ use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
 use crate::gallery::open;
 
-const AXE: &str = include_str!("vendor/axe.min.js");
+pub(crate) const AXE: &str = include_str!("vendor/axe.min.js");
 
 /// What axe takes for violations.
 async fn violations(page: &Page) -> serde_json::Value {
@@ -21,7 +21,7 @@ async fn violations(page: &Page) -> serde_json::Value {
     page.wait_for(run).await
 }
 
-async fn check(page: &Page, what: &str) {
+pub(crate) async fn check(page: &Page, what: &str) {
     assert_eq!(violations(page).await, json!([]), "{what}");
 }
 

@@ -55,8 +55,29 @@ impl Page {
         Self::open_at(&setting("ASSUR_URL"), "en-US").await
     }
 
-    /// A page at an address, in a browser that speaks a language.
+    /// A page at an address, in a browser that speaks a language, of someone who has been
+    /// there.
     pub(crate) async fn open_at(url: &str, lang: &str) -> Self {
+        let page = Self::browser(lang).await;
+        let known = "try { localStorage.setItem('assur.welcome', 'closed') } catch {}";
+        let script = json!({ "source": known });
+        page.tool("Page.addScriptToEvaluateOnNewDocument", script)
+            .await;
+        page.driver.goto(url).await.unwrap();
+        page.ready().await;
+        page
+    }
+
+    /// A page at an address for the first time.
+    pub(crate) async fn visit(url: &str, lang: &str) -> Self {
+        let page = Self::browser(lang).await;
+        page.driver.goto(url).await.unwrap();
+        page.ready().await;
+        page
+    }
+
+    /// A browser that speaks a language, without a page.
+    async fn browser(lang: &str) -> Self {
         let server = Command::new(setting("CHROMEDRIVER"))
             .arg("--port=0")
             .stdout(Stdio::piped())
@@ -102,15 +123,12 @@ impl Page {
         let driver = WebDriver::new(format!("http://127.0.0.1:{port}"), wanted)
             .await
             .unwrap();
-        let page = Self {
+        Self {
             driver,
             server,
             port,
             downloads,
-        };
-        page.driver.goto(url).await.unwrap();
-        page.ready().await;
-        page
+        }
     }
 
     /// Waits until the page has been drawn.

@@ -8,7 +8,7 @@ use crate::device::LANGUAGES;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 
-const SIZES: [(u32, u32); 7] = [
+pub(crate) const SIZES: [(u32, u32); 7] = [
     (360, 640),
     (390, 844),
     (768, 1024),
@@ -25,9 +25,11 @@ const DEFECTS: &str = r#"
     const root = document.scrollingElement;
     if (root.scrollWidth > root.clientWidth) found.push(`scrolls sideways by ${root.scrollWidth - root.clientWidth}`);
     const name = (element) => element.id || element.textContent.trim() || element.className;
+    // A dialog lies over the page.
+    const shown = document.querySelector("dialog[open]") ?? document;
     const visible = (element) => element.checkVisibility() && !element.closest(".unseen") && element.id !== "scrubber-bar";
     // A choice is its whole label.
-    const controls = [...new Set([...document.querySelectorAll("button, select, input, summary, a[href]")]
+    const controls = [...new Set([...shown.querySelectorAll("button, select, input, summary, a[href]")]
         .filter(visible).map((control) => control.matches("[type=radio], [type=checkbox]") ? control.closest("label") : control))];
 
     // Boxes as far as the elements around them show them.
@@ -42,7 +44,7 @@ const DEFECTS: &str = r#"
         return { left, right, top, bottom, width: right - left, height: bottom - top };
     };
 
-    for (const element of [...controls, ...document.querySelectorAll("h1, h2, legend, th, td, dt, dd, .lesson, .name")]) {
+    for (const element of [...controls, ...shown.querySelectorAll("h1, h2, legend, th, td, dt, dd, .lesson, .name")]) {
         if (!visible(element)) continue;
         const { left, right } = element.getBoundingClientRect();
         if (left < -0.5 || right > innerWidth + 0.5) found.push(`${name(element)} leaves the page`);
@@ -81,7 +83,7 @@ const DEFECTS: &str = r#"
     return found;
 "#;
 
-async fn defects(page: &Page, least: u32) -> Value {
+pub(crate) async fn defects(page: &Page, least: u32) -> Value {
     page.ask(&format!("const least = {least};{DEFECTS}")).await
 }
 

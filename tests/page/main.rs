@@ -13,6 +13,7 @@ mod device;
 mod dice;
 mod equations;
 mod export;
+mod front;
 mod gallery;
 mod hands;
 mod keyboard;

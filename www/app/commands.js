@@ -38,7 +38,7 @@ function fileCommands(page) {
       else notices.tell(LOST);
     },
     gallery: async () => {
-      const part = await import("assur/kinds/linkage/gallery.js").catch(() => null);
+      const part = await import("assur/gallery/gallery.js").catch(() => null);
       if (part) part.openGallery(page);
       else notices.tell(LOST);
     },

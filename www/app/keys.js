@@ -27,6 +27,7 @@ export const KEYS = Object.freeze([
   { command: "undo", name: "edit.undo", combos: ["Control+Z"], control: "undo", again: true },
   { command: "redo", name: "edit.redo", combos: ["Control+Shift+Z", "Control+Y"], control: "redo", again: true },
   { command: "export", name: "menu.export", combos: ["E"], control: "export" },
+  { command: "gallery", name: "gallery.open", combos: ["G"], control: "gallery" },
   { command: "lesson", name: "key.lesson", combos: ["L"], control: "tab-lesson" },
   { command: "projector", name: "view.projector", combos: ["P"], control: "projector" },
   { command: "settings", name: "view.settings", combos: ["S"], control: "settings" },

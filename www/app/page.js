@@ -7,6 +7,7 @@ import { Loop } from "assur/app/loop.js";
 import { Notices } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { Views } from "assur/app/views.js";
+import { welcome } from "assur/app/welcome.js";
 import { Theme } from "assur/canvas/theme.js";
 import { byId, setData } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
@@ -34,6 +35,7 @@ const WRITING_PERIOD = 0.2;
 export class Page {
   #loop = new Loop((dt) => this.#step(dt), () => this.#render());
   #views;
+  #toLesson;
   /** Seconds since numbers were written: at first they are due. */
   #unwritten = WRITING_PERIOD;
 
@@ -63,6 +65,10 @@ export class Page {
     const commands = makeCommands(this);
     const header = new Header(this.history, commands);
     const lesson = new Lesson(this);
+    this.#toLesson = () => {
+      header.fold(true);
+      lesson.call();
+    };
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
     this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
     const help = byId("help", HTMLDialogElement);
@@ -87,6 +93,7 @@ export class Page {
     // The address that was entered: by now another may have been written over it.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);
+    welcome(this);
     speak(words);
   }
 
@@ -145,6 +152,11 @@ export class Page {
   drive(place) {
     this.drafts.drop(INPUT);
     this.store.update((state) => placed(state, place, this.model));
+  }
+
+  /** Brings the open lesson where the eye is, and the focus to it. */
+  attend() {
+    this.#toLesson();
   }
 
   /** @param {Words} words the language from now on */

@@ -27,6 +27,19 @@ export function make(tag, attributes = {}, children = []) {
 }
 
 /**
+ * Adds the style sheet of a part that is loaded later; without it everything still works.
+ * @param {string} name its path in the page
+ * @returns {Promise<unknown>} when it is there, or will not be
+ */
+export function addStyle(name) {
+  const sheet = make("link", { rel: "stylesheet", href: import.meta.resolve(`assur/${name}`) });
+  return new Promise((resolve) => {
+    sheet.onload = sheet.onerror = resolve;
+    document.head.append(sheet);
+  });
+}
+
+/**
  * Writes a text only where it differs: the browser then lays out nothing anew.
  * @param {Element} element
  * @param {string} text

@@ -1,7 +1,7 @@
 // The lesson, in the place of the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
-import { offered, opened } from "assur/lesson/offer.js";
+import { offered, opened, readLesson } from "assur/lesson/offer.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -39,6 +39,12 @@ export class Lesson {
     this.#called.focused = !this.#open;
     if (this.#open && this.#place.contains(document.activeElement)) this.#tabs[1].focus();
     this.#turn(!this.#open);
+  }
+
+  /** Brings the open lesson where the eye is, and the focus there. */
+  call() {
+    this.#called = { seen: true, focused: true };
+    this.#page.redraw();
   }
 
   /** @param {Snapshot} snapshot */
@@ -80,24 +86,24 @@ export class Lesson {
   }
 
   /**
-   * @param {Entry} lesson
+   * @param {Entry} entry
    * @param {Words} words of the page, in the language that is wanted
    */
-  async #load({ id, presets }, words) {
+  async #load(entry, words) {
+    const { id } = entry;
     const { lang } = words;
     const wanted = `${id} ${lang}`;
     this.#wanted = wanted;
     try {
-      const [{ LessonPanel }, { LESSON }, own, text] = await Promise.all([
+      const [{ LessonPanel }, { lesson, presets }, text] = await Promise.all([
         import("assur/lesson/panel.js"),
-        import(`assur/lessons/${id}/lesson.js`),
-        presets ? ownPresets(id) : {},
+        readLesson(entry),
         Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
       ]);
       if (this.#wanted !== wanted) return;
       if (this.#shown !== id) {
         this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, id, LESSON, own, text);
+        this.#panel = new LessonPanel(this.#place, this.#page, id, lesson, presets, text);
       }
       this.#panel?.speak(text);
       this.#page.redraw();
@@ -108,14 +114,4 @@ export class Lesson {
       write(this.#place, words.text("lesson.failed"));
     }
   }
-}
-
-/**
- * @param {string} lesson
- * @returns {Promise<import("assur/lesson/panel.js").OwnPresets>}
- */
-async function ownPresets(lesson) {
-  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/presets.json`));
-  if (!response.ok) throw new Error(`${response.status} ${lesson}`);
-  return response.json();
 }

@@ -32,3 +32,23 @@ function first(subject) {
 function originOf({ document }) {
   return ("origin" in document && document.origin) || "";
 }
+
+/**
+ * @param {Entry} entry
+ * @returns {Promise<{ lesson: { kind: import("assur/state/state.js").Kind, steps: readonly import("assur/lesson/panel.js").Step[] }, presets: import("assur/lesson/panel.js").OwnPresets }>}
+ * its steps and the presets of its own
+ */
+export async function readLesson({ id, presets }) {
+  const [{ LESSON: lesson }, own] = await Promise.all([import(`assur/lessons/${id}/lesson.js`), presets ? ownPresets(id) : {}]);
+  return { lesson, presets: own };
+}
+
+/**
+ * @param {string} lesson
+ * @returns {Promise<import("assur/lesson/panel.js").OwnPresets>}
+ */
+async function ownPresets(lesson) {
+  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/presets.json`));
+  if (!response.ok) throw new Error(`${response.status} ${lesson}`);
+  return response.json();
+}

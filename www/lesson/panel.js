@@ -1,10 +1,10 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
-import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { Progress } from "assur/lesson/progress.js";
-import { SWITCHES, withView } from "assur/state/state.js";
+import { looked, opens } from "assur/lesson/show.js";
+import { withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").Documents} Documents
@@ -227,17 +227,9 @@ export class LessonPanel {
   }
 
   /** @param {Show} show */
-  #show({ preset, change = (document) => document, play = false, overlays = ["traces"], at }) {
-    const whole = this.#presets[preset] ?? this.#page.engine.preset(preset);
-    if (!whole) return;
-    const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
-    /** @type {Pick<State["view"], "plot" | "axes">} the plots that the words are about */
-    const plots = { plot: "angles", axes: "analogues" };
-    this.#page.choose(whole.kind, change(whole.document), (summary) => {
-      const phi = summary ? at?.(summary) : undefined;
-      const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
-      return { ...shown, ...plots, ...place, playing: play };
-    });
+  #show(show) {
+    const whole = opens(show, this.#presets, this.#page.engine);
+    if (whole) this.#page.choose(whole.kind, whole.document, (summary) => looked(show, summary));
   }
 
   #answer() {

@@ -3,6 +3,7 @@ import { keep, kept } from "assur/state/storage.js";
 
 export class Progress {
   #name;
+  #steps;
   /** @type {Map<string, string>} what was answered, by step */
   #given = new Map();
   /** @type {Set<string>} */
@@ -14,12 +15,18 @@ export class Progress {
    */
   constructor(lesson, steps) {
     this.#name = `lesson.${lesson}`;
+    this.#steps = steps;
     const { given, solved } = read(kept(this.#name));
     for (const { id } of steps) {
       const text = given[id];
       if (typeof text === "string") this.#given.set(id, text);
       if (solved.includes(id)) this.#solved.add(id);
     }
+  }
+
+  /** The first step that was not answered rightly; −1 where all were. */
+  get next() {
+    return this.#steps.findIndex(({ id }) => !this.#solved.has(id));
   }
 
   /** How many steps were answered rightly. */

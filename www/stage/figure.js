@@ -8,7 +8,7 @@ import { paintSquares } from "assur/stage/paper.js";
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words" | "legible">} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -72,6 +72,15 @@ export class Figure {
   paintGround(target, size, view) {
     if (!this.#snapshot) return;
     paintSquares(target.context, size, view, this.#theme, this.#snapshot.words, target.ratio);
+    this.paintStill(target, view);
+  }
+
+  /**
+   * What stands still.
+   * @param {Target} target
+   * @param {Transform} view
+   */
+  paintStill(target, view) {
     this.#painter.shapes(target, this.#still, view, this.#poses);
   }
 

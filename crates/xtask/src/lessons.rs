@@ -1,11 +1,13 @@
 //! The lessons of the page, found by their folders: a folder of `www/lessons` that holds `lesson.json` is
-//! one. The list goes into a module that the page imports, so no script names a lesson.
+//! one. The list goes into a module that the page imports, and what lessons are called into the words of
+//! the page, so no script names a lesson.
 
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// The module of the list, in the page.
 pub(crate) const LIST: &str = "lessons/index.js";
@@ -36,6 +38,39 @@ struct Lesson {
 pub(crate) fn list(folder: &Path) -> Result<String> {
     let lessons = serde_json::to_string(&found(folder)?).context("the list of lessons")?;
     Ok(format!("export const LESSONS = {lessons};\n"))
+}
+
+/// Of a lesson's words those that the page has before it is opened: they go into the page's own under
+/// `lessons.ID.…`.
+const CALLED: [&str; 2] = ["title", "line"];
+
+/// Puts what the lessons are called into every table of words of a folder.
+pub(crate) fn name(lessons: &Path, words: &Path) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", words.display());
+    for entry in fs::read_dir(words).with_context(unreadable)? {
+        let path = entry.with_context(unreadable)?.path();
+        let language = path.file_stem().unwrap_or_default().to_string_lossy();
+        let mut page = table(&path)?;
+        for Lesson { id, .. } in found(lessons)? {
+            let own = lessons.join(&id).join(format!("words.{language}.json"));
+            let own = table(&own)?;
+            for key in CALLED {
+                let text = own.get(key).with_context(|| {
+                    format!("the lesson {id} has no {key} in its words of {language}")
+                })?;
+                page.insert(format!("lessons.{id}.{key}"), text.clone());
+            }
+        }
+        let text = serde_json::to_string(&page).context("a table of words")?;
+        fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))?;
+    }
+    Ok(())
+}
+
+fn table(path: &Path) -> Result<Map<String, Value>> {
+    let text =
+        fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    serde_json::from_str(&text).with_context(|| format!("{} is no table of words", path.display()))
 }
 
 /// The lessons of a folder by their names.
@@ -138,6 +173,28 @@ mod tests {
         assert_eq!(names, ["app/main.js", "lessons/fixture/lesson.js"]);
         assert!(joined["app/main.js"].contains("\"fixture\""));
         assert!(joined["lessons/fixture/lesson.js"].contains("as LESSON"));
+    }
+
+    #[test]
+    fn what_lessons_are_called_is_in_the_words_of_the_page() {
+        let lessons = Copy::of_the_lessons("called");
+        let words = lessons.0.join("lang");
+        copy(&root().join("lang"), &words).unwrap();
+        let of_page = |language: &str| table(&words.join(format!("{language}.json"))).unwrap();
+        let before = of_page("ru").len();
+        // The folder of the words is no lesson.
+        let only = Copy::of_the_lessons("called-only");
+        name(&only.0, &words).unwrap();
+        let after = of_page("ru");
+        let own = table(&only.0.join("mixer").join("words.ru.json")).unwrap();
+        assert_eq!(after["lessons.mixer.title"], own["title"]);
+        assert_eq!(after.len(), before + 2 * found(&only.0).unwrap().len());
+        fs::write(only.0.join("mixer").join("words.kk.json"), "{}").unwrap();
+        let error = format!("{:#}", name(&only.0, &words).unwrap_err());
+        assert!(
+            error.contains("mixer has no title in its words of kk"),
+            "{error}"
+        );
     }
 
     /// A change of a lesson's folder.

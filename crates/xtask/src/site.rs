@@ -71,6 +71,7 @@ fn put_together(workspace: &Workspace, more: Option<&Path>, site: &Path) -> Resu
     copy(&root.join("lang"), &site.join("lang"))?;
     kinds::add_words(&site.join("kinds"), &site.join("lang"))?;
     fill_words(site)?;
+    lessons::name(&site.join("lessons"), &site.join("lang"))?;
     list_folders(workspace, site)?;
     join_scripts(site)?;
     join_styles(site)

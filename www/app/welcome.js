@@ -1,0 +1,37 @@
+// What the page is and which lessons there are, for who sees it for the first time.
+import { LOST } from "assur/app/notices.js";
+import { byId, make } from "assur/core/dom.js";
+import { LESSONS } from "assur/lessons/index.js";
+import { addressed, keep, kept } from "assur/state/storage.js";
+
+/** What is kept once it was closed. */
+const NAME = "welcome";
+
+/**
+ * Shows it unless it was closed once, or the page was opened to show something: by a link, in a frame of another page.
+ * @param {import("assur/app/page.js").Page} page
+ */
+export function welcome(page) {
+  const place = byId("welcome", HTMLElement);
+  const sent = addressed(location.href) !== "" || self !== top;
+  if (sent || kept(NAME) !== null) return;
+  const close = () => {
+    keep(NAME, "closed");
+    place.hidden = true;
+  };
+  byId("welcome-lessons", HTMLElement).append(...LESSONS.map((entry) => {
+    const button = make("button", { id: `welcome-${entry.id}`, class: "control", type: "button", "data-t": `lessons.${entry.id}.title` });
+    button.addEventListener("click", async () => {
+      const part = await import("assur/lesson/begin.js").catch(() => null);
+      if (!part) return page.notices.tell(LOST);
+      close();
+      await part.begin(page, entry);
+    });
+    return button;
+  }));
+  byId("welcome-close", HTMLButtonElement).addEventListener("click", () => {
+    close();
+    byId("gallery", HTMLButtonElement).focus();
+  });
+  place.hidden = false;
+}

@@ -1,0 +1,92 @@
+// What there is to choose: a card for each lesson and each mechanism of the catalogue, in groups.
+import { begin } from "assur/lesson/begin.js";
+import { readLesson } from "assur/lesson/offer.js";
+import { Progress } from "assur/lesson/progress.js";
+import { opens } from "assur/lesson/show.js";
+import { make } from "assur/core/dom.js";
+import { findable } from "assur/gallery/search.js";
+import { LESSONS } from "assur/lessons/index.js";
+import { initialState } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ button: HTMLButtonElement, words: readonly string[] }} Card and what it is found by
+ * @typedef {{ key: string, cards: Card[] }} Group with the key of its heading
+ */
+
+/** The groups of the catalogue in the order in which they are taught. */
+const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher"]);
+
+/**
+ * @param {Page} page
+ * @param {import("assur/gallery/pictures.js").Pictures} pictures
+ * @param {Words} english names that a mechanism is found by, too
+ * @returns {Group[]}
+ */
+export function groups(page, pictures, english) {
+  const { engine } = page;
+  const kinds = [...new Set([...GROUPS, ...engine.catalogue.map(({ group }) => group)])];
+  const mechanisms = kinds.map((kind) => {
+    const key = `gallery.group.${kind}`;
+    const presets = engine.catalogue.filter(({ group }) => group === kind);
+    return { key, cards: presets.map((preset) => mechanismCard(preset, key, page, pictures, english)) };
+  });
+  return [{ key: "gallery.lessons", cards: LESSONS.map((entry) => lessonCard(entry, page, pictures, english)) }, ...mechanisms];
+}
+
+/**
+ * @param {import("assur/engine.js").Preset} preset
+ * @param {string} group
+ * @param {Page} page
+ * @param {import("assur/gallery/pictures.js").Pictures} pictures
+ * @param {Words} english
+ * @returns {Card}
+ */
+function mechanismCard({ id, class: highest, kind, document }, group, page, pictures, english) {
+  const { words, store, engine } = page;
+  const key = `gallery.${id}`;
+  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), words.text("gallery.class", { class: highest }));
+  if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
+  button.addEventListener("click", () => page.choose(kind, document));
+  // The numeral in the name of a group is not that of each in it.
+  const texts = [words, english].flatMap((table) => [table.text(key), table.text(group).replace(/[IVX]+/, ""), table.text("gallery.class", { class: highest })]);
+  return { button, words: findable(texts, highest) };
+}
+
+/**
+ * @param {import("assur/lesson/offer.js").Entry} entry
+ * @param {Page} page
+ * @param {import("assur/gallery/pictures.js").Pictures} pictures
+ * @param {Words} english
+ * @returns {Card}
+ */
+function lessonCard(entry, page, pictures, english) {
+  const { words, engine } = page;
+  const { id } = entry;
+  const [title, line] = [`lessons.${id}.title`, `lessons.${id}.line`];
+  const done = make("small", { class: "done" });
+  const picture = pictures.add(async () => {
+    const { lesson: { steps }, presets } = await readLesson(entry);
+    const { solved } = new Progress(id, steps);
+    if (solved > 0) done.textContent = words.counted("lesson.solved", solved);
+    const whole = opens(steps[0].shows[0], presets, engine);
+    return whole ? initialState(whole.kind, whole.document, {}) : null;
+  });
+  const button = card(`gallery-lesson-${id}`, picture, words.text(title), words.text(line), done);
+  button.addEventListener("click", () => begin(page, entry));
+  const texts = [words, english].flatMap((table) => [table.text(title), table.text(line), table.text("gallery.lessons")]);
+  return { button, words: findable(texts) };
+}
+
+/**
+ * @param {string} id
+ * @param {HTMLCanvasElement} picture
+ * @param {string} title
+ * @param {string} line what is said below it
+ * @param {...HTMLElement} more
+ */
+function card(id, picture, title, line, ...more) {
+  const text = make("span", { class: "text" }, [make("b", {}, [title]), make("small", {}, [line]), ...more]);
+  return make("button", { id, class: "tile", type: "button" }, [picture, text]);
+}

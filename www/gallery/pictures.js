@@ -1,0 +1,105 @@
+// Small drawings of mechanisms, made as they come into view: by the same code as the large one, in the colours of the page.
+import { Transform } from "assur/canvas/transform.js";
+import { make } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { Figure } from "assur/stage/figure.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {() => Promise<State | null>} Source what a picture shows; null where it cannot be had
+ * @typedef {{ figure: Figure, bounds: readonly number[] }} Sketch
+ */
+
+/** Free room around a drawing, in pixels. */
+const MARGIN = 9;
+
+export class Pictures {
+  #page;
+  /** @type {Map<Element, Source>} those that were not in view yet */
+  #coming = new Map();
+  /** @type {Map<HTMLCanvasElement, Sketch>} those that were drawn */
+  #drawn = new Map();
+  #watch;
+  /** The end of the drawing that was begun last: there is one in a frame, so that what is pressed or typed meanwhile is heard. */
+  #turn = Promise.resolve();
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {HTMLElement} window in which they are scrolled
+   */
+  constructor(page, window) {
+    this.#page = page;
+    this.#watch = new IntersectionObserver((entries) => {
+      for (const { target, isIntersecting } of entries) {
+        const source = this.#coming.get(target);
+        if (isIntersecting && source && target instanceof HTMLCanvasElement) this.#bring(target, source);
+      }
+    }, { root: window, rootMargin: "120px" });
+  }
+
+  /**
+   * @param {Source} source
+   * @returns {HTMLCanvasElement}
+   */
+  add(source) {
+    const canvas = make("canvas", { class: "picture", "aria-hidden": "true" });
+    this.#coming.set(canvas, source);
+    this.#watch.observe(canvas);
+    return canvas;
+  }
+
+  /** Paints again what was drawn: in other colours, or for another screen. */
+  repaint() {
+    for (const [canvas, sketch] of this.#drawn) this.#paint(canvas, sketch);
+  }
+
+  close() {
+    this.#watch.disconnect();
+    this.#coming.clear();
+    this.#drawn.clear();
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Source} source
+   */
+  async #bring(canvas, source) {
+    this.#coming.delete(canvas);
+    this.#watch.unobserve(canvas);
+    const state = await source();
+    if (!state) return;
+    this.#turn = this.#turn.then(() => new Promise(requestAnimationFrame)).then(() => this.#draw(canvas, state));
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {State} state
+   */
+  #draw(canvas, state) {
+    if (!canvas.isConnected) return;
+    const { engine, theme, words, model: { coordinate } } = this.#page;
+    const { value } = attempt(() => engine.sketch(state));
+    if (!value) return;
+    const { bounds, scene, frame } = value;
+    const figure = new Figure(engine, theme);
+    figure.take({ scene, frame, frameInput: 0, coordinate, readouts: null, revision: 1, words, legible: false });
+    this.#drawn.set(canvas, { figure, bounds });
+    this.#paint(canvas, { figure, bounds });
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Sketch} sketch
+   */
+  #paint(canvas, { figure, bounds }) {
+    const { clientWidth: width, clientHeight: height } = canvas;
+    const context = canvas.getContext("2d");
+    if (!context || width === 0) return;
+    const ratio = globalThis.devicePixelRatio || 1;
+    [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const view = Transform.fit(bounds, width, height, MARGIN);
+    figure.paintStill({ context, ratio }, view);
+    figure.paintMoving({ context, ratio }, view);
+    canvas.dataset.drawn = "true";
+  }
+}
