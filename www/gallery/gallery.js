@@ -47,8 +47,11 @@ export async function openGallery(page) {
     shelf.scrollTop = 0;
   });
   search.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" || search.value.trim() === "") return;
+    // Else the button that has the focus next would be pressed, too.
+    event.preventDefault();
     // What was looked for is the first that is left.
-    if (event.key === "Enter" && search.value.trim() !== "") shown()[0]?.click();
+    shown()[0]?.click();
   });
   dialog.addEventListener("keydown", (event) => walk(event, search, shown()));
   // A press beside it closes it.
