@@ -36,7 +36,8 @@ async fn a_lesson_and_a_kind_without_motion() {
     })
     .await;
     assert_eq!(page.text("out-scheme-mobility").await, "1");
-    assert_eq!(page.text("out-scheme-formula").await, "I → II(2–3)");
+    let formula = "I(frame,lever) → II₂(coupler,follower)";
+    assert_eq!(page.text("out-scheme-formula").await, formula);
     for id in [
         "play", "charts", "readouts", "overlays", "presets", "driver",
     ] {
