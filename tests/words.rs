@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 27] = [
+const BUILT: [(&str, &[&str]); 28] = [
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     (
         "field.",
@@ -52,6 +52,8 @@ const BUILT: [(&str, &[&str]); 27] = [
     ("lang.", &["www/core/words.js"]),
     // Verdicts of answers.
     ("lesson.", &["www/lesson/panel.js"]),
+    // What the mechanisms of the catalogue call their links.
+    ("link.", LINKS),
     ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
         "name.",
@@ -98,6 +100,20 @@ const BUILT: [(&str, &[&str]); 27] = [
     ),
     ("told.", &["www/app/description.js"]),
     ("tracers.", &["www/kinds/mixer/lists.js"]),
+];
+
+/// Who names links: the mechanisms of the catalogue, the mixer, the engine its frame.
+const LINKS: &[&str] = &[
+    "crates/assur/src/mechanism/draft.rs",
+    "crates/assur-file/src/kinds/mixer.rs",
+    "crates/assur-file/catalogue/chebyshev.json",
+    "crates/assur-file/catalogue/class3-platform.json",
+    "crates/assur-file/catalogue/jansen.json",
+    "crates/assur-file/catalogue/klann.json",
+    "crates/assur-file/catalogue/scotch-yoke.json",
+    "crates/assur-file/catalogue/slider-crank.json",
+    "crates/assur-file/catalogue/watt-2.json",
+    "crates/assur-file/catalogue/whitworth.json",
 ];
 
 /// The tables of all that the page says.

@@ -294,3 +294,37 @@ async fn the_front_door_is_well_laid_out() {
     assert!(found.is_empty(), "{found:#?}");
     page.close().await;
 }
+
+/// Opens a mechanism, of whose name a part is known.
+async fn take(page: &Page, id: &str, name: &str) {
+    open(page).await;
+    page.click(&format!("gallery-{id}")).await;
+    closed(page).await;
+    page.until(name, async || {
+        page.text("mechanism-name").await.contains(name)
+            && page.count("#out-formula").await == 1
+            && page.text("out-formula").await != ""
+    })
+    .await;
+    page.settle().await;
+}
+
+/// The names of links are in the language of the page, wherever they stand.
+#[tokio::test]
+async fn links_are_called_in_the_language_of_the_page() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    page.speak("ru").await;
+    take(&page, "slider-crank", "ползунный").await;
+    let formula = page.text("out-formula").await;
+    assert_eq!(formula, "I(стойка,кривошип) → II₂(шатун,ползун)");
+    assert!(page.text("plot").await.contains("шатун"));
+    take(&page, "klann", "Кланна").await;
+    assert!(page.text("out-formula").await.contains("нижнее коромысло"));
+    // The document keeps its own.
+    page.until("the address", async || {
+        page.address().await.contains("lower%20rocker")
+    })
+    .await;
+    page.close().await;
+}

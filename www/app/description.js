@@ -2,7 +2,7 @@
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
-import { called } from "assur/core/names.js";
+import { called, calledIn } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 import { powerOf, unitOf, written } from "assur/plots/units.js";
 
@@ -96,7 +96,7 @@ function drawing(snapshot) {
   const types = bars.map(({ grashof }) => words.text(`grashof.${grashof}`));
   const [number, count] = [assembly, assemblies].map((one) => words.numbers.exact(one));
   const kind = words.text("told.kind", { type: types.join("; "), assembly: number, count });
-  const structure = words.text("told.structure", { formula, assembly: number, count });
+  const structure = words.text("told.structure", { formula: calledIn(formula, words), assembly: number, count });
   return [pose(snapshot), types.length > 0 ? kind : structure].join(" ");
 }
 

@@ -1,6 +1,7 @@
 // Problems of the engine as sentences.
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 
 /**
@@ -25,7 +26,7 @@ const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
  */
 function fieldName(field, words, document) {
   const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
-  if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at)) ?? at });
+  if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at), words) ?? at });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   const number = String(Number(index) + FIRST[/** @type {keyof typeof FIRST} */ (list)]);
@@ -36,11 +37,14 @@ function fieldName(field, words, document) {
  * @param {Document | undefined} document
  * @param {string} list `links` or `points`
  * @param {number} at
+ * @param {Words} words
  * @returns {string | undefined} the name of a link or point
  */
-function nameIn(document, list, at) {
+function nameIn(document, list, at, words) {
   if (!document || !("links" in document)) return undefined;
-  return (list === "links" ? document.links : document.points)[at]?.name;
+  if (list === "points") return document.points[at]?.name;
+  const link = document.links[at];
+  return link && called(link.name, words);
 }
 
 /**
@@ -58,7 +62,8 @@ export function sentence(problem, words, document) {
     if (name === "field") places.field = fieldName(String(value), words, document);
     else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
-    else if (Array.isArray(value)) places[name] = value.join(", ");
+    else if (Array.isArray(value)) places[name] = value.map((one) => (name === "links" ? called(String(one), words) : one)).join(", ");
+    else if (name === "link") places.link = called(String(value), words);
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }
   return words.text(key, places);

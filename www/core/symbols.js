@@ -1,4 +1,5 @@
 // How quantities are spelled: φ₃′, ω₅, ẋ.
+import { called } from "assur/core/names.js";
 
 const STROKES = Object.freeze(["", "′", "″"]);
 const LETTERS = Object.freeze({
@@ -12,13 +13,14 @@ const LETTERS = Object.freeze({
  * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
  * @param {number} order
  * @param {boolean} physical whether derivatives are by time
+ * @param {import("assur/core/words.js").Words} words
  */
-export function symbol({ name, number }, order, physical) {
+export function symbol({ name, number }, order, physical, words) {
   const dot = name.lastIndexOf(".");
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
   const index = number ? subscript(number) : "";
-  const named = what === "angle" && !number ? ` ${of}` : "";
+  const named = what === "angle" && !number ? ` ${called(of, words)}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
 }
 

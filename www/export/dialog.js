@@ -32,7 +32,7 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
   const theme = paperTheme(engine.roles);
   const name = fileName(engine, model);
   const drawing = () => mechanism;
-  const plots = () => withLegend(chart, theme);
+  const plots = () => withLegend(chart, theme, words);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
   const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press) => {
     const id = `export-${part}-${format}`;

@@ -67,11 +67,12 @@ export function toPng(picture, theme) {
  * The plots under a legend of their curves: by themselves they have no read-outs that tell the colours.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
+ * @param {import("assur/core/words.js").Words} words
  * @returns {Picture}
  */
-export function withLegend(chart, theme) {
+export function withLegend(chart, theme, words) {
   const { width, height } = chart.size;
-  const { entries, rows } = legend(chart, theme);
+  const { entries, rows } = legend(chart, theme, words);
   const below = rows * ROW;
   const size = { width, height: height + below };
   const paint = (/** @type {Target} */ { context, ratio }) => {
@@ -100,9 +101,10 @@ export function withLegend(chart, theme) {
 /**
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
+ * @param {import("assur/core/words.js").Words} words
  * @returns {{ entries: { text: string, role: string, left: number, row: number }[], rows: number }}
  */
-function legend({ panels, size }, theme) {
+function legend({ panels, size }, theme, words) {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   if (!context) throw new Error("no 2d context");
   const font = setChartFont(context, theme, 12);
@@ -110,7 +112,7 @@ function legend({ panels, size }, theme) {
   let row = 0;
   const series = panels[0]?.series ?? [];
   const entries = series.map(({ role, ...one }) => {
-    const text = symbol(one, 0, false);
+    const text = symbol(one, 0, false, words);
     const width = SAMPLE + ROOM + textWidth(context, font, text);
     if (left > LEFT && left + width > size.width) {
       left = LEFT;

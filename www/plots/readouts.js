@@ -59,7 +59,7 @@ export class ReadoutTable {
     // What derivatives of what is listed are called: of angles, of lengths, of both.
     const sorts = ["angle", "x"].filter((sort) => listed.some(({ what }) => (sort === "angle" ? what === "angle" : what === "x" || what === "y")));
     this.#heads.forEach((head, order) => {
-      write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, view.axes === "physical").trim()).join(", "));
+      write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, view.axes === "physical", words).trim()).join(", "));
     });
     this.#cells = [];
     const rows = listed.map((one) => {

@@ -66,10 +66,10 @@ function drawTitle(context, panel, coordinate, words, theme) {
   };
   let font = `600 ${14 * theme.scale}px ${theme.font}`;
   context.font = font;
-  for (const [text, role] of names(panel)) write(text, role ? theme.inks[role] : theme.colours.ink);
+  for (const [text, role] of names(panel, words)) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
   const unit = words.text(unitOf(panel, coordinate), { power: powerOf(panel) });
-  const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel) })}` : "";
+  const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
   // Where all of it has no room, the unit goes without its name.
   const fits = right + textWidth(context, font, `  ${unit}${proof}`) <= left + panel.width;
   write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
@@ -80,10 +80,11 @@ function drawTitle(context, panel, coordinate, words, theme) {
 /**
  * The symbols of a panel's title, each with the role of its curve.
  * @param {Panel} panel
+ * @param {Words} words
  * @returns {[text: string, role?: string][]}
  */
-function names({ kind, order, physical, series }) {
-  const symbols = series.map((one) => /** @type {[string, string]} */ ([symbol(one, order, physical), one.role]));
+function names({ kind, order, physical, series }, words) {
+  const symbols = series.map((one) => /** @type {[string, string]} */ ([symbol(one, order, physical, words), one.role]));
   if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
@@ -92,10 +93,11 @@ function names({ kind, order, physical, series }) {
 
 /**
  * @param {Panel} panel
+ * @param {Words} words
  * @returns {string} the symbols of the first derivatives
  */
-function firsts({ physical, series }) {
-  const symbols = series.map((one) => symbol(one, 1, physical).replace(/[₀-₉]/g, ""));
+function firsts({ physical, series }, words) {
+  const symbols = series.map((one) => symbol(one, 1, physical, words).replace(/[₀-₉]/g, ""));
   return [...new Set(symbols)].join(", ");
 }
 

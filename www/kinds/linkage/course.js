@@ -3,6 +3,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { DesignView } from "assur/kinds/linkage/design.js";
 import { across, down } from "assur/plots/panel.js";
@@ -162,7 +163,7 @@ export class CourseView {
     const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
     const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
     const { stroke, dwell } = profile;
-    write(this.#name, words.text("dwell.of", { name: plotted[0].replace(/\.angle$/, "") }));
+    write(this.#name, words.text("dwell.of", { name: called(plotted[0].replace(/\.angle$/, ""), words) }));
     const none = words.text("dwell.none");
     const texts = {
       stroke: stroke === null ? none : said(stroke),
@@ -193,7 +194,7 @@ export class CourseView {
       }
     }
     this.#bars.replaceChildren(...bars);
-    this.#bars.ariaLabel = [words.text("dwell.chart", { name: plotted[0].replace(/\.angle$/, "") }), ...told].join("; ");
+    this.#bars.ariaLabel = [words.text("dwell.chart", { name: called(plotted[0].replace(/\.angle$/, ""), words) }), ...told].join("; ");
     this.#bars.title = told.join("\n");
   }
 }

@@ -1,6 +1,7 @@
 // The constraint equations of a linkage at the crank angle there is: both sides in numbers, and by how much they differ.
 import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 
 /**
@@ -73,7 +74,7 @@ export class EquationsView {
     const { summary, words, input, stale, problems } = this.#snapshot;
     setData(this.#table, "faded", String(stale));
     const order = Number(this.#order.value);
-    this.#build(summary.equations, order);
+    this.#build(summary.equations, order, words);
     const written = [summary, order, input, words, problems.length];
     if (stale || written.every((part, i) => part === this.#written[i])) return;
     this.#written = written;
@@ -98,9 +99,10 @@ export class EquationsView {
   /**
    * @param {readonly Equation[]} equations
    * @param {number} order
+   * @param {Words} words
    */
-  #build(equations, order) {
-    const built = [JSON.stringify(equations), order];
+  #build(equations, order, words) {
+    const built = [JSON.stringify(equations), order, words];
     if (built.every((part, i) => part === this.#built[i])) return;
     this.#built = built;
     this.#written = [];
@@ -108,7 +110,7 @@ export class EquationsView {
     const rows = equations.map((equation, row) => {
       const cells = SIDES.map((side) => make("td", { id: `equation-${row}-${side}` }));
       this.#cells[row] = cells;
-      return make("tr", {}, [make("th", { id: `equation-${row}`, scope: "row" }, spelled(equation, order)), ...cells]);
+      return make("tr", {}, [make("th", { id: `equation-${row}`, scope: "row" }, spelled(equation, order, words)), ...cells]);
     });
     this.#body.replaceChildren(...rows);
   }
@@ -135,9 +137,10 @@ function together(...names) {
  * An equation, or its derivative of an order, as papers write it.
  * @param {Equation} equation
  * @param {number} order
+ * @param {Words} words
  * @returns {(Node | string)[]}
  */
-function spelled(equation, order) {
+function spelled(equation, order, words) {
   const stroke = STROKES[order];
   if (equation.kind === "distance") {
     const [p, q] = equation.points;
@@ -152,7 +155,7 @@ function spelled(equation, order) {
     const area = formula`x${along} y${to} − y${along} x${to}`;
     return order === 0 ? [...area, ...formula` = h·l${along}`] : ["(", ...area, `)${stroke} = 0`];
   }
-  const angle = (/** @type {string} */ name) => [`θ${stroke}`, ...formula`${name}`];
+  const angle = (/** @type {string} */ name) => [`θ${stroke}`, ...formula`${called(name, words)}`];
   const right = order === 0 ? " = α" : " = 0";
   if (equation.kind === "direction") return [...angle(equation.link), " − ", ...angle(equation.on), right];
   const { links, carrier, teeth } = equation;

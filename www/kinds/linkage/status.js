@@ -1,5 +1,6 @@
 // The status line of a linkage: its structure, its assembly, what its crank cannot pass.
 import { StatusLine } from "assur/controls/status.js";
+import { called, calledIn } from "assur/core/names.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 
@@ -13,25 +14,25 @@ import { make } from "assur/core/dom.js";
 const ENTRIES = Object.freeze({
   mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
-  formula: ({ formula, groups }, _, { state: { view } }) => (view.groups ? coloured(groups) : formula),
+  formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
   "linkage-assembly": ({ assembly, assemblies }, words) =>
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
   "linkage-grashof": ({ four_bars: bars }, words) =>
-    bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${links.join(", ")})` : "")).join("; "),
+    bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${listed(links, words)})` : "")).join("; "),
   "linkage-swing": ({ outputs }, words) =>
     outputs.filter(({ name, swing }) => name.endsWith(".angle") && swing.every((one) => one !== null)).map(({ name, swing }) => {
       const strokes = swing.map((one) => angle(one?.stroke ?? 0, words)).join(", ");
-      return `${strokes} (${name.replace(/\.angle$/, "")})`;
+      return `${strokes} (${called(name.replace(/\.angle$/, ""), words)})`;
     }).join("; "),
   "linkage-time-ratio": ({ outputs }, words) =>
     outputs.flatMap(({ name, time_ratio: ratio }) =>
-      ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${name.replace(/\.angle$/, "")})`],
+      ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${called(name.replace(/\.angle$/, ""), words)})`],
     ).join("; "),
   "linkage-transmission": ({ transmissions }, words) => transmissions.map(({ joint, min }) => `${angle(min, words)} (${joint})`).join("; "),
   "linkage-range": ({ cycle }, words, { coordinate }) =>
     (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => coordinate.short(end, words, 2)).join("…")).join(", ")),
   "linkage-dead": ({ dead_points: dead }, words, { coordinate }) =>
-    dead.map(({ input, kind, links }) => `${coordinate.short(input, words, 2)} ${words.text(`dead.${kind}`)} (${links.join(", ")})`).join("; "),
+    dead.map(({ input, kind, links }) => `${coordinate.short(input, words, 2)} ${words.text(`dead.${kind}`)} (${listed(links, words)})`).join("; "),
   "linkage-change": ({ change_points: points }, words, { coordinate }) => points.map((input) => coordinate.short(input, words, 2)).join(", "),
 });
 
@@ -49,11 +50,12 @@ export function linkageStatus() {
 
 /**
  * @param {Summary["groups"]} groups
+ * @param {Words} words
  * @returns {(Node | string)[]} the structural formula, beside each term the colour of its links in the drawing
  */
-function coloured(groups) {
+function coloured(groups, words) {
   const swatch = (/** @type {string} */ role) => make("i", { class: "swatch", style: `--accent: var(--role-${role})`, "data-role": role, "aria-hidden": "true" });
-  return groups.flatMap(({ term, role }, i) => [...(i > 0 ? [" → "] : []), make("span", { class: "group" }, [swatch(role), term])]);
+  return groups.flatMap(({ term, role }, i) => [...(i > 0 ? [" → "] : []), make("span", { class: "group" }, [swatch(role), calledIn(term, words)])]);
 }
 
 /**
@@ -62,4 +64,12 @@ function coloured(groups) {
  */
 function angle(phi, words) {
   return `${words.numbers.upTo(degrees(phi), 2)}°`;
+}
+
+/**
+ * @param {readonly string[]} links
+ * @param {Words} words
+ */
+function listed(links, words) {
+  return links.map((link) => called(link, words)).join(", ");
 }

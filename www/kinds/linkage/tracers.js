@@ -1,5 +1,6 @@
 // The points that are traced on the links of a linkage, in its rail: where each is, and one less.
 import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
 
@@ -33,7 +34,7 @@ export class TracedPoints {
       remove.addEventListener("click", () => this.#remove(name));
       const place = at.map((value) => words.numbers.short(value)).join("; ");
       return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [
-        make("span", { class: "name" }, [make("b", {}, [subscript(name)]), ` ${link} (${place})`]), remove,
+        make("span", { class: "name" }, [make("b", {}, [subscript(name)]), ` ${called(link, words)} (${place})`]), remove,
       ]);
     }));
     words.fill(this.#section);
