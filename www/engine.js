@@ -8,52 +8,24 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
- * @typedef {{ min: number, max: number, stroke: number }} Swing
- * @typedef {{ start: number, end: number, full: boolean, arcs: [number, number][] }} Cycle
- * @typedef {{ role: string, kind: "max" | "min" | "zero", phi: number, value: number }} Mark
- * @typedef {{ name: string, what: "angle" | "x" | "y" | "transmission", of: string[], number: string | null, role: string }} Listed
- * A read-out beside the drawing: of an angle the link and those fixed to it, of a coordinate the point, of a transmission angle the joint.
- * @typedef {{ name: string, swing: (Swing | null)[], turns: number[], limits: { input: number, value: number }[], time_ratio: number | null }} Output
- * What an output of the document does over the motion: a swing for every arc of it, null where it turns on and on; turns there and back.
- * @typedef {{
- *   bounds: [number, number, number, number], handles: { name: string, role: string }[], roles: Record<string, string>,
- *   counts: { links: number, lower: number, higher: number, mobility: number },
- *   class: string, order: number, formula: string, groups: { term: string, role: string }[],
- * }} Structure what the engine says of a drawing and its structure, whether it moves or not
- * @typedef {Structure & { moves: null }} StillSummary
- * @typedef {Structure & {
- *   moves: "angle" | "length", cycle: Cycle, home: number, assembly: number, assemblies: number, equations: import("assur/kinds/linkage/equations.js").Equation[],
- *   dead_points: { input: number, kind: string, links: string[] }[], change_points: number[],
- *   four_bars: { links: string[], grashof: string }[],
- *   transmissions: { joint: string, links: [string, string], min: number, input: number }[],
- *   outputs: Output[],
- *   numbers: Record<string, string>, points: string[], listed: Listed[], plotted: string[],
- *   profile: Profile | null,
- * }} MotionSummary
- * What the engine says of a motion as a whole; inputs are radians, or of a driven slide in the unit of the lengths.
- * @typedef {MotionSummary & { ratios: number[], overlaps: [number, number][], free_direction: number }} MixerSummary
- * @typedef {{ mixer: MixerSummary, linkage: MotionSummary, scheme: StillSummary }} Summaries
+ * @typedef {import("assur/types/web.js").Between} Swing
+ * @typedef {import("assur/types/web.js").CycleSummary} Cycle
+ * @typedef {import("assur/types/web.js").MarkLayout} Mark
+ * @typedef {import("assur/types/web.js").ListedSummary} Listed
+ * @typedef {import("assur/types/web.js").OutputSummary} Output
+ * @typedef {import("assur/types/web.js").ProfileSummary} Profile
+ * @typedef {import("assur/types/web.js").EquationSummary} Equation
+ * @typedef {import("assur/types/web.js").MotionSummary} MotionSummary
+ * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
+ * @typedef {import("assur/types/web.js").Summaries} Summaries what the engine says of a document, by its kind
  * @typedef {Summaries[Kind]} Summary
- * @typedef {{
- *   width: number, stroke: number | null,
- *   dwell: { arc: [number, number], band: [number, number] } | null,
- *   phases: { kind: "rise" | "dwell" | "return", arc: [number, number] }[],
- * }} Profile
- * What the first plotted output does: its stroke; the longest arc on which it stays within a band, `width` (degrees, or in the
- * unit of lengths) wide, with the values it has there; its phases.
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
  * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
  * of each series of the plots the value and both derivatives; the last two are null where derivatives are unbounded.
- * @typedef {{
- *   order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean,
- *   left: number, top: number, width: number, height: number,
- *   x0: number, x1: number, y0: number, y1: number,
- *   xticks: { value: number }[], yticks: { value: number }[],
- *   series: { name: string, number: string | null, role: string }[], marks: Mark[], points: number[],
- * }} Panel
- * @typedef {{ width: number, height: number, palette: [number, number, number][], scale: number, ratio: number, whole: boolean }} ChartRequest
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
+ * @typedef {import("assur/types/web.js").ChartRequest} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
- * @typedef {{ columns: string[], rows: { input: number, values: (number | null)[], reason: Problem | null }[] }} SweepTable
+ * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  */
 
 /** How many lists a place of the motion has. */

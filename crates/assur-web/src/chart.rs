@@ -11,9 +11,11 @@ use wasm_bindgen::JsValue;
 
 /// What the page asks of a chart, sizes in pixels of the reader.
 #[derive(Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartRequest {
     pub(crate) width: u32,
     pub(crate) height: u32,
+    #[cfg_attr(test, ts(type = "Array<[number, number, number]>"))]
     palette: [[u8; 3]; ROLES.len()],
     /// How much larger than usual text and lines are.
     #[serde(default = "usual")]
@@ -45,13 +47,17 @@ impl ChartRequest {
 
 /// Where the page writes the chart's text.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartLayout<'a> {
     panels: Vec<PanelLayout<'a>>,
 }
 
 #[derive(Serialize)]
-struct PanelLayout<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PanelLayout<'a> {
+    #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
     kind: &'static str,
     physical: bool,
     differenced: bool,
@@ -71,13 +77,15 @@ struct PanelLayout<'a> {
 }
 
 #[derive(Serialize)]
-struct TickLayout {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct TickLayout {
     value: f64,
     at: f64,
 }
 
 #[derive(Serialize)]
-struct SeriesLayout<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SeriesLayout<'a> {
     name: &'a str,
     /// The number by which the angle is called, where it is.
     number: Option<&'a str>,
@@ -85,8 +93,10 @@ struct SeriesLayout<'a> {
 }
 
 #[derive(Serialize)]
-struct MarkLayout {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MarkLayout {
     role: &'static str,
+    #[cfg_attr(test, ts(type = "\"max\" | \"min\" | \"zero\""))]
     kind: &'static str,
     phi: f64,
     value: f64,

@@ -16,7 +16,8 @@ use crate::profile::band;
 /// What is wanted of the first output that is plotted; within which band it stands
 /// still, the document says.
 #[derive(Deserialize)]
-struct Wishes {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Wishes {
     /// The arc of the crank over which it stands at least, radians.
     arc: f64,
     /// From its least to its greatest value: radians, or in the unit of the lengths.
@@ -26,7 +27,8 @@ struct Wishes {
 
 /// A link whose length may change by this part of it, more or less.
 #[derive(Deserialize)]
-struct Movement {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Movement {
     link: String,
     by: f64,
 }
@@ -42,17 +44,21 @@ pub struct Design {
 }
 
 #[derive(Serialize)]
-struct StepSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct StepSummary {
     judged: usize,
     accepted: bool,
     before: f64,
     reached: ReachedSummary,
+    #[cfg_attr(test, ts(type = "\"fulfilled\" | \"settled\" | null"))]
     end: Option<&'static str>,
+    #[cfg_attr(test, ts(type = "Partial<LinkageDocument> | null"))]
     document: Option<Redrawn>,
 }
 
 #[derive(Serialize)]
-struct ReachedSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ReachedSummary {
     arc: f64,
     stroke: f64,
     residual: f64,

@@ -6,6 +6,7 @@ use serde::Serialize;
 /// What an equation is about: points P, Q (and S of a slide, before them), links
 /// with what they are seen from.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(crate) enum EquationSummary<'a> {
     Distance {

@@ -16,6 +16,8 @@ mod simulator;
 mod summary;
 mod table;
 mod thin;
+#[cfg(test)]
+mod types;
 
 pub use design::Design;
 pub use simulator::{Simulator, catalogue, read_state, role_names};

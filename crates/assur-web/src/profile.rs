@@ -9,6 +9,7 @@ const BAND: f64 = 0.1;
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ProfileSummary {
     /// Degrees, or in the unit of the lengths.
     width: f64,
@@ -21,13 +22,16 @@ pub(crate) struct ProfileSummary {
 /// The longest arc on which the output stays within the band: from where to where,
 /// and the least and the greatest value there.
 #[derive(Serialize)]
-struct DwellSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct DwellSummary {
     arc: [f64; 2],
     band: [f64; 2],
 }
 
 #[derive(Serialize)]
-struct PhaseSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PhaseSummary {
+    #[cfg_attr(test, ts(type = "\"rise\" | \"dwell\" | \"return\""))]
     kind: &'static str,
     arc: [f64; 2],
 }

@@ -16,6 +16,7 @@ use crate::profile::ProfileSummary;
 
 /// What is said of a drawing and of its structure, whether it moves or not.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
@@ -28,8 +29,10 @@ pub(crate) struct StructureSummary<'a> {
 
 /// All that is said of a motion; a kind adds what only it has.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MotionSummary<'a> {
     /// What the input is: `angle` or `length`.
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
     moves: &'static str,
     #[serde(flatten)]
     structure: StructureSummary<'a>,
@@ -55,7 +58,8 @@ pub(crate) struct MotionSummary<'a> {
 /// Moving links, lower and higher pairs (a hinge of k links counting k − 1 times), degrees
 /// of freedom.
 #[derive(Serialize)]
-struct CountsSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct CountsSummary {
     links: usize,
     lower: usize,
     higher: usize,
@@ -64,7 +68,8 @@ struct CountsSummary {
 
 /// Where the input goes. `full`: a crank that turns fully.
 #[derive(Serialize)]
-struct CycleSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct CycleSummary {
     start: f64,
     end: f64,
     full: bool,
@@ -73,13 +78,15 @@ struct CycleSummary {
 
 /// A term of the structural formula, and the colour its links have by it.
 #[derive(Serialize)]
-struct GroupSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct GroupSummary {
     term: String,
     role: &'static str,
 }
 
 #[derive(Serialize)]
-struct DeadPointSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct DeadPointSummary<'a> {
     input: f64,
     kind: &'static str,
     links: Vec<&'a str>,
@@ -87,14 +94,16 @@ struct DeadPointSummary<'a> {
 
 /// A four-bar in the linkage: its crank, coupler, rocker and base, and its class.
 #[derive(Serialize)]
-struct FourBarSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FourBarSummary<'a> {
     links: [&'a str; 4],
     grashof: &'static str,
 }
 
 /// The least transmission angle of an RRR dyad, at the inner joint, and where it is.
 #[derive(Serialize)]
-struct TransmissionSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct TransmissionSummary<'a> {
     joint: &'a str,
     links: [&'a str; 2],
     min: f64,
@@ -104,7 +113,8 @@ struct TransmissionSummary<'a> {
 /// What an output does over the motion. Swings are one for every arc of it, none
 /// where it turns on and on; turns are there and back, per cycle.
 #[derive(Serialize)]
-struct OutputSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct OutputSummary {
     name: String,
     swing: Vec<Option<Between>>,
     turns: Vec<f64>,
@@ -113,14 +123,16 @@ struct OutputSummary {
 }
 
 #[derive(Serialize)]
-struct Between {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Between {
     min: f64,
     max: f64,
     stroke: f64,
 }
 
 #[derive(Serialize)]
-struct LimitSummary {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LimitSummary {
     input: f64,
     value: f64,
 }
@@ -128,9 +140,11 @@ struct LimitSummary {
 /// A read-out of the list beside the drawing, and whose it is: of an angle the link and
 /// those fixed to it, of a coordinate the point, of a transmission angle the joint.
 #[derive(Serialize)]
-struct ListedSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ListedSummary<'a> {
     name: String,
     /// `angle`, `x`, `y` or `transmission`.
+    #[cfg_attr(test, ts(type = "\"angle\" | \"x\" | \"y\" | \"transmission\""))]
     what: &'static str,
     of: Vec<&'a str>,
     /// The number by which the angle is called.
@@ -139,7 +153,8 @@ struct ListedSummary<'a> {
 }
 
 #[derive(Serialize)]
-struct HandleSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct HandleSummary<'a> {
     name: &'a str,
     role: &'static str,
 }

@@ -13,11 +13,7 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {Readonly<{
- *   judged: number, accepted: boolean, before: number,
- *   reached: { arc: number, stroke: number, residual: number, singularity_margin: number },
- *   end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null,
- * }>} Progress as Design.step of the engine has it
+ * @typedef {import("assur/types/web.js").StepSummary} Progress
  */
 
 /** By how many per cent a length may change. */

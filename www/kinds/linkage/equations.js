@@ -7,12 +7,9 @@ import { attempt } from "assur/core/problem.js";
 /**
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {{ kind: "distance", link: string, points: [string, string] }
- *   | { kind: "offset", link: string, points: [string, string, string] }
- *   | { kind: "direction", link: string, on: string }
- *   | { kind: "mesh", links: [string, string], carrier: string, teeth: [number, number] }} Equation
- * as the engine's summary has it: a link and its points P, Q; a link that slides, its point and the line PQ; a link and what
- * it keeps its angle against; wheels, their carrier and teeth, the second below zero where the sense is kept
+ * @typedef {import("assur/engine.js").Equation} Equation
+ * a link and its points P, Q; a link that slides, its point and the line PQ; a link and what it keeps its angle against; wheels,
+ * their carrier and teeth, the second below zero where the sense is kept
  */
 
 /** Orders of the derivatives, with the words for them. */

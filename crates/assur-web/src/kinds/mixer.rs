@@ -25,7 +25,8 @@ pub(crate) struct Mixer {
 
 /// What is said of it beyond its motion.
 #[derive(Serialize)]
-struct MixerSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MixerSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
     /// The ratios of the peripheral wheels to the rocker.

@@ -2,8 +2,8 @@
 //! the registry below.
 
 mod linkage;
-mod mixer;
-mod scheme;
+pub(crate) mod mixer;
+pub(crate) mod scheme;
 
 pub(crate) use linkage::Redrawn;
 

@@ -18,12 +18,15 @@ pub(crate) struct Scheme {
 }
 
 #[derive(Serialize)]
-struct SchemeSummary<'a> {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SchemeSummary<'a> {
     /// Nothing does.
+    #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
     #[serde(flatten)]
     structure: StructureSummary<'a>,
     /// Nothing is dragged.
+    #[cfg_attr(test, ts(type = "never[]"))]
     handles: [(); 0],
 }
 

@@ -1,0 +1,69 @@
+//! The shapes of what crosses the border, as the scripts of the page know them: `types.d.ts` of this
+//! crate is written by this test where `ASSUR_WRITE_TYPES` is set, and compared else.
+
+use std::{env, fs};
+
+use ts_rs::{Config, TS};
+
+use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
+use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
+use crate::equations::EquationSummary;
+use crate::kinds::mixer::MixerSummary;
+use crate::kinds::scheme::SchemeSummary;
+use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
+use crate::summary::{
+    Between, CountsSummary, CycleSummary, DeadPointSummary, FourBarSummary, GroupSummary,
+    HandleSummary, LimitSummary, ListedSummary, MotionSummary, OutputSummary, StructureSummary,
+    TransmissionSummary,
+};
+use crate::table::{SweepRow, SweepTable};
+
+#[test]
+fn the_scripts_know_what_crosses_the_border() {
+    let config = Config::new().with_large_int("number");
+    let types = [
+        StructureSummary::decl(&config),
+        MotionSummary::decl(&config),
+        MixerSummary::decl(&config),
+        SchemeSummary::decl(&config),
+        CountsSummary::decl(&config),
+        CycleSummary::decl(&config),
+        GroupSummary::decl(&config),
+        DeadPointSummary::decl(&config),
+        FourBarSummary::decl(&config),
+        TransmissionSummary::decl(&config),
+        OutputSummary::decl(&config),
+        Between::decl(&config),
+        LimitSummary::decl(&config),
+        ListedSummary::decl(&config),
+        HandleSummary::decl(&config),
+        EquationSummary::decl(&config),
+        ProfileSummary::decl(&config),
+        DwellSummary::decl(&config),
+        PhaseSummary::decl(&config),
+        ChartRequest::decl(&config),
+        ChartLayout::decl(&config),
+        PanelLayout::decl(&config),
+        TickLayout::decl(&config),
+        SeriesLayout::decl(&config),
+        MarkLayout::decl(&config),
+        SweepTable::decl(&config),
+        SweepRow::decl(&config),
+        Wishes::decl(&config),
+        Movement::decl(&config),
+        StepSummary::decl(&config),
+        ReachedSummary::decl(&config),
+    ];
+    let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
+                 import { LinkageDocument } from \"assur/types/file.js\";\n\
+                 export type Summaries = { linkage: MotionSummary, mixer: MixerSummary, scheme: SchemeSummary };\n";
+    let text: String = types
+        .map(|declared| format!("export {declared}\n"))
+        .concat();
+    let text = [first, &text].concat();
+    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/types.d.ts");
+    if env::var_os("ASSUR_WRITE_TYPES").is_some() {
+        fs::write(place, &text).unwrap();
+    }
+    assert_eq!(fs::read_to_string(place).unwrap(), text);
+}

@@ -1,0 +1,114 @@
+// Written by the tests of this crate from its Rust: see src/types.rs.
+import { LinkageDocument } from "assur/types/file.js";
+export type Summaries = { linkage: MotionSummary, mixer: MixerSummary, scheme: SchemeSummary };
+export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type MotionSummary = { 
+/**
+ * What the input is: `angle` or `length`.
+ */
+moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type MixerSummary = { 
+/**
+ * The ratios of the peripheral wheels to the rocker.
+ */
+ratios: Array<number>, 
+/**
+ * Peripheral wheels of which two would lie one over the other.
+ */
+overlaps: Array<[number, number]>, 
+/**
+ * The direction from wheel 4 in which there is most room.
+ */
+free_direction: number, 
+/**
+ * What the input is: `angle` or `length`.
+ */
+moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type SchemeSummary = { 
+/**
+ * Nothing does.
+ */
+moves: null, 
+/**
+ * Nothing is dragged.
+ */
+handles: never[], bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
+export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
+export type GroupSummary = { term: string, role: string, };
+export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
+export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
+export type TransmissionSummary = { joint: string, links: [string, string], min: number, input: number, };
+export type OutputSummary = { name: string, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
+export type Between = { min: number, max: number, stroke: number, };
+export type LimitSummary = { input: number, value: number, };
+export type ListedSummary = { name: string, 
+/**
+ * `angle`, `x`, `y` or `transmission`.
+ */
+what: "angle" | "x" | "y" | "transmission", of: Array<string>, 
+/**
+ * The number by which the angle is called.
+ */
+number: string | null, role: string, };
+export type HandleSummary = { name: string, role: string, };
+export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
+export type ProfileSummary = { 
+/**
+ * Degrees, or in the unit of the lengths.
+ */
+width: number, 
+/**
+ * From the least value to the greatest; none of what turns on and on.
+ */
+stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
+export type DwellSummary = { arc: [number, number], band: [number, number], };
+export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
+export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
+/**
+ * How much larger than usual text and lines are.
+ */
+scale: number, 
+/**
+ * Pixels of the screen to one of the reader.
+ */
+ratio: number, 
+/**
+ * Whether curves go through all their points: for a picture that may be enlarged.
+ */
+whole: boolean, };
+export type ChartLayout = { panels: Array<PanelLayout>, };
+export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
+export type TickLayout = { value: number, at: number, };
+export type SeriesLayout = { name: string, 
+/**
+ * The number by which the angle is called, where it is.
+ */
+number: string | null, role: string, };
+export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
+export type SweepTable = { columns: Array<string>, rows: Array<SweepRow>, };
+export type SweepRow = { 
+/**
+ * Degrees of a crank, else in the unit of the lengths.
+ */
+input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
+export type Wishes = { 
+/**
+ * The arc of the crank over which it stands at least, radians.
+ */
+arc: number, 
+/**
+ * From its least to its greatest value: radians, or in the unit of the lengths.
+ */
+stroke: number, movable: Array<Movement>, };
+export type Movement = { link: string, by: number, };
+export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
+export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
