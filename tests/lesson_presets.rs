@@ -42,7 +42,7 @@ fn presets_are_documents() {
         for (name, mut state) in presets(&lesson) {
             state["format"] = json!(2);
             state["view"] = serde_json::to_value(View::default()).unwrap();
-            let read = State::read(|| &state).map_err(|problem| vec![problem]);
+            let read = State::read(&state).map_err(|problem| vec![problem]);
             let moved = read.and_then(|state| state.check().and(state.moved().map(|_| ())));
             assert!(moved.is_ok(), "{lesson:?} {name}: {moved:?}");
             count += 1;

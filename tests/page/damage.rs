@@ -267,7 +267,7 @@ fn held_by_address(hash: &str) -> Option<Value> {
 fn judged(held: Option<Value>, length: usize) -> Result<State, Vec<Problem>> {
     let fits = |value: &Value| length <= LONGEST && depth(value) <= DEEPEST;
     let value = held.filter(fits).ok_or_else(Vec::new)?;
-    let state = State::read(|| &value).map_err(|problem| vec![problem])?;
+    let state = State::read(&value).map_err(|problem| vec![problem])?;
     state.moved()?;
     Ok(state)
 }

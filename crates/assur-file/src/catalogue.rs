@@ -207,7 +207,7 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
         if keys.iter().all(Option::is_none) {
             return Ok(Err(part(&value)?));
         }
-        State::read(|| &value).map(Ok)
+        State::read(&value).map(Ok)
     };
     match read().map_err(|problem| vec![problem])? {
         Ok(state) => state.linkage(),

@@ -1,7 +1,8 @@
 //! The whole state of the page: what an address, a file and an undo step hold.
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::kinds::{Document, Moved};
 use crate::view::{OpenLesson, View};
@@ -44,21 +45,7 @@ struct FirstKind {
     lesson: String,
 }
 
-/// The rest of a state.
-#[derive(Deserialize)]
-pub(crate) struct Body<D> {
-    pub(crate) document: D,
-    #[serde(default)]
-    pub(crate) view: View,
-}
-
 /// The open step as the first version has it: 0 while the lesson is closed.
-#[derive(Deserialize)]
-struct FirstBody {
-    #[serde(default)]
-    view: FirstView,
-}
-
 #[derive(Default, Deserialize)]
 struct FirstView {
     #[serde(default)]
@@ -66,21 +53,19 @@ struct FirstView {
 }
 
 impl State {
-    /// Reads a state from any self-describing format; `source` gives the whole of
-    /// it whenever it is asked.
+    /// Reads a state.
     ///
     /// # Errors
     /// [`Problem::BadState`] with the path of the part that has not the form;
     /// another version.
-    pub fn read<'de, D: Deserializer<'de>>(source: impl Fn() -> D) -> Result<Self, Problem> {
-        let Head { format } = part(source())?;
+    pub fn read(value: &Value) -> Result<Self, Problem> {
+        let Head { format } = part(value)?;
         if format == FORMAT {
-            let Kind { kind } = part(source())?;
-            let (document, view) = Document::read("kind", &kind, source)?;
+            let Kind { kind } = part(value)?;
             return Ok(Self {
                 format,
-                document,
-                view,
+                document: Document::read("kind", &kind, value)?,
+                view: within(value, "view")?.unwrap_or_default(),
             });
         }
         if format != FIRST_FORMAT {
@@ -88,14 +73,13 @@ impl State {
                 field: "format".into(),
             });
         }
-        let FirstKind { lesson: kind } = part(source())?;
-        let (mut document, mut view) = Document::read("lesson", &kind, &source)?;
+        let FirstKind { lesson: kind } = part(value)?;
+        let mut document = Document::read("lesson", &kind, value)?;
+        let mut view: View = within(value, "view")?.unwrap_or_default();
         if let Document::Linkage(linkage) = &mut document {
             linkage.recognise();
         }
-        let FirstBody {
-            view: FirstView { step },
-        } = part(source())?;
+        let FirstView { step } = within(value, "view")?.unwrap_or_default();
         // A document had at most one lesson, of the name of what it came from or of its kind.
         let id = document.origin().unwrap_or(&kind).to_owned();
         view.lesson = (step > 0).then_some(OpenLesson { id, step });
@@ -111,8 +95,7 @@ impl State {
     /// # Errors
     /// As [`State::read`].
     pub fn parse(text: &str) -> Result<Self, Problem> {
-        let value = json(text)?;
-        Self::read(|| &value)
+        Self::read(&json(text)?)
     }
 
     /// What moves, and what is plotted of it.
@@ -157,17 +140,35 @@ impl State {
     }
 }
 
-/// Reads what a type takes from a source, or says which part of it has another form.
-pub(crate) fn part<'de, T: DeserializeOwned>(source: impl Deserializer<'de>) -> Result<T, Problem> {
-    serde_path_to_error::deserialize(source).map_err(|error| Problem::BadState {
+/// Reads what a type takes, or says which part of the value has another form.
+pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
+    serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
         path: error.path().to_string(),
         detail: error.inner().to_string(),
     })
 }
 
+/// Reads what a type takes from a field of the value, where it has it.
+pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
+    let read = value.get(name).map(part).transpose();
+    read.map_err(|problem| match problem {
+        Problem::BadState { path, detail } => Problem::BadState {
+            path: match path.as_str() {
+                "." => name.to_owned(),
+                inner => format!("{name}.{inner}"),
+            },
+            detail,
+        },
+        other => other,
+    })
+}
+
 /// Any JSON.
-pub(crate) fn json(text: &str) -> Result<serde_json::Value, Problem> {
-    part(&mut serde_json::Deserializer::from_str(text))
+pub(crate) fn json(text: &str) -> Result<Value, Problem> {
+    serde_json::from_str(text).map_err(|error| Problem::BadState {
+        path: ".".to_owned(),
+        detail: error.to_string(),
+    })
 }
 
 #[cfg(test)]

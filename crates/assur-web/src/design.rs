@@ -9,7 +9,7 @@ use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, State};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{thrown, to_js};
+use crate::convert::{read, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
@@ -74,8 +74,7 @@ impl Design {
     /// Every problem of the state; else the first of the wishes.
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
-        let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
-        let state = State::read(source).map_err(|problem| thrown([problem]))?;
+        let state = read(state)?;
         let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
             thrown([Problem::BadState {
                 path: "wishes".to_owned(),

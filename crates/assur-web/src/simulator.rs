@@ -2,14 +2,14 @@
 
 use assur::Point;
 use assur_draw::ROLES;
-use assur_file::{Preset, Problem, State};
+use assur_file::{Preset, Problem};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
 use crate::chart::{ChartLayout, ChartRequest};
-use crate::convert::{thrown, to_js};
+use crate::convert::{read, thrown, to_js};
 use crate::kinds::shown;
 use crate::moving::{Here, Moving};
 use crate::shown::{Edited, Shown};
@@ -36,8 +36,7 @@ impl Simulator {
     /// # Errors
     /// Every problem of the state; the document set before stays.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
-        let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
-        let state = State::read(source).map_err(|problem| thrown([problem]))?;
+        let state = read(state)?;
         let shown = shown(&state).map_err(thrown)?;
         let summary = shown.summary();
         self.shown = Some(shown);
@@ -237,8 +236,7 @@ pub fn catalogue() -> Result<JsValue, JsValue> {
 /// Every problem of the state.
 #[wasm_bindgen(js_name = readState)]
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
-    let source = || serde_wasm_bindgen::Deserializer::from(state.clone());
-    let state = State::read(source).map_err(|problem| thrown([problem]))?;
+    let state = read(state)?;
     shown(&state).map_err(thrown)?;
     Ok(to_js(&state))
 }

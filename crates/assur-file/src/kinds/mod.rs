@@ -7,10 +7,11 @@ pub(crate) mod scheme;
 
 use assur::mechanism::Quantity;
 use assur::motion::Motion;
-use serde::{Deserializer, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 
-use crate::state::{Body, part};
-use crate::{Problem, View};
+use crate::Problem;
+use crate::state::within;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
 use scheme::SchemeDocument;
@@ -58,17 +59,14 @@ macro_rules! kinds {
         }
 
         impl Document {
-            /// Reads the document of this kind, and the view; `field` is where the kind is named.
-            pub(crate) fn read<'de, D: Deserializer<'de>>(
-                field: &str,
-                kind: &str,
-                source: impl Fn() -> D,
-            ) -> Result<(Self, View), Problem> {
+            /// Reads the document of this kind out of a state; `field` is where the kind is named.
+            pub(crate) fn read(field: &str, kind: &str, state: &Value) -> Result<Self, Problem> {
+                let missing = || Problem::BadState {
+                    path: ".".to_owned(),
+                    detail: "missing field `document`".to_owned(),
+                };
                 match kind {
-                    $($name => {
-                        let Body { document, view } = part(source())?;
-                        Ok((Self::$kind(document), view))
-                    })+
+                    $($name => within(state, "document")?.map(Self::$kind).ok_or_else(missing),)+
                     _ => Err(Problem::BadState {
                         path: field.to_owned(),
                         detail: format!("there is no kind `{kind}`"),
