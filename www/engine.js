@@ -8,6 +8,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
+ * @typedef {Readonly<import("assur/types/file.js").Shelf>} Shelf where a mechanism of the catalogue is shown
  * @typedef {import("assur/types/web.js").Between} Swing
  * @typedef {import("assur/types/web.js").CycleSummary} Cycle
  * @typedef {import("assur/types/web.js").MarkLayout} Mark
@@ -59,6 +60,11 @@ export class Engine {
   points = [];
   /** @type {readonly string[]} the links whose angles are read */
   links = [];
+
+  /** @returns {readonly Shelf[]} where the mechanisms of the catalogue are shown */
+  shelves() {
+    return this.ask(() => module.shelves());
+  }
 
   /**
    * @param {string} id

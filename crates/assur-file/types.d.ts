@@ -328,6 +328,11 @@ export type Preset = {
 /**
  * Its name.
  */
+id: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument });
+export type Shelf = { 
+/**
+ * Its name.
+ */
 id: string, 
 /**
  * What it is shown among.
@@ -336,5 +341,5 @@ group: Group,
 /**
  * The highest class of its Assur groups, in Roman numerals.
  */
-class: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument });
+class: string, };
 export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher";

@@ -25,33 +25,36 @@ const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "high
  * @returns {Group[]}
  */
 export function groups(page, pictures, english) {
-  const { engine } = page;
-  const kinds = [...new Set([...GROUPS, ...engine.catalogue.map(({ group }) => group)])];
+  const shelves = page.engine.shelves();
+  const kinds = [...new Set([...GROUPS, ...shelves.map(({ group }) => group)])];
   const mechanisms = kinds.map((kind) => {
     const key = `gallery.group.${kind}`;
-    const presets = engine.catalogue.filter(({ group }) => group === kind);
-    return { key, cards: presets.map((preset) => mechanismCard(preset, key, page, pictures, english)) };
+    const among = shelves.filter(({ group }) => group === kind);
+    return { key, cards: among.flatMap((shelf) => mechanismCard(shelf, key, page, pictures, english)) };
   });
   return [{ key: "gallery.lessons", cards: LESSONS.map((entry) => lessonCard(entry, page, pictures, english)) }, ...mechanisms];
 }
 
 /**
- * @param {import("assur/engine.js").Preset} preset
+ * @param {import("assur/engine.js").Shelf} shelf
  * @param {string} group
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
  * @param {Words} english
- * @returns {Card}
+ * @returns {Card[]} one; none of what the catalogue has not
  */
-function mechanismCard({ id, class: highest, kind, document }, group, page, pictures, english) {
+function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const { words, store, engine } = page;
+  const preset = engine.preset(id);
+  if (!preset) return [];
+  const { kind, document } = preset;
   const key = `gallery.${id}`;
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), words.text("gallery.class", { class: highest }));
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
   // The numeral in the name of a group is not that of each in it.
   const texts = [words, english].flatMap((table) => [table.text(key), table.text(group).replace(/[IVX]+/, ""), table.text("gallery.class", { class: highest })]);
-  return { button, words: findable(texts, highest) };
+  return [{ button, words: findable(texts, highest) }];
 }
 
 /**

@@ -40,13 +40,21 @@ pub enum Group {
 pub struct Preset {
     /// Its name.
     pub id: &'static str,
+    /// What it is; serialised as `kind` and `document`.
+    #[serde(flatten)]
+    pub document: Document,
+}
+
+/// Where a mechanism of the catalogue is shown.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Shelf {
+    /// Its name.
+    pub id: &'static str,
     /// What it is shown among.
     pub group: Group,
     /// The highest class of its Assur groups, in Roman numerals.
     pub class: String,
-    /// What it is; serialised as `kind` and `document`.
-    #[serde(flatten)]
-    pub document: Document,
 }
 
 /// A file of the folder `catalogue`.
@@ -109,22 +117,32 @@ pub fn catalogue() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// What is wrong with one; a test sees to it that nothing is.
 pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
-    let mixers = MIXERS
+    let mixers = MIXERS.iter().map(|(id, case)| (*id, Ok(mixer(*case))));
+    let files = FILES
         .iter()
-        .map(|(id, case)| (*id, Ok(mixer(*case)), None));
-    let files = FILES.iter().map(|file| {
-        let document = linkage(file).map(Document::Linkage);
-        (file.name, document, file.group)
-    });
-    mixers.chain(files).map(|(id, document, told)| {
-        let document = document?;
-        let mechanism = document.linkage()?.mechanism()?;
-        let class = mechanism.structure().class();
+        .map(|file| (file.name, linkage(file).map(Document::Linkage)));
+    mixers.chain(files).map(|(id, document)| {
         Ok(Preset {
             id,
+            document: document?,
+        })
+    })
+}
+
+/// Where the mechanisms of the catalogue are shown. Their structure tells it, so each is made
+/// for it: not what a page does before it shows anything.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
+pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
+    presets().map(|preset| {
+        let Preset { id, document } = preset?;
+        let mechanism = document.linkage()?.mechanism()?;
+        let told = file(id).and_then(|file| file.group);
+        Ok(Shelf {
+            id,
             group: told.unwrap_or_else(|| Group::of(&mechanism)),
-            class: roman(class),
-            document,
+            class: roman(mechanism.structure().class()),
         })
     })
 }

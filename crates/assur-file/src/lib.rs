@@ -10,7 +10,9 @@ mod state;
 mod types;
 mod view;
 
-pub use catalogue::{Group, Preset, catalogue, from_catalogue, from_text, gallery, presets};
+pub use catalogue::{
+    Group, Preset, Shelf, catalogue, from_catalogue, from_text, gallery, presets, shelves,
+};
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     PointDocument, SlideDocument, TracerDocument,

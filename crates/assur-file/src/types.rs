@@ -12,7 +12,7 @@ use crate::kinds::linkage::{
 use crate::kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 use crate::kinds::scheme::SchemeDocument;
 use crate::view::{Axes, OpenLesson, SpeedUnit};
-use crate::{Document, Group, LinkageDocument, Preset, View};
+use crate::{Document, Group, LinkageDocument, Preset, Shelf, View};
 
 #[test]
 fn the_scripts_know_what_is_saved() {
@@ -36,6 +36,7 @@ fn the_scripts_know_what_is_saved() {
         TracerDocument::decl(&config),
         SchemeDocument::decl(&config),
         Preset::decl(&config),
+        Shelf::decl(&config),
         Group::decl(&config),
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n";

@@ -20,4 +20,4 @@ mod thin;
 mod types;
 
 pub use design::Design;
-pub use simulator::{Simulator, catalogue, read_state, role_names};
+pub use simulator::{Simulator, catalogue, read_state, role_names, shelves};

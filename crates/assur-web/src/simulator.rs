@@ -2,7 +2,7 @@
 
 use assur::Point;
 use assur_draw::ROLES;
-use assur_file::{Preset, Problem};
+use assur_file::{Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -219,13 +219,23 @@ pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
 }
 
-/// The catalogue: `{id, group, class, kind, document}` for each mechanism of it.
+/// The catalogue: `{id, kind, document}` for each mechanism of it.
 ///
 /// # Errors
 /// What is wrong with one; a test sees to it that nothing is.
 #[wasm_bindgen]
 pub fn catalogue() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
+    Ok(to_js(&all.map_err(thrown)?))
+}
+
+/// Where the mechanisms of the catalogue are shown: `{id, group, class}` for each.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
+#[wasm_bindgen]
+pub fn shelves() -> Result<JsValue, JsValue> {
+    let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
     Ok(to_js(&all.map_err(thrown)?))
 }
 
