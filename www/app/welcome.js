@@ -23,15 +23,18 @@ export function welcome(page) {
     const button = make("button", { id: `welcome-${entry.id}`, class: "control", type: "button", "data-t": `lessons.${entry.id}.title` });
     button.addEventListener("click", async () => {
       const part = await import("assur/lesson/begin.js").catch(() => null);
-      if (!part) return page.notices.tell(LOST);
-      close();
-      await part.begin(page, entry);
+      if (part) await part.begin(page, entry);
+      else page.notices.tell(LOST);
     });
     return button;
   }));
   byId("welcome-close", HTMLButtonElement).addEventListener("click", () => {
     close();
     byId("gallery", HTMLButtonElement).focus();
+  });
+  // Who has opened a lesson knows where they are.
+  page.store.subscribe(({ view: { lesson } }) => {
+    if (lesson && !place.hidden) close();
   });
   place.hidden = false;
 }

@@ -53,7 +53,7 @@ export class NumberRow {
       " ",
       make("span", { "data-t": `name.${key}`, "data-n": n }),
     ]);
-    this.element = make("div", { class: "row", style: `--accent: var(--role-${role})` }, [name, input]);
+    this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
     if (slider) {
       this.#slider = makeSlider(id, key, n, slider);
       this.#slider.addEventListener("input", () => {

@@ -1,4 +1,5 @@
 // The status line: what kind of mechanism it is and what it does over a turn, an entry for each thing that is said.
+import { keepBack, tell } from "assur/controls/told.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
 /**
@@ -6,17 +7,19 @@ import { byId, make, setData } from "assur/core/dom.js";
  */
 
 /**
- * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean }} S
+ * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string> }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, say: (snapshot: S) => Entry | null }>} Item
  * `title`: the key of its words; `say`: what it says, null where there is nothing to say.
  */
 
-/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean }} S */
+/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string> }} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** @type {{ say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
+  /** @type {{ name: string, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
   #entries;
   #shown = "";
+  /** @type {ReadonlySet<string> | null} */
+  #untold = null;
 
   /**
    * @param {string} kind whose entries they are
@@ -27,26 +30,26 @@ export class StatusLine {
       const output = make("dd", { id: `out-${name}` });
       const entry = make("div", { class: `entry ${more}`.trim(), "data-of": kind }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
       this.#list.append(entry);
-      return { say, entry, output };
+      return { name, say, entry, output };
     });
   }
 
   /** @param {S} snapshot */
   render(snapshot) {
-    const { words, revision, stale } = snapshot;
+    const { words, revision, stale, untold } = snapshot;
     setData(this.#list, "faded", String(stale));
     // What is not the state's own mechanism keeps the words it had.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
     const shown = `${revision} ${words.lang}`;
-    if (shown === this.#shown) return;
+    if (shown === this.#shown && untold === this.#untold) return;
+    this.#untold = untold;
     this.#shown = shown;
-    for (const { say, entry, output } of this.#entries) {
+    for (const { name, say, entry, output } of this.#entries) {
       const said = say(snapshot);
       const text = said?.text ?? "";
       entry.hidden = said === null || text === "";
-      output.replaceChildren(...(typeof text === "string" ? [text] : text));
-      if (said?.value === undefined) output.removeAttribute("data-value");
-      else output.dataset.value = String(said.value);
+      if (untold.has(name)) keepBack(output, words);
+      else tell(output, text, said?.value);
     }
   }
 }

@@ -80,6 +80,7 @@ export class Lesson {
     this.#open = open;
     this.#settings.hidden = open;
     this.#place.hidden = !open;
+    if (!open) this.#panel?.close();
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
     // What did not arrive is asked for again.
     if (!this.#panel) this.#wanted = "";
@@ -102,6 +103,7 @@ export class Lesson {
       ]);
       if (this.#wanted !== wanted) return;
       if (this.#shown !== id) {
+        this.#panel?.close();
         this.#shown = id;
         this.#panel = new LessonPanel(this.#place, this.#page, id, lesson, presets, text);
       }

@@ -4,6 +4,7 @@ import { parseNumber } from "assur/core/numbers.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { Progress } from "assur/lesson/progress.js";
 import { looked, opens } from "assur/lesson/show.js";
+import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -31,19 +32,22 @@ import { withView } from "assur/state/state.js";
  * @typedef {Readonly<{
  *   answer: (summary: Summaries[K]) => number | string | undefined,
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
- *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>,
+ *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
- * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms.
+ * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms;
+ * `hides`: the read-outs that tell the answer, which the page does not tell until it was given, or the reader gives up.
  */
 
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
  *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean,
+ *   controls?: readonly string[], readouts?: readonly string[], equations?: boolean,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
- * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step.
+ * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step. In the step itself stand its `controls`, by their fields, its `readouts`,
+ * by what follows `out-` in their ids, and the constraint `equations`.
  */
 
 /**
@@ -86,7 +90,11 @@ export class LessonPanel {
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control" });
+  #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button" });
   #said = make("p", { id: "lesson-said", role: "status" });
+  #tools = new Tools();
+  /** @type {Set<Step>} those of which the reader has asked to see the answer */
+  #revealed = new Set();
 
   /**
    * @param {HTMLElement} place
@@ -104,7 +112,7 @@ export class LessonPanel {
     this.#presets = presets;
     this.#progress = new Progress(id, steps);
     this.#words = words;
-    const form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), this.#check, this.#said]);
+    const form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), make("div", { class: "lesson-buttons" }, [this.#check, this.#reveal]), this.#said]);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.#answer();
@@ -115,8 +123,20 @@ export class LessonPanel {
       const { openErrata } = await import("assur/lesson/errata.js");
       await openErrata(this.#id, this.#words.lang);
     });
+    this.#reveal.addEventListener("click", () => {
+      this.#revealed.add(this.#step);
+      this.#keepBack();
+      this.#check.focus();
+    });
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
-    place.replaceChildren(walk, this.#title, this.#text, this.#shows, this.#errata, form);
+    place.replaceChildren(walk, this.#title, this.#text, this.#shows, this.#tools.element, this.#errata, form);
+  }
+
+  /** Gives back what the page has lent, and lets it tell everything. */
+  close() {
+    this.#tools.close();
+    this.#shown = [];
+    this.#ask([]);
   }
 
   /** @param {Words} words */
@@ -138,6 +158,7 @@ export class LessonPanel {
       this.#shown = shown;
       this.#write(number);
     }
+    this.#tools.render();
     // What was said of another mechanism no longer holds.
     const step = this.#steps[number - 1];
     const judged = this.#judged.get(step);
@@ -196,7 +217,27 @@ export class LessonPanel {
     write(this.#legend, words.text(`${id}.question`) + within);
     this.#fields.replaceChildren(...this.#inputs());
     write(this.#check, words.text("lesson.check"));
+    write(this.#reveal, words.text("lesson.reveal"));
+    this.#tools.show(step, () => this.#page.store.get().document);
+    this.#keepBack();
     this.#say();
+  }
+
+  /** What tells the answer is not told before it is given, unless the reader gives up. */
+  #keepBack() {
+    const step = this.#step;
+    const open = !this.#progress.isSolved(step.id) && !this.#revealed.has(step);
+    const { hides = [] } = step.question;
+    this.#ask(open ? hides : []);
+    this.#reveal.hidden = !open || hides.length === 0;
+  }
+
+  /** @param {readonly string[]} readouts that are not to be told */
+  #ask(readouts) {
+    const { model } = this.#page;
+    if (readouts.join() === [...model.untold].join()) return;
+    model.untold = new Set(readouts);
+    this.#page.redraw();
   }
 
   /** @returns {HTMLElement[]} what the answer is given in */
@@ -238,6 +279,7 @@ export class LessonPanel {
     const verdict = judge(step.question, this.#progress.given(step.id), this.#snapshot, step.kind ?? this.#kind);
     this.#judged.set(step, { verdict, document: this.#snapshot.state.document });
     if (verdict === "right") this.#progress.solve(step.id);
+    this.#keepBack();
     this.#say();
     this.#said.scrollIntoView({ block: "nearest" });
   }

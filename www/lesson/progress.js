@@ -24,6 +24,11 @@ export class Progress {
     }
   }
 
+  /** @param {string} step */
+  isSolved(step) {
+    return this.#solved.has(step);
+  }
+
   /** The first step that was not answered rightly; −1 where all were. */
   get next() {
     return this.#steps.findIndex(({ id }) => !this.#solved.has(id));

@@ -1,4 +1,5 @@
 // The table of current values: the input and what the engine lists. Its rows are the legend of drawing and plots.
+import { keepBack, tell } from "assur/controls/told.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { subscript, symbol } from "assur/core/symbols.js";
@@ -31,7 +32,7 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, legible } = snapshot;
+    const { state, summary, readouts, coordinate, place, words, stale, legible, untold } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
     const built = [summary, words, state.view.axes];
@@ -41,14 +42,9 @@ export class ReadoutTable {
     this.#input.dataset.value = String(place);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
-      if (value === undefined) {
-        write(output, NONE);
-        output.removeAttribute("data-value");
-        continue;
-      }
-      const said = written(value, listed.what, order, words);
-      write(output, said.text);
-      output.dataset.value = String(said.value);
+      const said = value === undefined ? null : written(value, listed.what, order, words);
+      if (untold.has(output.id.replace("out-", ""))) keepBack(output, words);
+      else tell(output, said?.text ?? NONE, said?.value);
     }
   }
 

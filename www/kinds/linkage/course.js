@@ -1,6 +1,7 @@
 // What the plotted output does over a turn: stroke, dwell and cyclogram in the rail, the dwell shaded on the plots and
 // magnified in an inset.
 import { NumberRow } from "assur/controls/number-row.js";
+import { keepBack, tell } from "assur/controls/told.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -148,12 +149,12 @@ export class CourseView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#design.render(snapshot);
-    const { state, summary, coordinate, words, problems, stale } = snapshot;
+    const { state, summary, coordinate, words, problems, stale, untold } = snapshot;
     const { profile, plotted } = summary;
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
-    const shown = [profile, words, wrong, band, stale];
+    const shown = [profile, words, wrong, band, stale, untold];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     if (!profile) return;
@@ -170,7 +171,11 @@ export class CourseView {
       arc: dwell ? turned(dwell.arc[1] - dwell.arc[0]) : none,
       residual: dwell ? said(dwell.band[1] - dwell.band[0]) : none,
     };
-    for (const name of ROWS) write(/** @type {HTMLElement} */ (this.#outputs.get(name)), texts[name]);
+    for (const name of ROWS) {
+      const output = /** @type {HTMLElement} */ (this.#outputs.get(name));
+      if (untold.has(`course-${name}`)) keepBack(output, words);
+      else tell(output, texts[name], undefined);
+    }
     this.#draw(profile, summary, turned, words);
   }
 

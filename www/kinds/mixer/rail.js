@@ -122,5 +122,5 @@ function section(key, content) {
  * @param {HTMLElement} content
  */
 function choices(key, content) {
-  return make("fieldset", { "data-of": "mixer" }, [make("legend", { "data-t": key }), content]);
+  return make("fieldset", { "data-of": "mixer", "data-field": content.id }, [make("legend", { "data-t": key }), content]);
 }

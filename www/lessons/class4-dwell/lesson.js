@@ -25,24 +25,29 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "groups",
     formula: "3n − 2p₁ = 0",
     shows: [{ preset: PRESET, at: () => 0, overlays: ["traces", "groups"] }],
-    question: { choices: ["ii", "iii", "iv"], answer: classOf },
+    question: { hides: ["class", "formula"], choices: ["ii", "iii", "iv"], answer: classOf },
   },
   {
     id: "driver",
-    formula: "II₂ → II₂ → II₂",
+    formula: "3n − 2p₁ = 0",
     shows: [{ preset: PRESET, change: drivenBy("CD"), at: ({ home }) => home, overlays: ["traces", "groups"] }],
-    question: { choices: ["ii", "iii", "iv"], answer: classOf },
+    readouts: ["formula"],
+    question: { hides: ["class"], choices: ["ii", "iii", "iv"], answer: classOf },
   },
   {
     id: "dwell",
     formula: "max ψ − min ψ ≤ δ",
     shows: [{ preset: PRESET, play: true }],
+    controls: ["band"],
+    readouts: ["course-arc", "course-residual"],
     question: { unit: "°", within: 0.5, answer: dwell },
   },
   {
     id: "regulator",
     formula: (numbers) => `FK = ${numbers.exact(REGULATED)}`,
     shows: [{ preset: PRESET, change: regulated, play: true }],
+    controls: ["FK.length", "H.x", "H.y", "D.x", "D.y"],
+    readouts: ["course-arc", "course-stroke"],
     question: { unit: "°", within: 0.5, answer: dwell },
   },
   {
@@ -50,6 +55,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "(x_P − x_Q)² + (y_P − y_Q)² = l²_PQ\nx_PQ x′_PQ + y_PQ y′_PQ = 0\nx_PQ x″_PQ + y_PQ y″_PQ = −x′²_PQ − y′²_PQ",
     shows: [{ preset: PRESET, at: () => Math.PI / 3 }],
     errata: true,
+    equations: true,
     // Of hinges there are as many equations as coordinates of moving points, less the mobility.
     question: {
       whole: true, within: 0, answer: ({ equations }) => equations.length,
@@ -61,7 +67,8 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "Φ(q, φ₁) = 0\nJ q′ = −∂Φ/∂φ₁",
     shows: [{ preset: PRESET, at: () => Math.PI / 3, overlays: ["traces", "vectors"] }],
     errata: true,
-    question: { unit: "°", within: 0.05, answer: stroke },
+    readouts: ["CD", "dCD"],
+    question: { hides: ["course-stroke", "linkage-swing"], unit: "°", within: 0.05, answer: stroke },
   },
 ] });
 

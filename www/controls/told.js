@@ -1,0 +1,26 @@
+// Writing a read-out; one that a lesson asks for is not told.
+import { make, write } from "assur/core/dom.js";
+
+/**
+ * @param {HTMLElement} output
+ * @param {string | readonly (Node | string)[]} said
+ * @param {number | undefined} value behind it
+ */
+export function tell(output, said, value) {
+  output.removeAttribute("data-asked");
+  if (typeof said === "string") write(output, said);
+  else output.replaceChildren(...said);
+  if (value === undefined) output.removeAttribute("data-value");
+  else output.dataset.value = String(value);
+}
+
+/**
+ * @param {HTMLElement} output
+ * @param {import("assur/core/words.js").Words} words
+ */
+export function keepBack(output, words) {
+  if (output.dataset.asked === words.lang) return;
+  output.dataset.asked = words.lang;
+  output.removeAttribute("data-value");
+  output.replaceChildren("?", make("span", { class: "unseen" }, [` ${words.text("lesson.asked")}`]));
+}

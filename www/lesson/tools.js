@@ -1,0 +1,134 @@
+// What a step asks for, in the step itself: its controls and the constraint equations, lent by the page as long as it is open,
+// and read-outs that say what those of the page say.
+import { byId, make, setData, write } from "assur/core/dom.js";
+
+/**
+ * @typedef {import("assur/lesson/panel.js").Step} Step
+ * @typedef {import("assur/state/state.js").State["document"]} Document
+ * @typedef {{ element: HTMLElement, home: Comment }} Loan what stands here, and what holds its place at home
+ */
+
+export class Tools {
+  #controls = make("div", { class: "lesson-controls" });
+  #readouts = make("dl", { class: "lesson-readouts" });
+  #equations = make("div");
+  /** @type {Loan[]} */
+  #lent = [];
+  /** @type {Step | null} */
+  #step = null;
+  /** @type {(() => Document) | null} */
+  #document = null;
+  /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
+  #mirrors = new Map();
+  // A rail that is built anew has new controls.
+  #watch = new MutationObserver(() => this.#borrow());
+
+  element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#equations]);
+
+  /**
+   * @param {Step} step
+   * @param {() => Document} document that there is
+   */
+  show(step, document) {
+    this.close();
+    this.#step = step;
+    this.#document = document;
+    this.#mirrors = new Map((step.readouts ?? []).map((name) => {
+      const [title, value] = [make("dt"), make("dd", { "data-out": name })];
+      return [name, { entry: make("div", {}, [title, " ", value]), name: title, value }];
+    }));
+    this.#readouts.replaceChildren(...[...this.#mirrors.values()].map(({ entry }) => entry));
+    this.#watch.observe(byId("rail", HTMLElement), { childList: true, subtree: true });
+    this.render();
+  }
+
+  /** Gives back what it has. */
+  close() {
+    this.#watch.disconnect();
+    for (const loan of this.#lent) giveBack(loan);
+    this.#lent = [];
+    this.#step = null;
+  }
+
+  /** Says what the page says, once it has said it. */
+  render() {
+    this.#borrow();
+    queueMicrotask(() => this.#mirror());
+  }
+
+  #borrow() {
+    if (!this.#step || !this.#document) return;
+    const { controls = [], equations = false } = this.#step;
+    // What was made anew at home takes the place of what was lent.
+    this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
+    const document = this.#document();
+    for (const name of controls) {
+      const selector = `[data-field="${CSS.escape(fieldOf(name, document))}"]`;
+      for (const element of byId("rail", HTMLElement).querySelectorAll(selector)) this.#take(element, this.#controls);
+    }
+    const details = globalThis.document.getElementById("equations");
+    if (equations && details instanceof HTMLDetailsElement && this.#take(details, this.#equations)) details.open = true;
+  }
+
+  /**
+   * @param {Element} element
+   * @param {HTMLElement} place
+   * @returns {boolean} whether it was not there yet
+   */
+  #take(element, place) {
+    if (!(element instanceof HTMLElement) || place.contains(element)) return false;
+    const home = new Comment("in the lesson");
+    element.replaceWith(home);
+    place.append(element);
+    this.#lent.push({ element, home });
+    return true;
+  }
+
+  #mirror() {
+    for (const [id, { entry, name, value }] of this.#mirrors) {
+      const source = document.getElementById(`out-${id}`);
+      entry.hidden = !source || source.closest("[hidden]") !== null;
+      write(name, source ? titleOf(source) : "");
+      write(value, source?.textContent ?? "");
+      setData(value, "value", source?.dataset.value ?? "");
+    }
+  }
+}
+
+/**
+ * @param {HTMLElement} source of the table of values, of the status line or of another table
+ * @returns {string} what it is
+ */
+function titleOf(source) {
+  const title = source.closest("tr, .entry")?.querySelector("th, dt");
+  const symbol = title?.querySelector("b")?.textContent;
+  if (!symbol || !(source instanceof HTMLTableCellElement)) return title?.textContent?.trim() ?? "";
+  return `${symbol}${"′".repeat(source.cellIndex - 1)} ${title?.querySelector("span")?.textContent ?? ""}`;
+}
+
+/**
+ * @param {Loan} loan
+ * @returns {false} it is lent no more
+ */
+function giveBack({ element, home }) {
+  if (element instanceof HTMLDetailsElement) element.open = false;
+  if (home.isConnected) home.replaceWith(element);
+  else element.remove();
+  return false;
+}
+
+/**
+ * @param {string} name of a field; of a dimension of a link or point by its name, as `FK.length`, `H.x`
+ * @param {Document} document
+ * @returns {string} as the controls have it: `links[5].length`
+ */
+function fieldOf(name, document) {
+  const [, of, part] = /^(.+)\.(length|x|y)$/.exec(name) ?? [];
+  for (const list of /** @type {const} */ (["links", "points"])) {
+    /** @type {readonly { name: string }[]} */
+    const entries = Object(document)[list] ?? [];
+    const index = entries.findIndex((entry) => entry.name === of);
+    if (index >= 0 && of) return `${list}[${index}].${part}`;
+  }
+  return name;
+}
