@@ -286,7 +286,13 @@ async fn by_keys_alone() {
 #[tokio::test]
 async fn by_touch() {
     let page = Page::open().await;
-    let tap = async |id: &str| page.fingers(id, &[vec![(12.0, 12.0)]]).await;
+    let tap = async |id: &str| {
+        page.ask(&format!(
+            "document.getElementById('{id}').scrollIntoView({{ block: 'center' }})"
+        ))
+        .await;
+        page.fingers(id, &[vec![(12.0, 12.0)]]).await;
+    };
     tap("tab-lesson").await;
     loaded(&page).await;
     tap("lesson-on").await;
@@ -470,5 +476,86 @@ async fn a_form_the_table_lacks() {
     page.write("field-z5", "25").await;
     let said = page.attribute("slider-z5", "aria-valuetext").await;
     assert_eq!(said.as_deref(), Some("25 зуба"));
+    page.close().await;
+}
+
+/// What a step is about stands in the step: its controls move the mechanism, its read-outs
+/// are those of the page; in the settings they are where they were.
+#[tokio::test]
+async fn a_step_has_what_it_asks_for() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let order = "return [...document.querySelectorAll('#rail [data-field]')].map((row) => row.dataset.field).join()";
+    let before = page.ask(order).await;
+    open(&page).await;
+    turn_to(&page, 2).await;
+    assert_eq!(page.count("#lesson [data-field='z4']").await, 1);
+    assert_eq!(page.count("#rail [data-field='z4']").await, 0);
+    let read = async |name: &str| {
+        let script = format!("return document.querySelector('[data-out=\"{name}\"]').textContent");
+        page.ask(&script).await.as_str().unwrap().to_owned()
+    };
+    page.write("field-z4", "54").await;
+    page.click("mesh-internal").await;
+    page.settle().await;
+    for name in ["drocker", "dwheel5"] {
+        let shown = page.text(&format!("out-{name}")).await;
+        assert_eq!(read(name).await, shown, "{name}");
+    }
+    assert_eq!(answer(&page, "3").await, "right");
+    // Another step gives back what this one had.
+    page.click("lesson-on").await;
+    assert_eq!(page.count("#lesson [data-field='z4']").await, 0);
+    page.click("lesson-back").await;
+    page.click("tab-settings").await;
+    assert_eq!(page.ask(order).await, before);
+    assert_eq!(page.written("field-z4").await, "54");
+    page.close().await;
+}
+
+/// What the page would tell is asked for: it does not, until the answer is given or asked
+/// for; who does not see is told so, too.
+#[tokio::test]
+async fn answers_are_not_told_while_they_are_asked_for() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    open(&page).await;
+    let hidden = async |id: &str| page.text(id).await.starts_with('?');
+    assert!(!hidden("out-ratio").await && !visible(&page, "lesson-reveal").await);
+    turn_to(&page, 2).await;
+    page.settle().await;
+    assert!(hidden("out-ratio").await && !hidden("out-time-ratio").await);
+    assert_eq!(page.attribute("out-ratio", "data-value").await, None);
+    let told = page
+        .ask("return document.getElementById('out-ratio').textContent")
+        .await;
+    assert_eq!(told, json!("? hidden while it is asked for"));
+    // Nor is it told of another mechanism, or in another language.
+    page.click("lesson-show").await;
+    page.speak("ru").await;
+    page.settle().await;
+    assert!(hidden("out-ratio").await);
+    page.speak("en").await;
+    assert_eq!(answer(&page, "-1").await, "not_yet");
+    assert!(hidden("out-ratio").await);
+    assert_eq!(answer(&page, "-2").await, "right");
+    assert_eq!(page.text("out-ratio").await, "−2");
+    assert!(!visible(&page, "lesson-reveal").await);
+
+    page.click("lesson-on").await;
+    page.click("lesson-on").await;
+    page.settle().await;
+    assert!(hidden("out-swing-wheel5").await);
+    page.click("lesson-reveal").await;
+    page.settle().await;
+    assert!(!hidden("out-swing-wheel5").await);
+    assert!(!visible(&page, "lesson-reveal").await);
+    page.click("lesson-on").await;
+    page.settle().await;
+    assert!(hidden("out-time-ratio").await);
+    // Without the lesson everything is told.
+    page.click("tab-settings").await;
+    page.settle().await;
+    assert!(!hidden("out-time-ratio").await);
     page.close().await;
 }

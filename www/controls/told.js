@@ -8,8 +8,9 @@ import { make, write } from "assur/core/dom.js";
  */
 export function tell(output, said, value) {
   output.removeAttribute("data-asked");
-  if (typeof said === "string") write(output, said);
-  else output.replaceChildren(...said);
+  // A text that is the same may have been made of several elements.
+  if (typeof said === "string" && output.childElementCount === 0) write(output, said);
+  else output.replaceChildren(...(typeof said === "string" ? [said] : said));
   if (value === undefined) output.removeAttribute("data-value");
   else output.dataset.value = String(value);
 }
