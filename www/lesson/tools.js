@@ -5,7 +5,7 @@ import { byId, make, setData, write } from "assur/core/dom.js";
 /**
  * @typedef {import("assur/lesson/panel.js").Step} Step
  * @typedef {import("assur/state/state.js").State["document"]} Document
- * @typedef {{ element: HTMLElement, home: Comment }} Loan what stands here, and what holds its place at home
+ * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan what stands here, what holds its place at home, whether it was unfolded
  */
 
 export class Tools {
@@ -80,7 +80,7 @@ export class Tools {
     const home = new Comment("in the lesson");
     element.replaceWith(home);
     place.append(element);
-    this.#lent.push({ element, home });
+    this.#lent.push({ element, home, open: element instanceof HTMLDetailsElement && element.open });
     return true;
   }
 
@@ -110,8 +110,8 @@ function titleOf(source) {
  * @param {Loan} loan
  * @returns {false} it is lent no more
  */
-function giveBack({ element, home }) {
-  if (element instanceof HTMLDetailsElement) element.open = false;
+function giveBack({ element, home, open }) {
+  if (element instanceof HTMLDetailsElement) element.open = open;
   if (home.isConnected) home.replaceWith(element);
   else element.remove();
   return false;

@@ -21,6 +21,13 @@ pub(crate) const TYPES: &str =
 #[serde(deny_unknown_fields)]
 struct Facts {
     about: Vec<String>,
+    /// Where it stands among the others; those without a place come last.
+    #[serde(default = "last")]
+    place: u32,
+}
+
+fn last() -> u32 {
+    u32::MAX
 }
 
 /// A lesson as the page finds it in the list.
@@ -32,6 +39,8 @@ struct Lesson {
     about: Vec<String>,
     /// Whether it has presets of its own.
     presets: bool,
+    #[serde(skip)]
+    place: u32,
 }
 
 /// The text of the module that lists the lessons of a folder.
@@ -73,7 +82,7 @@ fn table(path: &Path) -> Result<Map<String, Value>> {
     serde_json::from_str(&text).with_context(|| format!("{} is no table of words", path.display()))
 }
 
-/// The lessons of a folder by their names.
+/// The lessons of a folder in their order.
 fn found(folder: &Path) -> Result<Vec<Lesson>> {
     let unreadable = || format!("{} cannot be read", folder.display());
     let mut lessons = Vec::new();
@@ -83,7 +92,7 @@ fn found(folder: &Path) -> Result<Vec<Lesson>> {
             lessons.push(lesson(&path)?);
         }
     }
-    lessons.sort_by(|one, other| one.id.cmp(&other.id));
+    lessons.sort_by(|one, other| (one.place, &one.id).cmp(&(other.place, &other.id)));
     Ok(lessons)
 }
 
@@ -103,10 +112,15 @@ fn lesson(folder: &Path) -> Result<Lesson> {
     let facts = folder.join("lesson.json");
     let text = fs::read_to_string(&facts)
         .with_context(|| format!("{} cannot be read", facts.display()))?;
-    let Facts { about } = serde_json::from_str(&text)
+    let Facts { about, place } = serde_json::from_str(&text)
         .with_context(|| format!("{} does not say what it is about", facts.display()))?;
     let presets = folder.join("presets.json").exists();
-    Ok(Lesson { id, about, presets })
+    Ok(Lesson {
+        id,
+        about,
+        presets,
+        place,
+    })
 }
 
 #[cfg(test)]
@@ -148,13 +162,14 @@ mod tests {
             .join("data")
             .join("page")
             .join("lessons");
-        copy(&fixture, &lessons.0).unwrap();
+        copy(&fixture.join("fixture"), &lessons.0.join("fixture")).unwrap();
         let mut after = found(&lessons.0).unwrap();
         let added = after.iter().position(|lesson| lesson.id == "fixture");
         let expected = Lesson {
             id: "fixture".to_owned(),
             about: vec!["chebyshev".to_owned()],
             presets: true,
+            place: last(),
         };
         assert_eq!(after.remove(added.unwrap()), expected);
         assert_eq!(after, before);
