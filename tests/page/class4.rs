@@ -465,3 +465,43 @@ async fn every_joint_has_its_vectors() {
     }
     page.close().await;
 }
+
+/// The regulator's slider stands in its step, and what it does to dwell and stroke below it.
+#[tokio::test]
+async fn the_regulator_is_in_its_step() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    for _ in 1..5 {
+        page.click("lesson-on").await;
+    }
+    page.click("lesson-show").await;
+    page.click("play").await;
+    let read = async |place: &str| {
+        let script = format!("return document.querySelector('{place}').textContent");
+        page.ask(&script).await.as_str().unwrap().to_owned()
+    };
+    let mut dwells = Vec::new();
+    for length in ["4.05", "4.2"] {
+        let field = "return document.querySelector('#lesson .lesson-controls input[type=text]').id";
+        let field = page.ask(field).await.as_str().unwrap().to_owned();
+        page.write(&field, length).await;
+        page.settle().await;
+        for name in ["course-arc", "course-stroke"] {
+            let (here, there) = (
+                read(&format!("[data-out=\"{name}\"]")).await,
+                read(&format!("#out-{name}")).await,
+            );
+            assert!(here.ends_with('°') && here == there, "{here} {there}");
+        }
+        dwells.push(read("[data-out=\"course-arc\"]").await);
+        assert!(visible(&page, ".lesson-readouts div").await);
+    }
+    assert_ne!(dwells[0], dwells[1]);
+    page.close().await;
+}
+
+/// Whether the first element that a selector finds is to be seen.
+async fn visible(page: &Page, selector: &str) -> bool {
+    let script = format!("return document.querySelector('{selector}').checkVisibility()");
+    page.ask(&script).await == serde_json::json!(true)
+}

@@ -87,7 +87,9 @@ export class Tools {
   #mirror() {
     for (const [id, { entry, name, value }] of this.#mirrors) {
       const source = document.getElementById(`out-${id}`);
-      entry.hidden = !source || source.closest("[hidden]") !== null;
+      const row = source?.closest("tr, .entry");
+      // Of another kind of mechanism it is there, but hidden with all that is of that kind.
+      entry.hidden = !row || row.matches("[hidden]") || row.closest("[data-of][hidden]") !== null;
       write(name, source ? titleOf(source) : "");
       write(value, source?.textContent ?? "");
       setData(value, "value", source?.dataset.value ?? "");
