@@ -286,7 +286,7 @@ impl FourBar {
 
     /// The sign of the area of BCD on this branch at this crank angle: +1 with C
     /// to the left of BD, −1 to the right, 0 in line.
-    pub(super) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
+    pub(crate) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };
         assembly.sign() * sign(cos, self.changes_at_pi()) * sign(sin, self.changes_at_zero())

@@ -31,7 +31,12 @@ impl Mechanism {
     }
 
     /// Solves a step at the drawn input.
-    fn try_step(&self, step: StepId, sign: Sign, state: &mut State<1>) -> Result<(), Cause> {
+    pub(super) fn try_step(
+        &self,
+        step: StepId,
+        sign: Sign,
+        state: &mut State<1>,
+    ) -> Result<(), Cause> {
         let given = Given {
             step,
             input: Jet::constant(self.home),
@@ -45,7 +50,8 @@ impl Mechanism {
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
-            let sign = self.drawn_sign(step, &mut state)?;
+            let sign = self.drawn_sign(step, &mut state);
+            let sign = sign.map_err(|cause| vec![self.open(step, Some(cause))])?;
             self.signs[step] = sign;
             // The try that counts, last: the state is that of the drawn pose.
             let solved = self.try_step(step, sign, &mut state);
@@ -79,9 +85,9 @@ impl Mechanism {
 
     /// The way to join a step's links that puts its points closest to where they are
     /// drawn.
-    fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Vec<Defect>> {
+    pub(super) fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Cause> {
         let mut best: Option<(f64, Sign)> = None;
-        let mut met = None;
+        let mut met = Cause::DeadPoint;
         for sign in self.ways(step) {
             match self.try_step(step, *sign, state) {
                 Ok(()) => {
@@ -90,11 +96,10 @@ impl Mechanism {
                         best = Some((off, *sign));
                     }
                 }
-                Err(cause) => met = Some(cause),
+                Err(cause) => met = cause,
             }
         }
-        best.map(|(_, sign)| sign)
-            .ok_or_else(|| vec![self.open(step, met)])
+        best.map(|(_, sign)| sign).ok_or(met)
     }
 
     /// The ways to join a step's links.
@@ -200,7 +205,7 @@ impl Mechanism {
         draft
     }
 
-    fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
+    pub(super) fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
         let mut draft = self.draft.clone();
         for (drawn, anchor) in draft.points.iter_mut().zip(self.points.iter()) {
             drawn.at = Point::from(state.place(*anchor).value());

@@ -55,12 +55,19 @@ pub(super) struct Placement {
 }
 
 impl Bodies {
-    /// The bodies of a draft, and where each link is.
+    /// The bodies of a draft, and where each link is. A hinge of the frame may be
+    /// elsewhere than it is drawn: the links, their guides and wheels stay as drawn.
     ///
     /// # Errors
     /// A slide by a point that its link has not.
-    pub(super) fn new(draft: &Resolved<'_>) -> Result<(Self, List<LinkId, Placement>), Defect> {
-        let place = |point: &PointId| (*point, draft.places[*point]);
+    pub(super) fn new(
+        draft: &Resolved<'_>,
+        hinge: Option<(PointId, Vector)>,
+    ) -> Result<(Self, List<LinkId, Placement>), Defect> {
+        let place = |point: &PointId| match hinge {
+            Some((moved, at)) if moved == *point => (*point, at),
+            _ => (*point, draft.places[*point]),
+        };
         let frame = draft.frame.iter().map(place).collect();
         let mut bodies = Self {
             points: vec![frame].into(),

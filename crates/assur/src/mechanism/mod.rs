@@ -10,10 +10,12 @@ mod check;
 mod closed;
 mod constraint;
 mod counts;
+mod dimension;
 mod draft;
 mod dyads;
 mod multiple;
 mod natural;
+mod neighbour;
 mod plan;
 mod pose;
 mod quantity;
@@ -27,9 +29,11 @@ pub(crate) use assembly::Signs;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
+pub use dimension::Dimension;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
 pub use multiple::Multiple;
+pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub use tracer::DraftTracer;
@@ -41,7 +45,7 @@ use crate::index::{Id, List};
 use crate::position::{Anchor, Given, Nearby, Orientation, Predictor, Sign, State, Step};
 use crate::structure::Structure;
 use crate::{Jet, Vector};
-use body::Bodies;
+use body::{Bodies, Placement};
 use resolved::Resolved;
 
 /// A linkage that can be assembled as it is drawn.
@@ -94,10 +98,28 @@ impl Mechanism {
             return Err(defects);
         }
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
-        let (bodies, placements) = Bodies::new(&resolved).map_err(|defect| vec![defect])?;
-        let structure = structured::structured(&resolved, &bodies)?;
+        let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
+        let mut mechanism = Self::of(&resolved, &bodies, &placements)?;
+        mechanism.settle()?;
+        let parts = constraint::Parts {
+            draft: &resolved,
+            bodies: &bodies,
+            placements: &placements,
+            orientations: &mechanism.orientations,
+        };
+        mechanism.constraints = parts.constraints();
+        Ok(mechanism)
+    }
+
+    /// The same not joined yet: which way its groups are is still open.
+    fn of(
+        resolved: &Resolved<'_>,
+        bodies: &Bodies,
+        placements: &List<LinkId, Placement>,
+    ) -> Result<Self, Vec<Defect>> {
+        let structure = structured::structured(resolved, bodies)?;
         let name = |body: &BodyId| resolved.body_name(*body).to_owned();
-        let plan = plan::plan(&resolved, &bodies, &placements, &structure);
+        let plan = plan::plan(resolved, bodies, placements, &structure);
         let plan = plan.map_err(|group| {
             let links = group.iter().map(name).collect();
             vec![Defect::Unsupported { links }]
@@ -110,7 +132,7 @@ impl Mechanism {
             };
             bodies.anchor_of(point, |_| true).unwrap_or_else(still)
         });
-        let points = points.chain(tracer::anchored(&resolved, &bodies, &placements));
+        let points = points.chain(tracer::anchored(resolved, bodies, placements));
         let links = placements.iter().zip(resolved.links.iter());
         let links = links.map(|(placement, link)| Part {
             body: placement.body,
@@ -124,9 +146,10 @@ impl Mechanism {
             }
         }
         let unknowns = plan.natural.len() / 2;
-        let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, draft.size());
-        let mut mechanism = Self {
-            draft: draft.clone(),
+        let size = resolved.draft.size();
+        let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, size);
+        Ok(Self {
+            draft: resolved.draft.clone(),
             points: points.collect(),
             links: links.collect(),
             made_for: resolved.bodies.clone(),
@@ -136,24 +159,15 @@ impl Mechanism {
             steps: plan.steps,
             placed_by,
             constraints: Vec::new(),
-            counts: counts::counts(&resolved, &bodies),
-            size: draft.size(),
+            counts: counts::counts(resolved, bodies),
+            size,
             range: plan.range,
             home: plan.home,
             start: (plan.home, blank),
             orientations: bodies.orientations(),
             natural: plan.natural,
             assemblies: Vec::new(),
-        };
-        mechanism.settle()?;
-        let parts = constraint::Parts {
-            draft: &resolved,
-            bodies: &bodies,
-            placements: &placements,
-            orientations: &mechanism.orientations,
-        };
-        mechanism.constraints = parts.constraints();
-        Ok(mechanism)
+        })
     }
 
     /// The linkage as it is drawn.
@@ -300,7 +314,7 @@ impl Mechanism {
             sign: Sign::Plus,
             near,
         };
-        state.first_correction = 0.0;
+        state.corrections = [0.0; 2];
         for (step, placing) in self.steps.enumerate() {
             (given.step, given.sign) = (step, signs[step]);
             let put = placing.put(state, &given);
@@ -314,15 +328,25 @@ impl Mechanism {
         self.range.map_or(TAU, |[from, to]| to - from)
     }
 
-    /// Whether every link that matters is in the same place in two poses. A wheel
-    /// that moves nothing else may have turned.
+    /// Whether every link that matters is in the same place in two poses.
     pub(crate) fn is_same_pose(&self, a: &Predictor, b: &Predictor, within: f64) -> bool {
-        self.bodies.ids().all(|body| {
-            let turned = [a, b].map(|state| state.turn[body].value());
-            let moved = [a, b].map(|state| state.origin[body].value());
-            self.is_idle_wheel(body)
-                || (turned[0] - turned[1]).norm() <= within
-                    && (moved[0] - moved[1]).norm() <= within * self.size
+        self.moved(a, b, within).is_none()
+    }
+
+    /// A body that is in another place, or turned otherwise, in another pose. A wheel
+    /// that moves nothing else may have turned.
+    pub(crate) fn moved<const N: usize>(
+        &self,
+        a: &State<N>,
+        b: &State<N>,
+        within: f64,
+    ) -> Option<BodyId> {
+        self.bodies.ids().find(|body| {
+            let turned = [a, b].map(|state| state.turn[*body].value());
+            let moved = [a, b].map(|state| state.origin[*body].value());
+            !self.is_idle_wheel(*body)
+                && !((turned[0] - turned[1]).norm() <= within
+                    && (moved[0] - moved[1]).norm() <= within * self.size)
         })
     }
 

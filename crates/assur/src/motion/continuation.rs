@@ -224,7 +224,7 @@ impl<'a> Continuation<'a> {
         for step in self.mechanism.steps().ids() {
             let [a, b] = [&self.here, &self.there].map(|state| state.margins[step][0].value());
             // Newton's method may have found another assembly.
-            let far = self.there.first_correction > MOST_CORRECTED || a * b <= 0.0;
+            let far = self.there.corrections[0] > MOST_CORRECTED || a * b <= 0.0;
             if self.is_group(step) && far {
                 self.doubtful = step;
                 return Outcome::Doubt;

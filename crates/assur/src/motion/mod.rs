@@ -1,6 +1,7 @@
 //! A whole motion: the branch of poses that is reached from the drawn one without
 //! a jump, followed by continuity; and what is read off it.
 
+mod change;
 mod closed;
 mod continuation;
 mod cyclogram;
@@ -16,6 +17,7 @@ mod root;
 mod table;
 mod transmission;
 
+pub use change::{Changed, Refusal};
 pub use cyclogram::{Phase, PhaseKind};
 pub use dead_point::{DeadPoint, DeadPointKind};
 pub use extremum::{Extremum, Kind};

@@ -43,6 +43,13 @@ impl Closed {
             leads,
         })
     }
+
+    /// On which side of the diagonal the joint of coupler and rocker is, to the left
+    /// (1) or to the right (−1), with the crank where it is.
+    pub(crate) fn side(&self, sign: Sign, state: &State<1>) -> f64 {
+        let crank = state.angle(self.crank).value() + self.lead;
+        self.linkage.side(sign.into(), crank)
+    }
 }
 
 impl From<Sign> for Assembly {

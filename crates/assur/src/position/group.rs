@@ -148,7 +148,7 @@ impl Group {
     }
 
     /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
-    /// determinant, and `state.first_correction`.
+    /// determinant, and `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,
@@ -218,8 +218,8 @@ impl Group {
             if !change.is_finite() {
                 return Err(Cause::DeadPoint);
             }
-            if turn == 0 {
-                state.first_correction = state.first_correction.max(change / length);
+            if let Some(correction) = state.corrections.get_mut(turn) {
+                *correction = correction.max(change / length);
             }
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.

@@ -22,9 +22,10 @@ pub(crate) struct State<const N: usize> {
     pub(crate) scale: f64,
     /// The unknowns of all groups that Newton's method solves.
     pub(crate) natural: Vec<Complex<N>>,
-    /// The largest of the groups' first corrections by Newton's method, relative to
-    /// the size: how far the guess was off.
-    pub(crate) first_correction: f64,
+    /// The largest of the groups' first and of their second corrections by Newton's
+    /// method, relative to the size: how far the guess was off, and how far the first
+    /// correction still was.
+    pub(crate) corrections: [f64; 2],
     pub(super) work: Work<N>,
 }
 
@@ -68,7 +69,7 @@ impl<const N: usize> State<N> {
             margins: vec![[Jet::constant(1.0); 2]; steps].into(),
             scale: size * size,
             natural: vec![nowhere; unknowns],
-            first_correction: 0.0,
+            corrections: [0.0; 2],
             work: Work::default(),
         }
     }

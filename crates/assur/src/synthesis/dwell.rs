@@ -7,8 +7,7 @@
 //! dwell leaps where the band breaks, so there is no gradient to follow). Each
 //! step of the search is one candidate, judged over its full turn.
 
-use crate::Point;
-use crate::mechanism::{Defect, Draft, DraftLink, Mechanism, Quantity};
+use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
 
 /// What is wanted of the output, an angle (radians) or a coordinate (length).
@@ -22,28 +21,8 @@ pub struct Target {
     pub stroke: f64,
 }
 
-/// A dimension that may move.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Dimension {
-    /// The length of a link with two points.
-    Length {
-        /// The link, by name.
-        link: String,
-    },
-    /// The abscissa of a point of the frame.
-    X {
-        /// The point, by name.
-        point: String,
-    },
-    /// The ordinate of a point of the frame.
-    Y {
-        /// The point, by name.
-        point: String,
-    },
-}
-
 /// A dimension with its least and its greatest value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DesignVariable {
     /// Which one.
     pub dimension: Dimension,
@@ -65,13 +44,11 @@ pub enum SearchError {
     Output,
     /// No dimension may move.
     Rigid,
-    /// The design variable of this index: no such link of two points or point of the frame.
+    /// The design variable of this index: the mechanism has no such dimension.
     Dimension(usize),
     /// The design variable of this index: its range is not finite, empty, or does not hold
     /// the value at the start; or a length may become zero.
     Range(usize),
-    /// The draft is no mechanism.
-    Defects(Vec<Defect>),
     /// The crank does not turn fully, or the motion comes close to a singular pose.
     Blocked,
 }
@@ -116,13 +93,13 @@ pub enum End {
 #[derive(Clone, Debug)]
 pub struct Search {
     target: Target,
-    output: String,
+    output: Quantity,
     variables: Vec<DesignVariable>,
     /// The value of each variable, and the step to try next.
     values: Vec<f64>,
     steps: Vec<f64>,
     next: usize,
-    draft: Draft,
+    motion: Motion,
     progress: Progress,
 }
 
@@ -133,17 +110,14 @@ const LEAST: f64 = 1e-7;
 const FULFILLED: f64 = 1e-6;
 /// No candidate may come closer to a singular pose.
 const SINGULARITY_MARGIN: f64 = 1e-3;
-/// A candidate is drawn no farther from the one before, relative to the size: else
-/// another assembly might pass for the same.
-const MOVED: f64 = 0.1;
 
 impl Search {
-    /// A search from a draft; `output` is the name of a quantity, as `CD.angle`.
+    /// A search from a mechanism; `output` is the name of a quantity, as `CD.angle`.
     ///
     /// # Errors
     /// The first thing that is wrong.
     pub fn new(
-        draft: &Draft,
+        mechanism: &Mechanism,
         output: &str,
         target: Target,
         variables: &[DesignVariable],
@@ -158,34 +132,33 @@ impl Search {
         if !sound(target.stroke) {
             return Err(SearchError::Stroke);
         }
-        let mechanism = Mechanism::new(draft).map_err(SearchError::Defects)?;
-        Quantity::named(&mechanism, output).ok_or(SearchError::Output)?;
+        let output = Quantity::named(mechanism, output).ok_or(SearchError::Output)?;
         if variables.is_empty() {
             return Err(SearchError::Rigid);
         }
-        let draft = with_shapes(draft);
         let mut values = Vec::new();
         for (index, variable) in variables.iter().enumerate() {
-            let value = variable.dimension.of(&draft);
+            let value = mechanism.value(variable.dimension);
             let value = value.ok_or(SearchError::Dimension(index))?;
             let [from, to] = variable.range;
-            let length = matches!(variable.dimension, Dimension::Length { .. });
+            let length = matches!(variable.dimension, Dimension::Length(_));
             let sound = from.is_finite() && to.is_finite() && from < to;
             if !sound || !(from..=to).contains(&value) || length && from <= 0.0 {
                 return Err(SearchError::Range(index));
             }
             values.push(value);
         }
-        let (draft, evaluation) = judged(&draft, output, target).ok_or(SearchError::Blocked)?;
+        let motion = Motion::new(mechanism.clone());
+        let evaluation = judged(&motion, output, target).ok_or(SearchError::Blocked)?;
         let widths = variables.iter().map(|variable| variable.width());
         Ok(Self {
             target,
-            output: output.to_owned(),
+            output,
             values,
             steps: widths.map(|width| FIRST * width).collect(),
             variables: variables.to_vec(),
             next: 0,
-            draft,
+            motion,
             progress: Progress {
                 judged: 1,
                 accepted: true,
@@ -195,9 +168,9 @@ impl Search {
         })
     }
 
-    /// The best mechanism so far, drawn in its own pose, every link with its shape.
-    pub fn draft(&self) -> &Draft {
-        &self.draft
+    /// The best mechanism so far.
+    pub fn mechanism(&self) -> &Mechanism {
+        self.motion.mechanism()
     }
 
     /// What the search has come to.
@@ -249,19 +222,22 @@ impl Search {
 
     fn judge(&mut self, value: f64) {
         let k = self.next;
-        let mut draft = self.draft.clone();
-        self.variables[k].dimension.set(&mut draft, value);
+        let dimension = self.variables[k].dimension;
+        let changed = self.motion.changed(dimension, value, self.motion.home());
         self.progress.judged += 1;
         self.next = (k + 1) % self.variables.len();
         let before = self.progress.evaluation;
-        let better = judged(&draft, &self.output, self.target).filter(|(drawn, evaluation)| {
+        let judged = changed.ok().and_then(|changed| {
+            let evaluation = judged(&changed.motion, self.output, self.target)?;
+            Some((changed.motion, evaluation))
+        });
+        let better = judged.filter(|(_, evaluation)| {
             evaluation.residual < before.residual
                 && evaluation.singularity_margin * before.singularity_margin > 0.0
-                && moved(&draft, drawn) <= MOVED * draft.size()
         });
         match better {
-            Some((drawn, evaluation)) => {
-                self.draft = drawn;
+            Some((motion, evaluation)) => {
+                self.motion = motion;
                 self.values[k] = value;
                 self.steps[k] *= 2.0;
                 self.progress.evaluation = evaluation;
@@ -281,82 +257,14 @@ impl DesignVariable {
     }
 }
 
-impl Dimension {
-    /// Its value in a draft whose links have their shapes; none where it is not
-    /// there.
-    pub fn of(&self, draft: &Draft) -> Option<f64> {
-        let frame = |name: &String| {
-            let point = draft.points.iter().find(|point| point.name == *name)?;
-            draft.frame.contains(name).then_some(point.at)
-        };
-        match self {
-            Self::Length { link } => {
-                let link = draft.links.iter().find(|other| other.name == *link)?;
-                match shape_of(draft, link)?[..] {
-                    [a, b] => Some((b - a).norm()),
-                    _ => None,
-                }
-            }
-            Self::X { point } => Some(frame(point)?.x),
-            Self::Y { point } => Some(frame(point)?.y),
-        }
-    }
-
-    fn set(&self, draft: &mut Draft, value: f64) {
-        match self {
-            Self::Length { link } => {
-                for link in draft.links.iter_mut().filter(|other| other.name == *link) {
-                    link.shape = Some(vec![Point::origin(), Point::new(value, 0.0)]);
-                }
-            }
-            Self::X { point } | Self::Y { point } => {
-                for point in draft.points.iter_mut().filter(|p| p.name == *point) {
-                    match self {
-                        Self::X { .. } => point.at.x = value,
-                        _ => point.at.y = value,
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// The places of a link's points on it.
-fn shape_of(draft: &Draft, link: &DraftLink) -> Option<Vec<Point>> {
-    link.shape.clone().or_else(|| {
-        let place = |name: &String| draft.points.iter().find(|point| point.name == *name);
-        let places = link.points.iter().map(|name| Some(place(name)?.at));
-        places.collect()
-    })
-}
-
-/// The draft with a shape for every link, so that moving a point of the frame
-/// changes no link.
-fn with_shapes(draft: &Draft) -> Draft {
-    let mut shaped = draft.clone();
-    for link in &mut shaped.links {
-        link.shape = shape_of(draft, link);
-    }
-    shaped
-}
-
-/// The farthest that a point is drawn from where it was.
-fn moved(before: &Draft, after: &Draft) -> f64 {
-    let pairs = before.points.iter().zip(&after.points);
-    pairs.fold(0.0, |most, (a, b)| most.max((b.at - a.at).norm()))
-}
-
-/// What a draft reaches, and the draft drawn in its own pose; none where it is no
-/// mechanism, does not turn fully, or comes close to a singular pose.
-fn judged(draft: &Draft, output: &str, target: Target) -> Option<(Draft, Evaluation)> {
-    let mechanism = Mechanism::new(draft).ok()?;
-    let quantity = Quantity::named(&mechanism, output)?;
-    let motion = Motion::new(mechanism);
+/// What a motion reaches; none where the driver does not turn fully, or comes close to a
+/// singular pose.
+fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < SINGULARITY_MARGIN {
         return None;
     }
-    let profile = OutputProfile::new(&motion, quantity);
+    let profile = OutputProfile::new(motion, output);
     let arc = profile.dwell(target.tolerance)?.length();
     // What turns on and on is as far from any target as can be.
     let stroke = profile.stroke().unwrap_or(f64::NEG_INFINITY);
@@ -370,10 +278,5 @@ fn judged(draft: &Draft, output: &str, target: Target) -> Option<(Draft, Evaluat
         residual: defects[0].hypot(defects[1]),
         singularity_margin,
     };
-    let pose = motion.pose::<1>(motion.home()).ok()?;
-    let drawn = motion.mechanism().drawn_in(&pose);
-    evaluation
-        .residual
-        .is_finite()
-        .then_some((drawn, evaluation))
+    evaluation.residual.is_finite().then_some(evaluation)
 }

@@ -1,0 +1,197 @@
+//! A linkage next to another one: with a dimension set a little differently, joined
+//! the same way at an input nearby. A change goes from neighbour to neighbour.
+
+use super::body::Bodies;
+use super::dimension::straight;
+use super::draft::Draft;
+use super::resolved::Resolved;
+use super::{Mechanism, Pose};
+use crate::index::{LinkId, List, PointId, StepId};
+use crate::position::{Cause, Sign, State, Step};
+use crate::{Point, Vector};
+
+/// What is set of a linkage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Setting {
+    /// The length of a link with two points.
+    Length(LinkId, f64),
+    /// Where a hinge of the frame is.
+    Hinge(PointId, Point),
+}
+
+/// A linkage joined at an input: its draft is drawn in that pose.
+#[derive(Clone, Debug)]
+pub(crate) struct Joined {
+    mechanism: Mechanism,
+    state: State<1>,
+    /// Of each step on which side its links are joined: ±1.
+    sides: List<StepId, f64>,
+}
+
+/// Where links come apart on the way to a neighbour.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Apart {
+    pub(crate) step: StepId,
+    pub(crate) links: Vec<LinkId>,
+    pub(crate) cause: Cause,
+}
+
+/// A neighbour's bodies are turned no further, radians, and moved no further, relative
+/// to the size.
+const NEAR: f64 = 0.2;
+/// Newton's method comes to what the last solution has become if its second correction
+/// is no more than this part of its first: P. Deuflhard, *Newton Methods for Nonlinear
+/// Problems*, 2004, section 5.1.
+const CONTRACTION: f64 = 0.125;
+/// The determinant of a group's Jacobian changes by no more than this factor: two
+/// solutions that are about to meet are not taken for each other.
+const CHANGED: f64 = 2.0;
+
+impl Joined {
+    /// A mechanism in one of its poses, with a shape for every link.
+    pub(crate) fn new(mechanism: &Mechanism, pose: &Pose<1>, input: f64) -> Result<Self, Apart> {
+        let draft = mechanism.shaped_in(pose);
+        let mut joined = mechanism.laid_out(&draft, None, input)?;
+        let state = joined.join(None)?;
+        Ok(joined.joined(state))
+    }
+
+    /// The linkage drawn in its pose.
+    pub(crate) fn draft(&self) -> &Draft {
+        &self.mechanism.draft
+    }
+
+    pub(crate) fn input(&self) -> f64 {
+        self.mechanism.home
+    }
+
+    /// What its input can go over: a turn, or the range of a slide.
+    pub(crate) fn span(&self) -> f64 {
+        self.mechanism.span()
+    }
+
+    /// How far the links of a step are from being in line, or from a singular pose; to
+    /// be compared with that of its neighbours.
+    pub(crate) fn margin(&self, step: StepId) -> f64 {
+        let margins = self.state.margins[step];
+        let [p, q] = margins.map(|margin| margin.value().abs());
+        p.min(q)
+    }
+
+    /// The neighbour of this setting at an input.
+    ///
+    /// # Errors
+    /// Which links come apart, or would have to go farther than a neighbour's.
+    pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, Apart> {
+        let mut draft = self.mechanism.draft.clone();
+        let hinge = match setting {
+            Setting::Length(link, length) => {
+                draft.links[link.index()].shape = Some(straight(length));
+                None
+            }
+            Setting::Hinge(point, at) => Some((point, at.coords)),
+        };
+        let mut next = self.mechanism.laid_out(&draft, hinge, input)?;
+        let state = next.join(Some(&self.sides))?;
+        if let Some(step) = next.lost(&self.state, &state) {
+            return Err(next.apart(step, Cause::DeadPoint));
+        }
+        Ok(next.joined(state))
+    }
+}
+
+impl Mechanism {
+    /// The linkage drawn in a pose, with a shape for every link.
+    pub(crate) fn shaped_in(&self, pose: &Pose<1>) -> Draft {
+        let mut draft = self.draft.shaped();
+        draft.points = self.drawn_in(pose).points;
+        draft
+    }
+
+    /// The mechanism of a draft to be joined at an input.
+    fn laid_out(
+        &self,
+        draft: &Draft,
+        hinge: Option<(PointId, Vector)>,
+        input: f64,
+    ) -> Result<Self, Apart> {
+        let laid_out = || {
+            let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
+            let bodies = Bodies::new(&resolved, hinge);
+            let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
+            Self::of(&resolved, &bodies, &placements)
+        };
+        let mut mechanism =
+            laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
+        mechanism.home = input;
+        Ok(mechanism)
+    }
+
+    /// Joins the links on these sides, else as they are drawn.
+    fn join(&mut self, sides: Option<&List<StepId, f64>>) -> Result<State<1>, Apart> {
+        let mut state = self.blank_state();
+        for step in self.steps.ids() {
+            let side = sides.map(|sides| sides[step]);
+            let kept = side.and_then(|side| {
+                let mut both = Sign::BOTH.into_iter();
+                both.find(|sign| self.side(step, *sign, &state) == side)
+            });
+            let sign = match kept {
+                Some(sign) => Ok(sign),
+                None => self.drawn_sign(step, &mut state),
+            };
+            let solved = sign.and_then(|sign| {
+                self.signs[step] = sign;
+                self.try_step(step, sign, &mut state)
+            });
+            solved.map_err(|cause| self.apart(step, cause))?;
+        }
+        Ok(state)
+    }
+
+    /// On which side a sign joins the links of a step.
+    fn side(&self, step: StepId, sign: Sign, state: &State<1>) -> f64 {
+        match &self.steps[step] {
+            Step::Closed(closed) => closed.side(sign, state),
+            _ => sign.factor(),
+        }
+    }
+
+    /// The step whose links are no neighbours of those in another pose.
+    fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
+        let moved = self.moved(before, state, NEAR);
+        if let Some(body) = moved {
+            return Some(self.placed_by[body].unwrap_or(StepId::FIRST));
+        }
+        let [first, second] = state.corrections;
+        let far = second > CONTRACTION * first.max(1e-9);
+        let mut groups = self
+            .steps
+            .enumerate()
+            .filter(|(_, step)| matches!(step, Step::Group(_)));
+        let lost = groups.find(|(step, _)| {
+            let [a, b] = [before, state].map(|state| state.margins[*step][0].value());
+            far || !(1.0 / CHANGED..=CHANGED).contains(&(b / a))
+        });
+        lost.map(|(step, _)| step)
+    }
+
+    fn apart(&self, step: StepId, cause: Cause) -> Apart {
+        let bodies = self.steps[step].bodies().into_iter();
+        let links = bodies.filter_map(|body| self.made_for[body]).collect();
+        Apart { step, links, cause }
+    }
+
+    /// As it is joined in a state.
+    fn joined(mut self, state: State<1>) -> Joined {
+        let sides = self.steps.ids();
+        let sides = sides.map(|step| self.side(step, self.signs[step], &state));
+        let sides = sides.collect();
+        self.draft = self.drawn_by(&state);
+        Joined {
+            mechanism: self,
+            state,
+            sides,
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Changing a linkage: its assembly is kept by following it from the pose at hand to
+//! the new value, step by step; the input gives way where it must.
+
+use super::Motion;
+use crate::Point;
+use crate::index::{LinkId, PointId};
+use crate::mechanism::{
+    Apart, Cause, Defect, Dimension, DraftDriver, FRAME, Joined, Mechanism, Setting,
+};
+
+/// A linkage after a change.
+#[derive(Clone, Debug)]
+pub struct Changed {
+    /// Of the mechanism drawn in the pose in which it is.
+    pub motion: Motion,
+    /// Its input there: the one that it was changed at, where that could be kept.
+    pub input: f64,
+    /// Whether the input gave way, if only for a part of the change.
+    pub gave_way: bool,
+}
+
+/// Why a dimension cannot be set.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// There is no such dimension.
+    Absent,
+    /// The value is not finite.
+    NotFinite,
+    /// A length that is not greater than zero.
+    NotPositive,
+    /// There is no pose to begin with.
+    Unposed,
+    /// Links come apart on the way.
+    Apart {
+        /// The last value that works, cut to the digits that tell it.
+        last: f64,
+        /// How far beyond it the value lies.
+        by: f64,
+        /// The links that cannot be joined beyond it.
+        links: Vec<LinkId>,
+        /// What is in their way.
+        cause: Cause,
+    },
+    /// It can be followed, but is no mechanism.
+    Defects(Vec<Defect>),
+}
+
+/// A change begins with a step of this part of the range of the dimension …
+const FIRST_STEP: f64 = 0.25;
+/// … the input gives way where one this small fails …
+const LEAST_STEP: f64 = 1.0 / 256.0;
+/// … and the last value that works is found to this part, and told as exactly.
+const RESOLUTION: f64 = 2e-4;
+/// By these parts of its span the input gives way. The least is how near it comes to
+/// where links come apart.
+const WAYS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
+
+impl Motion {
+    /// The linkage with a dimension set to a value, from the pose at an input.
+    ///
+    /// # Errors
+    /// Why it cannot be, with the last value that works.
+    pub fn changed(
+        &self,
+        dimension: Dimension,
+        value: f64,
+        input: f64,
+    ) -> Result<Changed, Refusal> {
+        let range = self.mechanism.range(dimension).ok_or(Refusal::Absent)?;
+        let from = self.mechanism.value(dimension).ok_or(Refusal::Absent)?;
+        if !value.is_finite() {
+            return Err(Refusal::NotFinite);
+        }
+        if matches!(dimension, Dimension::Length(_)) && value <= 0.0 {
+            return Err(Refusal::NotPositive);
+        }
+        let start = self.at_hand(input)?;
+        let frame = start.draft().clone();
+        let width = range[1] - range[0];
+        let sense = (value - from).signum();
+        let at = |way: f64| from + way * width * sense;
+        let whole = (value - from).abs() / width;
+        let setting = |way: f64| {
+            let here = if way < whole { at(way) } else { value };
+            dimension.setting(&frame, here)
+        };
+        let way = Way::follow(start, setting, whole);
+        if let Some(apart) = way.apart {
+            // Cut towards where it came from: all that lies between works.
+            let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
+            let cut = unit * (sense * at(way.gone) / unit).floor() * sense;
+            let last = if (cut - from) * sense > 0.0 {
+                cut
+            } else {
+                from
+            };
+            return Err(Refusal::Apart {
+                last,
+                by: (value - last).abs(),
+                links: apart.links,
+                cause: apart.cause,
+            });
+        }
+        self.taken(&way)
+    }
+
+    /// The linkage with a hinge of the frame moved to a place, from the pose at an
+    /// input: both of its coordinates set at once. Where it cannot come there, as far
+    /// as it goes.
+    ///
+    /// # Errors
+    /// Why it cannot be moved at all.
+    pub fn hinge_moved(&self, point: PointId, to: Point, input: f64) -> Result<Changed, Refusal> {
+        if !to.coords.iter().all(|x| x.is_finite()) {
+            return Err(Refusal::NotFinite);
+        }
+        let start = self.at_hand(input)?;
+        let from = start.draft().points[point.index()].at;
+        let range = self.mechanism.range(Dimension::X(point));
+        let [least, most] = range.ok_or(Refusal::Absent)?;
+        let whole = (to - from).norm() / (most - least);
+        let setting = |way: f64| {
+            let here = if way < whole {
+                from + way / whole * (to - from)
+            } else {
+                to
+            };
+            Setting::Hinge(point, here)
+        };
+        self.taken(&Way::follow(start, setting, whole))
+    }
+
+    /// The linkage driven by a link that is hinged on the frame, from the pose at an
+    /// input; where that pose is a dead point of the new driver, from one next to it.
+    ///
+    /// # Errors
+    /// Why it cannot be driven so.
+    pub fn driven_by(&self, link: LinkId, input: f64) -> Result<Changed, Vec<Defect>> {
+        let crank = DraftDriver::Crank {
+            link: self.mechanism.link_name(link).to_owned(),
+            base: FRAME.to_owned(),
+        };
+        let mut met = Vec::new();
+        let aside = WAYS.into_iter().flat_map(|part| [part, -part]);
+        for part in [0.0].into_iter().chain(aside) {
+            let Ok(pose) = self.pose::<1>(input + part * self.mechanism.span()) else {
+                continue;
+            };
+            let mut draft = self.mechanism.shaped_in(&pose);
+            draft.drivers = vec![crank.clone()];
+            match Mechanism::new(&draft) {
+                Ok(mechanism) => {
+                    let motion = Self::new(mechanism);
+                    let (input, gave_way) = (motion.home, part != 0.0);
+                    return Ok(Changed {
+                        motion,
+                        input,
+                        gave_way,
+                    });
+                }
+                Err(defects) => met = defects,
+            }
+        }
+        Err(met)
+    }
+
+    /// The pose at an input, or else the drawn one.
+    fn at_hand(&self, input: f64) -> Result<Joined, Refusal> {
+        let inputs = [input, self.home].into_iter();
+        let mut poses = inputs.filter_map(|input| Some((input, self.pose::<1>(input).ok()?)));
+        let (input, pose) = poses.next().ok_or(Refusal::Unposed)?;
+        Joined::new(&self.mechanism, &pose, input).map_err(|_| Refusal::Unposed)
+    }
+
+    /// What was followed as a motion of its own.
+    fn taken(&self, way: &Way) -> Result<Changed, Refusal> {
+        let mechanism = Mechanism::new(way.here.draft()).map_err(Refusal::Defects)?;
+        let motion = Self::new(mechanism);
+        // Which of several turns it is, the drawing tells.
+        let turn = motion.mechanism.span();
+        let several = motion.cycle.period().is_some_and(|period| period > turn);
+        let input = if several {
+            motion.home
+        } else {
+            way.here.input()
+        };
+        let gave_way = way.gave_way;
+        Ok(Changed {
+            motion,
+            input,
+            gave_way,
+        })
+    }
+}
+
+/// A change as far as it was followed. What it has gone is told in ranges of the
+/// dimension: a shorter change goes the same way as a longer one.
+struct Way {
+    here: Joined,
+    gone: f64,
+    gave_way: bool,
+    /// What stopped it, if it has not gone the whole way.
+    apart: Option<Apart>,
+}
+
+impl Way {
+    /// Goes the whole way, or as far as it can.
+    fn follow(start: Joined, setting: impl Fn(f64) -> Setting, whole: f64) -> Self {
+        let wanted = start.input();
+        let mut way = Self {
+            here: start,
+            gone: 0.0,
+            gave_way: false,
+            apart: None,
+        };
+        let mut step = FIRST_STEP;
+        while way.gone < whole && way.apart.is_none() {
+            let next = (way.gone + step).min(whole);
+            step = next - way.gone;
+            match way.here.neighbour(setting(next), way.here.input()) {
+                Ok(there) => (way.here, way.gone, step) = (there, next, 2.0 * step),
+                Err(apart) if step <= LEAST_STEP => match aside(&way.here, setting(next), &apart) {
+                    Some(there) => {
+                        (way.here, way.gone, step) = (there, next, 2.0 * step);
+                        way.gave_way = true;
+                    }
+                    None if step <= RESOLUTION => way.apart = Some(apart),
+                    None => step *= 0.5,
+                },
+                Err(_) => step *= 0.5,
+            }
+        }
+        let setting = setting(way.gone);
+        way.here = returned(way.here, setting, wanted);
+        way
+    }
+}
+
+/// The neighbour at another input: of those there are, the one whose links that came
+/// apart are farthest from it.
+fn aside(here: &Joined, setting: Setting, apart: &Apart) -> Option<Joined> {
+    let ways = WAYS.into_iter().flat_map(|way| [way, -way]);
+    let inputs = ways.map(|way| here.input() + way * here.span());
+    let found = inputs.flat_map(|input| here.neighbour(setting, input));
+    let margin = |one: &Joined| one.margin(apart.step);
+    found.max_by(|a, b| margin(a).total_cmp(&margin(b)))
+}
+
+/// As near to the wanted input as it comes.
+fn returned(here: Joined, setting: Setting, wanted: f64) -> Joined {
+    let mut here = here;
+    let mut step = 1.0_f64;
+    while here.input() != wanted {
+        let way = wanted - here.input();
+        let next = if step < 1.0 {
+            here.input() + step * way
+        } else {
+            wanted
+        };
+        match here.neighbour(setting, next) {
+            Ok(there) => {
+                here = there;
+                step = (2.0 * step).min(1.0);
+            }
+            Err(_) if (step * way).abs() <= WAYS[0] * here.span() => break,
+            Err(_) => step *= 0.5,
+        }
+    }
+    here
+}
