@@ -15,7 +15,11 @@ fn motion(name: &str) -> Motion {
 /// Inputs over a motion: at its drawing, and away from the ends.
 fn inputs(motion: &Motion) -> [f64; 3] {
     let [from, to] = motion.cycle().arcs()[0];
-    [motion.home(), from + 0.15 * (to - from), from + 0.65 * (to - from)]
+    [
+        motion.home(),
+        from + 0.15 * (to - from),
+        from + 0.65 * (to - from),
+    ]
 }
 
 /// The largest residual of the constraint equations: lengths relative to the size, and
@@ -37,11 +41,16 @@ fn residual(mechanism: &Mechanism, pose: &Pose<1>) -> f64 {
 
 fn places(mechanism: &Mechanism, pose: &Pose<1>) -> Vec<Point> {
     let points = mechanism.point_ids();
-    points.map(|point| mechanism.place(pose, point).place()).collect()
+    points
+        .map(|point| mechanism.place(pose, point).place())
+        .collect()
 }
 
 fn off(a: &[Point], b: &[Point]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).norm())
+        .fold(0.0, f64::max)
 }
 
 #[test]
@@ -68,16 +77,20 @@ fn every_dimension_of_the_catalogue() {
                     match changed {
                         Ok(changed) => {
                             shown += 1;
-                            let (after, after_input, gave_way) = (changed.motion, changed.input, changed.gave_way);
+                            let (after, after_input, gave_way) =
+                                (changed.motion, changed.input, changed.gave_way);
                             let got = after.mechanism().value(dimension).unwrap();
                             assert!((got - value).abs() <= 1e-12 * value.abs().max(1.0), "{at}");
-                            let pose = after.pose(after_input).unwrap_or_else(|e| panic!("{at}: {e}"));
+                            let pose = after
+                                .pose(after_input)
+                                .unwrap_or_else(|e| panic!("{at}: {e}"));
                             assert!(residual(after.mechanism(), &pose) < 1e-9, "{at}");
                             if (after_input - input).abs() < 1e-9 {
                                 let back = after.changed(dimension, was, after_input);
                                 let same = back.as_ref().is_ok_and(|back| {
                                     let again = &back.motion;
-                                    let here = places(again.mechanism(), &again.pose(back.input).unwrap());
+                                    let here =
+                                        places(again.mechanism(), &again.pose(back.input).unwrap());
                                     off(&before, &here) < 1e-7 * mechanism.size()
                                 });
                                 // Where the input gave way in between, there may be another way back.
@@ -89,11 +102,18 @@ fn every_dimension_of_the_catalogue() {
                                 println!("gave {at} to {}", after_input);
                             }
                         }
-                        Err(Refusal::Apart { last, by, links, cause }) => {
+                        Err(Refusal::Apart {
+                            last,
+                            by,
+                            links,
+                            cause,
+                        }) => {
                             refused += 1;
                             println!("refused {at}: last {last} by {by} {links:?} {cause:?}");
                             let works = motion.changed(dimension, last, input);
-                            if works.is_err() { println!("NOLAST {at} {last} {:?}", works.err()); }
+                            if works.is_err() {
+                                println!("NOLAST {at} {last} {:?}", works.err());
+                            }
                         }
                         Err(other) => println!("??? {at}: {other:?}"),
                     }
@@ -111,18 +131,28 @@ fn speed() {
         let mechanism = document.mechanism().unwrap();
         let time = |f: &mut dyn FnMut()| {
             let now = cpu();
-            for _ in 0..20 { f(); }
+            for _ in 0..20 {
+                f();
+            }
             (cpu() - now) * 1e6 / 20.0
         };
         let draft = mechanism.draft().clone();
-        let make = time(&mut || { Mechanism::new(&draft).unwrap(); });
-        let follow = time(&mut || { Motion::new(mechanism.clone()); });
+        let make = time(&mut || {
+            Mechanism::new(&draft).unwrap();
+        });
+        let follow = time(&mut || {
+            Motion::new(mechanism.clone());
+        });
         let motion = Motion::new(mechanism.clone());
         let all = mechanism.dimensions();
         let first = all[0];
         let was = mechanism.value(first).unwrap();
-        let near = time(&mut || { let _ = motion.changed(first, was * 1.01, motion.home()); });
-        let far = time(&mut || { let _ = motion.changed(first, was * 1.5, motion.home()); });
+        let near = time(&mut || {
+            let _ = motion.changed(first, was * 1.01, motion.home());
+        });
+        let far = time(&mut || {
+            let _ = motion.changed(first, was * 1.5, motion.home());
+        });
         let mut drag = (0.0_f64, String::new());
         for one in &all {
             let [from, to] = mechanism.range(*one).unwrap();
@@ -134,8 +164,12 @@ fn speed() {
                     let now = cpu();
                     let changed = motion.changed(*one, value, input);
                     let took = (cpu() - now) * 1e6;
-                    if took > drag.0 { drag = (took, format!("{one:?} {value} {}", changed.is_ok())); }
-                    if let Ok(changed) = changed { (motion, input) = (changed.motion, changed.input); }
+                    if took > drag.0 {
+                        drag = (took, format!("{one:?} {value} {}", changed.is_ok()));
+                    }
+                    if let Ok(changed) = changed {
+                        (motion, input) = (changed.motion, changed.input);
+                    }
                 }
             }
         }
@@ -148,7 +182,9 @@ fn speed() {
                 worst = worst.max((cpu() - now) * 1e6);
             }
         }
-        println!("{name}: new {make:.0} motion {follow:.0} near {near:.0} far {far:.0} worst {worst:.0} µs drag {drag:?}");
+        println!(
+            "{name}: new {make:.0} motion {follow:.0} near {near:.0} far {far:.0} worst {worst:.0} µs drag {drag:?}"
+        );
     }
 }
 

@@ -18,6 +18,8 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").MotionSummary} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
+ * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
+ * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
  * @typedef {import("assur/types/web.js").Summaries} Summaries what the engine says of a document, by its kind
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
@@ -26,6 +28,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/types/web.js").ChartRequest} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
+ * @typedef {{ input?: number, document?: import("assur/state/state.js").Change }} Changed where the input goes, which fields of the document become others
  * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  */
 
@@ -172,10 +175,40 @@ export class Engine {
    * @param {number} input where it is
    * @param {number} x
    * @param {number} y
-   * @returns {{ input: number, document?: undefined } | { input?: undefined, document: import("assur/state/state.js").Change }}
+   * @returns {Changed}
    */
   drag(point, input, x, y) {
     return this.ask((simulator) => simulator.drag(point, input, x, y));
+  }
+
+  /**
+   * What setting a dimension changes; its assembly is kept by following it from the pose at hand.
+   * @param {string} field of the dimension
+   * @param {number} value
+   * @param {number} input where it is
+   * @returns {Changed}
+   */
+  setDimension(field, value, input) {
+    return this.ask((simulator) => simulator.setDimension(field, value, input));
+  }
+
+  /**
+   * What driving another link changes, from the pose at hand.
+   * @param {string} link
+   * @param {number} input where it is
+   * @returns {Changed}
+   */
+  drive(link, input) {
+    return this.ask((simulator) => simulator.drive(link, input));
+  }
+
+  /**
+   * What choosing another assembly changes.
+   * @param {number} number from 1
+   * @returns {Changed}
+   */
+  assemble(number) {
+    return this.ask((simulator) => simulator.assemble(number));
   }
 
   /**

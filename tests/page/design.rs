@@ -1,7 +1,8 @@
 //! "Design your dwell" on the page: a search in a worker, each better mechanism
 //! drawn, one step to undo; stopped by hand; wishes that cannot be are said.
 
-use assur::synthesis::dwell::{DesignVariable, Dimension, Search, Target};
+use assur::mechanism::Dimension;
+use assur::synthesis::dwell::{DesignVariable, Search, Target};
 use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
@@ -33,12 +34,12 @@ async fn at_first(stroke: f64) -> f64 {
         arc: ARC.to_radians(),
         stroke: stroke.to_radians(),
     };
-    let link = "FK".to_owned();
+    let start = start.mechanism().unwrap();
     let variable = DesignVariable {
-        dimension: Dimension::Length { link },
+        dimension: Dimension::Length(start.link("FK").unwrap()),
         range: [0.95 * LENGTH, 1.05 * LENGTH],
     };
-    let search = Search::new(&start.draft(), "CD.angle", target, &[variable]);
+    let search = Search::new(&start, "CD.angle", target, &[variable]);
     search.unwrap().progress().evaluation.residual
 }
 

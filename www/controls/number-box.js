@@ -31,9 +31,9 @@ export class NumberBox {
     input.addEventListener("input", () => {
       this.#typed = true;
       const value = parseNumber(input.value);
-      this.#meant = value === null ? null : set(value);
-      if (value === null) drafts.keep(field, input.value);
+      if (value === null) drafts.keep(field);
       else drafts.drop(field);
+      this.#meant = value === null ? null : set(value);
     });
     for (const end of ["change", "blur"]) {
       input.addEventListener(end, () => {
@@ -68,6 +68,11 @@ export class NumberBox {
       if (wrong) input.setAttribute("aria-describedby", "problem");
       else input.removeAttribute("aria-describedby");
     }
+  }
+
+  /** @param {string} text of a value that is refused, and stands here all the same */
+  hold(text) {
+    this.#input.value = text;
   }
 
   /** Whether a person is about to type here. */

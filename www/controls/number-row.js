@@ -21,9 +21,12 @@ import { make } from "assur/core/dom.js";
 
 export class NumberRow {
   #kind;
+  #drafts;
   #box;
   /** @type {HTMLInputElement | null} */
   #slider = null;
+  /** @type {(value: number) => string} as it is read at a glance */
+  #brief = String;
 
   /**
    * @param {RowKind} kind
@@ -33,6 +36,7 @@ export class NumberRow {
   constructor(kind, drafts, set) {
     const { field, id = field, key = field, n = "", symbol, role, slider } = kind;
     this.#kind = kind;
+    this.#drafts = drafts;
     this.field = field;
     const input = make("input", {
       id: `field-${id}`,
@@ -57,8 +61,10 @@ export class NumberRow {
     if (slider) {
       this.#slider = makeSlider(id, key, n, slider);
       this.#slider.addEventListener("input", () => {
+        const value = Number(this.#slider?.value);
         drafts.drop(field);
-        set(Number(this.#slider?.value));
+        set(value);
+        if (drafts.has(field)) this.#box.hold(this.#brief(value));
       });
       this.element.classList.add("with-slider");
       input.before(this.#slider);
@@ -73,9 +79,12 @@ export class NumberRow {
   show(value, words, invalid) {
     const { numbers } = words;
     const { slider: range, unit = "", counted } = this.#kind;
-    this.#box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, invalid);
+    this.#brief = (value) => numbers.brief(value) + unit;
+    this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
     // A value beyond the slider's range widens it, so that the slider tells the truth.
+    // One that is refused stays where it was put.
+    if (this.#drafts.has(this.field)) return;
     const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];
     if (Number(this.#slider.min) !== min) this.#slider.min = String(min);
     if (Number(this.#slider.max) !== max) this.#slider.max = String(max);

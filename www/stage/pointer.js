@@ -1,6 +1,7 @@
 // Hands on the drawing: joints and traced points are dragged, empty paper is panned, the wheel and two fingers zoom.
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { inputNow, take } from "assur/state/change.js";
 import { TRACERS, withDocument, withView } from "assur/state/state.js";
 
 /**
@@ -28,7 +29,6 @@ export class MechanismPointer {
   #engine;
   #store;
   #model;
-  #drafts;
   /** @type {Map<number, Place>} the pointers that are down */
   #pointers = new Map();
   /** @type {{ name: Joint["name"], dx: number, dy: number } | null} the joint in hand, and where it was taken */
@@ -42,14 +42,13 @@ export class MechanismPointer {
    * @param {import("assur/app/page.js").Page} page
    */
   constructor(canvas, page) {
-    const { mechanism: view, engine, store, model, drafts } = page;
+    const { mechanism: view, engine, store, model } = page;
     this.#page = page;
     this.#canvas = canvas;
     this.#view = view;
     this.#engine = engine;
     this.#store = store;
     this.#model = model;
-    this.#drafts = drafts;
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#up(event));
@@ -138,7 +137,7 @@ export class MechanismPointer {
    */
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
-    const put = attempt(() => this.#engine.trace(this.#input, x, y)).value;
+    const put = attempt(() => this.#engine.trace(inputNow(this.#page), x, y)).value;
     if (!put) return null;
     this.#store.update((state) => withDocument(state, put.document));
     this.trace(false);
@@ -147,27 +146,16 @@ export class MechanismPointer {
     return { name, role: this.#model.summary.roles[link] ?? "ink", x, y };
   }
 
-  /** Where the driver is, for the engine. */
-  get #input() {
-    const { coordinate } = this.#model;
-    return coordinate.input(coordinate.of(this.#store.get()));
-  }
-
   /**
    * @param {{ name: Joint["name"], dx: number, dy: number }} taken
    * @param {Place} at
    */
   #drag({ name, dx, dy }, at) {
     const [x, y] = this.#view.view.toModel(at.x + dx, at.y + dy);
-    const change = attempt(() => this.#engine.drag(name, this.#input, x, y)).value;
+    const change = attempt(() => this.#engine.drag(name, inputNow(this.#page), x, y)).value;
     if (!change) return;
-    const { document, input } = change;
-    if (document) {
-      this.#drafts.dropAll(Object.keys(document));
-      this.#store.update((state) => withDocument(state, document));
-    } else {
-      this.#page.drive(this.#model.coordinate.place(input));
-    }
+    if (change.document || change.input === undefined) take(change, this.#page);
+    else this.#page.drive(this.#model.coordinate.place(change.input));
   }
 
   /**

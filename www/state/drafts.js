@@ -1,11 +1,13 @@
-// What stands in number fields and is no number yet: kept as typed, until it becomes one.
+// What stands in number fields and is not in the state: no number yet, or one that is refused. Kept until it is one that is taken.
 
 /** The field of where the driver is, whatever it is counted in. */
 export const INPUT = "input";
 
+/** @typedef {import("assur/core/problem.js").Problem} Problem */
+
 export class Drafts {
-  /** @type {Map<string, string>} */
-  #texts = new Map();
+  /** @type {Map<string, readonly Problem[]>} */
+  #problems = new Map();
   #changed;
 
   /** @param {() => void} changed */
@@ -15,16 +17,16 @@ export class Drafts {
 
   /**
    * @param {string} field
-   * @param {string} text
+   * @param {readonly Problem[]} [problems] why it is not taken
    */
-  keep(field, text) {
-    this.#texts.set(field, text);
+  keep(field, problems = [{ code: "not_a_number", field }]) {
+    this.#problems.set(field, problems);
     this.#changed();
   }
 
   /** @param {string} field */
   drop(field) {
-    if (this.#texts.delete(field)) this.#changed();
+    if (this.#problems.delete(field)) this.#changed();
   }
 
   /** @param {readonly string[]} fields; a list is dropped with all that is in it */
@@ -34,14 +36,19 @@ export class Drafts {
     }
   }
 
+  /** @returns {readonly Problem[]} */
+  get problems() {
+    return [...this.#problems.values()].flat();
+  }
+
   /** @param {string} field */
   has(field) {
-    return this.#texts.has(field);
+    return this.#problems.has(field);
   }
 
   /** @returns {string[]} */
   fields() {
-    return [...this.#texts.keys()];
+    return [...this.#problems.keys()];
   }
 }
 

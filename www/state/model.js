@@ -186,8 +186,8 @@ export class Model {
   snapshot(state, words, legible) {
     // What is typed takes the place of what the state still holds.
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
-    const drafted = this.#drafts.fields().map((field) => ({ code: "not_a_number", field }));
-    const stale = this.#refused.length > 0 || drafted.some(({ field }) => partOf(field) in state.document);
+    const drafted = this.#drafts.problems;
+    const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
     // While it plays, a dead point is passed within one frame: too short for a sentence.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;

@@ -15,7 +15,7 @@ pub use catalogue::{
 };
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument, TracerDocument,
+    PointDocument, SlideDocument, TracerDocument, dimension_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::{Document, Kind, Moved};

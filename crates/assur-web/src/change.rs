@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::JsValue;
 use crate::convert::to_js;
 
 /// Where the input goes, `{input}`, or which fields of the document become others,
-/// `{document}`. Whether those make a mechanism is found out when the state is set.
+/// `{document}`, or both. Whether those make a mechanism is found out when the state is set.
 pub(crate) struct Change(JsValue);
 
 impl Change {
@@ -21,11 +21,19 @@ impl Change {
 
     /// Fields of the document become others.
     pub(crate) fn document(document: &impl Serialize) -> Self {
+        Self::of(document, None)
+    }
+
+    /// Fields of the document become others, and the input goes elsewhere where one is
+    /// given.
+    pub(crate) fn of(document: &impl Serialize, input: Option<f64>) -> Self {
         #[derive(Serialize)]
-        struct Document<'a, D> {
+        struct Both<'a, D> {
             document: &'a D,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            input: Option<f64>,
         }
-        Self(to_js(&Document { document }))
+        Self(to_js(&Both { document, input }))
     }
 
     pub(crate) fn into_js(self) -> JsValue {

@@ -3,9 +3,9 @@
 
 use assur::mechanism::Quantity;
 use assur::synthesis::dwell::{
-    DesignVariable, Dimension, End, Evaluation, Progress, Search, SearchError, Target,
+    DesignVariable, End, Evaluation, Progress, Search, SearchError, Target,
 };
-use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, State};
+use assur_file::{Document, LinkageProblem, Problem, State, dimension_field};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -25,11 +25,11 @@ pub(crate) struct Wishes {
     movable: Vec<Movement>,
 }
 
-/// A link whose length may change by this part of it, more or less.
+/// A dimension, by its field, that may change by this part of it, more or less.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Movement {
-    link: String,
+    field: String,
     by: f64,
 }
 
@@ -37,8 +37,6 @@ pub(crate) struct Movement {
 #[wasm_bindgen]
 pub struct Design {
     search: Search,
-    document: LinkageDocument,
-    variables: Vec<DesignVariable>,
     /// The residual at the start.
     before: f64,
 }
@@ -68,7 +66,7 @@ pub(crate) struct ReachedSummary {
 #[wasm_bindgen]
 impl Design {
     /// A search from the linkage of a state; `wishes` is `{arc, stroke, movable:
-    /// [{link, by}]}`, `by` a part of the length of a link with two points.
+    /// [{field, by}]}`, `by` a part of the dimension of that field.
     ///
     /// # Errors
     /// Every problem of the state; else the first of the wishes.
@@ -112,27 +110,27 @@ impl Design {
 impl Design {
     fn of(state: &State, wishes: &Wishes) -> Result<Self, Vec<Problem>> {
         state.check()?;
-        let refused = |refused: SearchError, variables: &[DesignVariable]| {
-            let problems = LinkageProblem::refused(refused, variables);
-            problems.into_iter().map(Problem::from).collect::<Vec<_>>()
-        };
+        let none = |problem: LinkageProblem| vec![Problem::from(problem)];
         let Document::Linkage(document) = &state.document else {
-            return Err(refused(SearchError::Output, &[]));
+            return Err(none(LinkageProblem::NoOutput));
         };
         let motion = document.motion()?;
         let mechanism = motion.mechanism();
         let plotted = document.plotted(mechanism, &state.view.plot);
         let output: Option<Quantity> = plotted.and_then(|all| all.first().copied());
-        let output = output.ok_or_else(|| refused(SearchError::Output, &[]))?;
-        let draft = mechanism.draft();
-        let lengths = wishes.movable.iter().map(|Movement { link, by }| {
-            let name = link.clone();
-            let dimension = Dimension::Length { link: link.clone() };
-            let length = dimension.of(draft);
-            let length = length.ok_or_else(|| vec![LinkageProblem::NoDimension { name }.into()])?;
+        let output = output.ok_or_else(|| none(LinkageProblem::NoOutput))?;
+        let dimensions = mechanism.dimensions();
+        let lengths = wishes.movable.iter().map(|Movement { field, by }| {
+            let mut dimensions = dimensions.iter().copied();
+            let dimension = dimensions.find(|one| dimension_field(*one) == *field);
+            let valued = dimension.and_then(|one| Some((one, mechanism.value(one)?)));
+            let (dimension, value) = valued.ok_or_else(|| {
+                let name = field.clone();
+                none(LinkageProblem::NoDimension { name })
+            })?;
             Ok(DesignVariable {
                 dimension,
-                range: [length * (1.0 - by), length * (1.0 + by)],
+                range: [value * (1.0 - by), value * (1.0 + by)],
             })
         });
         let variables: Vec<DesignVariable> = lengths.collect::<Result<_, Vec<Problem>>>()?;
@@ -141,32 +139,19 @@ impl Design {
             arc: wishes.arc,
             stroke: wishes.stroke,
         };
-        let search = Search::new(draft, &output.name(mechanism, 0), target, &variables);
-        let search = search.map_err(|error| refused(error, &variables))?;
+        let search = Search::new(mechanism, &output.name(mechanism, 0), target, &variables);
+        let search = search.map_err(|error: SearchError| {
+            none(LinkageProblem::refused(error, mechanism, &variables))
+        })?;
         Ok(Self {
-            document: document.clone(),
             before: search.progress().evaluation.residual,
             search,
-            variables,
         })
     }
 
-    /// The document with the lengths and the drawing of the best linkage so far.
+    /// The document with the best linkage so far.
     fn redrawn(&self) -> Redrawn {
-        let mut document = self.document.clone();
-        let drawn = self.search.draft().points.iter();
-        for (point, drawn) in document.points.iter_mut().zip(drawn) {
-            point.at = [drawn.at.x, drawn.at.y];
-        }
-        for (variable, value) in self.variables.iter().zip(self.search.values()) {
-            let Dimension::Length { link } = &variable.dimension else {
-                continue;
-            };
-            for link in document.links.iter_mut().filter(|one| one.name == *link) {
-                (link.length, link.shape) = (Some(*value), None);
-            }
-        }
-        Redrawn::of(document)
+        Redrawn::of(self.search.mechanism().draft())
     }
 }
 

@@ -6,6 +6,7 @@ mod change;
 mod chart;
 mod convert;
 mod design;
+mod dimensions;
 mod driven;
 mod equations;
 mod kinds;

@@ -44,6 +44,21 @@ pub(crate) trait Edited {
 
     /// The point at a place traced, with the input where it is.
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem>;
+
+    /// A dimension, by its field, set to a value from the pose at an input.
+    fn set(&self, field: &str, _value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
+        Err(vec![unknown(field)])
+    }
+
+    /// Another link driven, from the pose at an input.
+    fn drive(&self, link: &str, _input: f64) -> Result<Change, Vec<Problem>> {
+        Err(vec![unknown(link)])
+    }
+
+    /// Another assembly drawn, by its number from 1.
+    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
+        Err(vec![unknown("assembly")])
+    }
 }
 
 /// What is none of the points that can be dragged.

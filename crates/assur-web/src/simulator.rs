@@ -130,6 +130,37 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
+    /// What setting a dimension of the summary, by its field, to a value changes with the
+    /// input where it is: `{document, input}`, the latter where it gave way. The assembly
+    /// is kept by following it.
+    ///
+    /// # Errors
+    /// Why it cannot be set, with the last value that works.
+    #[wasm_bindgen(js_name = setDimension)]
+    pub fn set_dimension(&self, field: &str, value: f64, input: f64) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.set(field, value, input);
+        Ok(change.map_err(thrown)?.into_js())
+    }
+
+    /// What driving another of the links that can be driven changes with the input where
+    /// it is: `{document, input}`. It is driven from the pose at hand.
+    ///
+    /// # Errors
+    /// Why it cannot be driven so.
+    pub fn drive(&self, link: &str, input: f64) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.drive(link, input);
+        Ok(change.map_err(thrown)?.into_js())
+    }
+
+    /// What choosing another assembly, from 1, changes: `{document}`, drawn in it.
+    ///
+    /// # Errors
+    /// No such assembly.
+    pub fn assemble(&self, number: usize) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.assemble(number);
+        Ok(change.map_err(thrown)?.into_js())
+    }
+
     /// The input moved by `delta`, and −1 where it turned back at the end of its way, else
     /// 1.
     ///

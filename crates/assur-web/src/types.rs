@@ -6,8 +6,10 @@ use std::{env, fs};
 use ts_rs::{Config, TS};
 
 use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
+use crate::dimensions::DimensionSummary;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::equations::EquationSummary;
+use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::SchemeSummary;
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
@@ -24,6 +26,8 @@ fn the_scripts_know_what_crosses_the_border() {
     let types = [
         StructureSummary::decl(&config),
         MotionSummary::decl(&config),
+        LinkageSummary::decl(&config),
+        DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
         SchemeSummary::decl(&config),
         CountsSummary::decl(&config),
@@ -56,7 +60,7 @@ fn the_scripts_know_what_crosses_the_border() {
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
                  import { LinkageDocument } from \"assur/types/file.js\";\n\
-                 export type Summaries = { linkage: MotionSummary, mixer: MixerSummary, scheme: SchemeSummary };\n";
+                 export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))
         .concat();

@@ -4,7 +4,6 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
-import { straightLinks } from "assur/kinds/linkage/rail.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
@@ -45,7 +44,7 @@ export class DesignView {
   #rows = null;
   /** @type {{ arc: number | null, stroke: number | null }} as written: degrees, the stroke of a length in its unit; null: as it is now */
   #wish = { arc: null, stroke: null };
-  /** @type {{ name: string, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
+  /** @type {{ field: string, name: string, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
   #built = "";
   /** @type {Snapshot | null} */
@@ -113,8 +112,8 @@ export class DesignView {
    */
   #build({ state: { document: linkage }, summary, words }) {
     const { angle } = this.#now();
-    const straight = straightLinks(linkage);
-    const built = JSON.stringify([linkage.drivers, linkage.links.map(({ name }) => name), straight, summary.plotted[0]]);
+    const lengths = summary.dimensions.filter(({ kind }) => kind === "length");
+    const built = JSON.stringify([linkage.drivers, lengths.map(({ field, name }) => [field, name]), summary.plotted[0]]);
     if (built === this.#built) return;
     this.#built = built;
     this.#wish = { arc: null, stroke: null };
@@ -131,14 +130,13 @@ export class DesignView {
     };
     this.#wanted.replaceChildren(this.#rows.arc.element, this.#rows.stroke.element);
     const crank = linkage.drivers[0]?.crank;
-    this.#movable = straight.map((index) => {
-      const { name } = linkage.links[index];
+    this.#movable = lengths.map(({ field, index, name }) => {
       const moves = make("input", { id: `design-move-${index}`, type: "checkbox", "data-t-label": "design.move", "data-n": name });
       moves.checked = name !== crank;
       const by = make("select", { id: `design-by-${index}`, class: "control", "data-t-label": "design.by", "data-n": name },
         PER_CENT.map((value) => make("option", { value }, [`± ${value} %`])));
       by.value = USUAL;
-      return { name, moves, by };
+      return { field, name, moves, by };
     });
     this.#links.replaceChildren(
       ...this.#movable.map(({ name, moves, by }) => make("div", { class: "row" }, [make("label", { class: "check" }, [moves, " ", name]), by])),
@@ -168,7 +166,7 @@ export class DesignView {
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),
       stroke: angle ? radians(this.#wish.stroke ?? 0) : this.#wish.stroke,
-      movable: this.#movable.filter(({ moves }) => moves.checked).map(({ name, by }) => ({ link: name, by: Number(by.value) / 100 })),
+      movable: this.#movable.filter(({ moves }) => moves.checked).map(({ field, by }) => ({ field, by: Number(by.value) / 100 })),
     };
     this.#subject = subject(state);
     this.#changed = false;

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Kind;
 use crate::{Problem, catalogue};
-pub use problem::LinkageProblem;
+pub use problem::{LinkageProblem, dimension_field};
 
 /// A linkage: things name each other, lengths are in any one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.

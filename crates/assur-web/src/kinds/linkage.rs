@@ -1,16 +1,19 @@
 //! Any linkage on the page.
 
 use assur::Point;
-use assur::mechanism::Quantity;
+use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
+use assur::motion::Changed;
 use assur_draw::{Annotations, List};
 use assur_file::{
-    LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State, TracerDocument,
+    DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
+    TracerDocument, dimension_field,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::change::Change;
 use crate::convert::to_js;
+use crate::dimensions::DimensionSummary;
 use crate::moving::Moving;
 use crate::shown::{Edited, Shown, unknown};
 use crate::summary::MotionSummary;
@@ -41,18 +44,45 @@ impl Linkage {
 pub(crate) struct Redrawn {
     points: Vec<PointDocument>,
     links: Vec<LinkDocument>,
+    drivers: Vec<DriverDocument>,
     tracers: Vec<TracerDocument>,
     assembly: Option<usize>,
 }
 
 impl Redrawn {
-    pub(crate) fn of(document: LinkageDocument) -> Self {
+    pub(crate) fn of(draft: &Draft) -> Self {
+        let document = LinkageDocument::new(draft);
         Self {
             points: document.points,
             links: document.links,
+            drivers: document.drivers,
             tracers: document.tracers,
             assembly: None,
         }
+    }
+}
+
+/// What is said of a linkage beyond its motion.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LinkageSummary<'a> {
+    #[serde(flatten)]
+    motion: MotionSummary<'a>,
+    dimensions: Vec<DimensionSummary<'a>>,
+    /// The links that can be driven.
+    cranks: Vec<&'a str>,
+}
+
+impl Linkage {
+    fn mechanism(&self) -> &Mechanism {
+        self.0.mechanism()
+    }
+
+    /// The document after a change, and the input where it is another one than before.
+    fn changed(&self, changed: &Changed, input: f64) -> Change {
+        let redrawn = Redrawn::of(changed.motion.mechanism().draft());
+        let other = (changed.input != input).then_some(changed.input);
+        Change::of(&redrawn, other)
     }
 }
 
@@ -64,7 +94,13 @@ struct Traced {
 
 impl Shown for Linkage {
     fn summary(&self) -> JsValue {
-        to_js(&MotionSummary::new(&self.0))
+        let mechanism = self.mechanism();
+        let cranks = mechanism.cranks().map(|link| mechanism.link_name(link));
+        to_js(&LinkageSummary {
+            motion: MotionSummary::new(&self.0),
+            dimensions: DimensionSummary::all(&self.0),
+            cranks: cranks.collect(),
+        })
     }
 
     fn labels(&self) -> &[String] {
@@ -94,9 +130,40 @@ impl Edited for Linkage {
         if let Some(driven) = moving.driven_to(index, input, to) {
             return driven.map(Change::input);
         }
+        if mechanism.dimensions().contains(&Dimension::X(index)) {
+            let moved = moving.motion().hinge_moved(index, to, input);
+            let moved = moved.map_err(|_| unknown(point))?;
+            return Ok(self.changed(&moved, input));
+        }
         let pose = moving.pose(input)?;
         let draft = mechanism.redrawn(&pose, index, to);
-        Ok(Change::document(&Redrawn::of(LinkageDocument::new(&draft))))
+        Ok(Change::document(&Redrawn::of(&draft)))
+    }
+
+    fn set(&self, field: &str, value: f64, input: f64) -> Result<Change, Vec<Problem>> {
+        let mechanism = self.mechanism();
+        let mut dimensions = mechanism.dimensions().into_iter();
+        let dimension = dimensions.find(|one| dimension_field(*one) == field);
+        let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
+        let changed = self.0.motion().changed(dimension, value, input);
+        let changed = changed
+            .map_err(|refusal| LinkageProblem::unset(refusal, mechanism, dimension, value))?;
+        Ok(self.changed(&changed, input))
+    }
+
+    fn drive(&self, link: &str, input: f64) -> Result<Change, Vec<Problem>> {
+        let mut cranks = self.mechanism().cranks();
+        let crank = cranks.find(|crank| self.mechanism().link_name(*crank) == link);
+        let crank = crank.ok_or_else(|| vec![unknown(link)])?;
+        let changed = self.0.motion().driven_by(crank, input);
+        Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input))
+    }
+
+    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
+        let mechanism = self.mechanism();
+        let other = number.checked_sub(1).and_then(|k| mechanism.assembly(k));
+        let other = other.ok_or_else(|| vec![unknown("assembly")])?;
+        Ok(Change::document(&Redrawn::of(other.draft())))
     }
 
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {

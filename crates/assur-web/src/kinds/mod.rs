@@ -1,7 +1,7 @@
 //! The kinds of document, a module for each. A kind is added by its module and its line in
 //! the registry below.
 
-mod linkage;
+pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod scheme;
 

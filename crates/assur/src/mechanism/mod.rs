@@ -99,7 +99,8 @@ impl Mechanism {
         }
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
-        let mut mechanism = Self::of(&resolved, &bodies, &placements)?;
+        let structure = structured::structured(&resolved, &bodies)?;
+        let mut mechanism = Self::of(&resolved, &bodies, &placements, structure)?;
         mechanism.settle()?;
         let parts = constraint::Parts {
             draft: &resolved,
@@ -116,8 +117,8 @@ impl Mechanism {
         resolved: &Resolved<'_>,
         bodies: &Bodies,
         placements: &List<LinkId, Placement>,
+        structure: Structure,
     ) -> Result<Self, Vec<Defect>> {
-        let structure = structured::structured(resolved, bodies)?;
         let name = |body: &BodyId| resolved.body_name(*body).to_owned();
         let plan = plan::plan(resolved, bodies, placements, &structure);
         let plan = plan.map_err(|group| {
@@ -232,6 +233,20 @@ impl Mechanism {
     /// that is the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.links[link].body)
+    }
+
+    /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
+    pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
+        self.link_ids().filter(|link| {
+            let hinged = |point: &PointId| {
+                self.draft
+                    .frame
+                    .iter()
+                    .any(|name| name == self.point_name(*point))
+            };
+            self.draft.links[link.index()].fixed_to.is_none()
+                && self.points_of(*link).iter().any(hinged)
+        })
     }
 
     /// Driver and Assur groups. Its links are bodies, by their indices.

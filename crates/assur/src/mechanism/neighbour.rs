@@ -43,6 +43,8 @@ const NEAR: f64 = 0.2;
 /// is no more than this part of its first: P. Deuflhard, *Newton Methods for Nonlinear
 /// Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
+/// The first one is this long at most, relative to the size.
+const CORRECTED: f64 = 0.03;
 /// The determinant of a group's Jacobian changes by no more than this factor: two
 /// solutions that are about to meet are not taken for each other.
 const CHANGED: f64 = 2.0;
@@ -119,7 +121,7 @@ impl Mechanism {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
-            Self::of(&resolved, &bodies, &placements)
+            Self::of(&resolved, &bodies, &placements, self.structure.clone())
         };
         let mut mechanism =
             laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
@@ -164,7 +166,7 @@ impl Mechanism {
             return Some(self.placed_by[body].unwrap_or(StepId::FIRST));
         }
         let [first, second] = state.corrections;
-        let far = second > CONTRACTION * first.max(1e-9);
+        let far = first > CORRECTED || second > CONTRACTION * first.max(1e-9);
         let mut groups = self
             .steps
             .enumerate()

@@ -51,6 +51,12 @@ const FIRST_STEP: f64 = 0.25;
 const LEAST_STEP: f64 = 1.0 / 256.0;
 /// … and the last value that works is found to this part, and told as exactly.
 const RESOLUTION: f64 = 2e-4;
+/// No more steps are tried; of which the input gives way in few.
+const MOST_TRIES: usize = 200;
+/// So often a last value is tried.
+const TRIED: usize = 3;
+/// Two inputs this near, relative to the span, are the same.
+const TOLD: f64 = 1e-9;
 /// By these parts of its span the input gives way. The least is how near it comes to
 /// where links come apart.
 const WAYS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
@@ -84,24 +90,33 @@ impl Motion {
             let here = if way < whole { at(way) } else { value };
             dimension.setting(&frame, here)
         };
-        let way = Way::follow(start, setting, whole);
-        if let Some(apart) = way.apart {
-            // Cut towards where it came from: all that lies between works.
-            let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
-            let cut = unit * (sense * at(way.gone) / unit).floor() * sense;
-            let last = if (cut - from) * sense > 0.0 {
-                cut
-            } else {
-                from
-            };
-            return Err(Refusal::Apart {
-                last,
-                by: (value - last).abs(),
-                links: apart.links,
-                cause: apart.cause,
-            });
+        let way = Way::follow(start.clone(), setting, whole);
+        let Some(mut apart) = way.apart else {
+            return self.taken(&way);
+        };
+        // Cut towards where it came from, and tried: the way there may be another one.
+        let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
+        let mut last = at(way.gone);
+        for _ in 0..TRIED {
+            last = unit * (sense * last / unit).floor() * sense;
+            let whole = (last - from) * sense / width;
+            let tried = Way::follow(start.clone(), setting, whole.max(0.0));
+            match tried.apart {
+                Some(other) => (apart, last) = (other, at(tried.gone)),
+                None => break,
+            }
         }
-        self.taken(&way)
+        let last = if (last - from) * sense > 0.0 {
+            last
+        } else {
+            from
+        };
+        Err(Refusal::Apart {
+            last,
+            by: (value - last).abs(),
+            links: apart.links,
+            cause: apart.cause,
+        })
     }
 
     /// The linkage with a hinge of the frame moved to a place, from the pose at an
@@ -176,14 +191,10 @@ impl Motion {
     fn taken(&self, way: &Way) -> Result<Changed, Refusal> {
         let mechanism = Mechanism::new(way.here.draft()).map_err(Refusal::Defects)?;
         let motion = Self::new(mechanism);
-        // Which of several turns it is, the drawing tells.
-        let turn = motion.mechanism.span();
-        let several = motion.cycle.period().is_some_and(|period| period > turn);
-        let input = if several {
-            motion.home
-        } else {
-            way.here.input()
-        };
+        // Where the crank goes over more than a turn, its angle alone does not tell which.
+        let input = way.here.input();
+        let told = (motion.cycle.wrap(input) - motion.home).abs() <= TOLD * motion.mechanism.span();
+        let input = if told { input } else { motion.home };
         let gave_way = way.gave_way;
         Ok(Changed {
             motion,
@@ -206,6 +217,7 @@ struct Way {
 impl Way {
     /// Goes the whole way, or as far as it can.
     fn follow(start: Joined, setting: impl Fn(f64) -> Setting, whole: f64) -> Self {
+        let mut tries = 0;
         let wanted = start.input();
         let mut way = Self {
             here: start,
@@ -217,16 +229,19 @@ impl Way {
         while way.gone < whole && way.apart.is_none() {
             let next = (way.gone + step).min(whole);
             step = next - way.gone;
+            tries += 1;
             match way.here.neighbour(setting(next), way.here.input()) {
                 Ok(there) => (way.here, way.gone, step) = (there, next, 2.0 * step),
-                Err(apart) if step <= LEAST_STEP => match aside(&way.here, setting(next), &apart) {
-                    Some(there) => {
-                        (way.here, way.gone, step) = (there, next, 2.0 * step);
-                        way.gave_way = true;
+                Err(apart) if step <= LEAST_STEP || tries > MOST_TRIES => {
+                    match aside(&way.here, setting(next), &apart) {
+                        Some(there) => {
+                            (way.here, way.gone, step) = (there, next, 2.0 * step);
+                            way.gave_way = true;
+                        }
+                        None if step <= RESOLUTION || tries > MOST_TRIES => way.apart = Some(apart),
+                        None => step *= 0.5,
                     }
-                    None if step <= RESOLUTION => way.apart = Some(apart),
-                    None => step *= 0.5,
-                },
+                }
                 Err(_) => step *= 0.5,
             }
         }

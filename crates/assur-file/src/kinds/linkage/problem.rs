@@ -1,8 +1,9 @@
 //! Everything that can be wrong with a linkage, as a code with parameters: paths of
 //! fields, names of links and points. The words are in `lang/`.
 
-use assur::mechanism::{Cause, Defect, Mechanism, Unsolved};
-use assur::synthesis::dwell::{DesignVariable, Dimension, SearchError};
+use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Unsolved};
+use assur::motion::Refusal;
+use assur::synthesis::dwell::{DesignVariable, SearchError};
 use serde::Serialize;
 
 use crate::{Field, Problem};
@@ -93,6 +94,20 @@ pub enum LinkageProblem {
     LinksUndetermined { links: Vec<String> },
     /// Derivatives are unbounded.
     LinksDeadPoint { links: Vec<String> },
+    /// A dimension that is set farther than it can be followed: these links come apart.
+    TooLarge {
+        field: Field,
+        by: f64,
+        links: Vec<String>,
+        last: f64,
+    },
+    /// See [`LinkageProblem::TooLarge`].
+    TooSmall {
+        field: Field,
+        by: f64,
+        links: Vec<String>,
+        last: f64,
+    },
     /// A wish for a dwell that is not greater than zero, or an arc of more than a turn.
     BadWish { field: Field },
     /// The mechanism has no such output.
@@ -129,16 +144,23 @@ impl LinkageProblem {
 
 impl LinkageProblem {
     /// Why there is no search for a dwell in which these dimensions may change.
-    pub fn refused(refused: SearchError, variables: &[DesignVariable]) -> Vec<Self> {
-        let name = |index: usize| match variables.get(index).map(|one| &one.dimension) {
-            Some(Dimension::Length { link: name })
-            | Some(Dimension::X { point: name } | Dimension::Y { point: name }) => name.clone(),
-            None => String::new(),
+    pub fn refused(
+        refused: SearchError,
+        mechanism: &Mechanism,
+        variables: &[DesignVariable],
+    ) -> Self {
+        let name = |index: usize| {
+            let variable = variables.get(index);
+            let name = variable.map(|one| match one.dimension {
+                Dimension::Length(link) => mechanism.link_name(link),
+                Dimension::X(point) | Dimension::Y(point) => mechanism.point_name(point),
+            });
+            name.unwrap_or_default().to_owned()
         };
         let wish = |field: &'static str| Self::BadWish {
             field: field.into(),
         };
-        vec![match refused {
+        match refused {
             SearchError::Tolerance => wish("band"),
             SearchError::Arc => wish("design.arc"),
             SearchError::Stroke => wish("design.stroke"),
@@ -146,15 +168,64 @@ impl LinkageProblem {
             SearchError::Rigid => Self::NothingMoves,
             SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
             SearchError::Range(index) => Self::BadRange { name: name(index) },
-            SearchError::Defects(defects) => return defects.into_iter().map(Self::from).collect(),
             SearchError::Blocked => Self::Blocked,
-        }]
+        }
     }
 }
 
+/// The saved name of a dimension's field. A coordinate is one of `at`.
+pub fn dimension_field(dimension: Dimension) -> Field {
+    match dimension {
+        Dimension::Length(link) => format!("links[{}].length", link.index()),
+        Dimension::X(point) => format!("points[{}].x", point.index()),
+        Dimension::Y(point) => format!("points[{}].y", point.index()),
+    }
+    .into()
+}
+
 impl LinkageProblem {
+    /// Why a dimension of a mechanism cannot be set to a value.
+    pub fn unset(
+        refusal: Refusal,
+        mechanism: &Mechanism,
+        dimension: Dimension,
+        value: f64,
+    ) -> Vec<Problem> {
+        let field = dimension_field(dimension);
+        let problem = match refusal {
+            Refusal::NotFinite => Problem::NotANumber { field },
+            Refusal::NotPositive => Problem::NotPositive { field, value },
+            Refusal::Absent => Self::NoDimension { name: field.into() }.into(),
+            Refusal::Unposed => Self::Unreached.into(),
+            Refusal::Defects(defects) => return Self::all(defects),
+            Refusal::Apart {
+                last, by, links, ..
+            } => {
+                let links = links.into_iter().map(|link| mechanism.link_name(link));
+                let links = links.map(str::to_owned).collect();
+                let problem = if value > last {
+                    Self::TooLarge {
+                        field,
+                        by,
+                        links,
+                        last,
+                    }
+                } else {
+                    Self::TooSmall {
+                        field,
+                        by,
+                        links,
+                        last,
+                    }
+                };
+                problem.into()
+            }
+        };
+        vec![problem]
+    }
+
     /// What is wrong with a draft.
-    pub(crate) fn all(defects: Vec<Defect>) -> Vec<Problem> {
+    pub fn all(defects: Vec<Defect>) -> Vec<Problem> {
         let problems = defects.into_iter().map(Self::from);
         problems.map(Problem::from).collect()
     }

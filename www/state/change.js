@@ -1,0 +1,28 @@
+// What the engine changes, put into the state: fields of the document, and where the driver is.
+import { withDocument } from "assur/state/state.js";
+
+/**
+ * @param {import("assur/engine.js").Changed} change
+ * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
+ */
+export function take({ document, input }, { store, model, drafts }) {
+  if (document) {
+    drafts.dropAll(Object.keys(document));
+    store.update((state) => withDocument(state, document));
+  }
+  if (input === undefined) return;
+  // The place is one of the motion that is now.
+  model.follow(store.get());
+  store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
+}
+
+/**
+ * Where the driver is, for the engine, which then knows the state.
+ * @param {Pick<import("assur/app/page.js").Page, "store" | "model">} page
+ * @returns {number}
+ */
+export function inputNow({ store, model }) {
+  const state = store.get();
+  model.follow(state);
+  return model.coordinate.input(model.coordinate.of(state));
+}
