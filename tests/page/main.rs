@@ -11,6 +11,7 @@ mod damage;
 mod design;
 mod device;
 mod dice;
+mod dimensions;
 mod equations;
 mod export;
 mod front;

@@ -1,0 +1,158 @@
+//! Dimensions of a linkage on the page: what a change keeps is followed from the pose at
+//! hand, what cannot be is refused at its row with the last value that works.
+
+use assur::mechanism::Dimension;
+use assur::motion::Changed;
+use assur_file::LinkageDocument;
+use thirtyfour::prelude::*;
+
+use crate::browser::Page;
+use crate::gallery::{agrees, document, open};
+
+/// The linkage after a change from an input, in degrees.
+fn changed(name: &str, link: &str, length: f64, degrees: f64) -> Changed {
+    let motion = document(name).motion().unwrap();
+    let dimension = Dimension::Length(motion.mechanism().link(link).unwrap());
+    let changed = motion.changed(dimension, length, degrees.to_radians());
+    changed.unwrap()
+}
+
+fn drawn(changed: &Changed) -> LinkageDocument {
+    LinkageDocument::new(changed.motion.mechanism().draft())
+}
+
+/// Values far from the drawing, and one at which the crank has to give way.
+#[tokio::test]
+async fn a_slider_goes_all_its_way() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "slider-crank").await;
+    page.stop_at("40").await;
+    for (field, link, length) in [(1, "rod", "4.5"), (1, "rod", "6"), (0, "crank", "3")] {
+        page.write(&format!("field-length-{field}"), length).await;
+        page.settle().await;
+        assert_eq!(page.text("problem").await, "");
+        assert_eq!(page.value("out-input").await, 40.0);
+        let length: f64 = length.parse().unwrap();
+        agrees(
+            &page,
+            &drawn(&changed("slider-crank", link, length, 40.0)),
+            "C.x",
+        )
+        .await;
+        page.click("undo").await;
+        page.settle().await;
+    }
+    agrees(&page, &document("slider-crank"), "C.x").await;
+    // The slider to both of its ends.
+    page.press("slider-length-1", Key::End).await;
+    page.settle().await;
+    agrees(
+        &page,
+        &drawn(&changed("slider-crank", "rod", 6.0, 40.0)),
+        "C.x",
+    )
+    .await;
+    page.press("slider-length-1", Key::Home).await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    let given = page.value("out-input").await.to_radians().sin();
+    assert!(given < 0.15 && given > 0.12, "{given}");
+    page.close().await;
+}
+
+/// The last good drawing stays, the sentence says how far it went, and the row is marked
+/// until it has a value that works.
+#[tokio::test]
+async fn what_cannot_be_is_refused_at_its_row() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "stephenson-1").await;
+    page.stop_at("40").await;
+    let place = page.value("out-G.x").await;
+    page.press("slider-length-3", Key::Home).await;
+    page.settle().await;
+    let said = page.text("problem").await;
+    for part in [
+        "Length of link EG is too small by",
+        "EG, FG cannot be joined",
+        "is 0.7",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+    assert_eq!(page.written("field-length-3").await, "0.21");
+    assert_eq!(
+        page.attribute("field-length-3", "aria-invalid")
+            .await
+            .as_deref(),
+        Some("true")
+    );
+    assert_eq!(page.value("out-G.x").await, place);
+    // What it says works.
+    let last = said.trim_end_matches('.').rsplit(' ').next().unwrap();
+    page.write("field-length-3", last).await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(page.written("field-length-3").await, last);
+    page.close().await;
+}
+
+/// Another driver begins with the pose at hand.
+#[tokio::test]
+async fn another_driver_keeps_the_pose() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "class4-dwell").await;
+    page.choose("plot", "L").await;
+    for (degrees, driver) in [("75", "CD"), ("200", "HGL"), ("310", "CD")] {
+        page.choose("driver", "AB").await;
+        page.stop_at(degrees).await;
+        let places = [page.value("out-L.x").await, page.value("out-L.y").await];
+        page.choose("driver", driver).await;
+        page.settle().await;
+        assert_eq!(page.text("problem").await, "");
+        assert!(
+            page.text("out-formula")
+                .await
+                .contains(&format!("I(frame,{driver})"))
+        );
+        for (id, place) in ["out-L.x", "out-L.y"].into_iter().zip(places) {
+            assert!(
+                (page.value(id).await - place).abs() < 1e-9,
+                "{degrees} {driver}"
+            );
+        }
+    }
+    page.close().await;
+}
+
+/// An assembly is saved as its drawing: the address opens it again, and names no number.
+#[tokio::test]
+async fn an_assembly_is_saved_as_it_is_drawn() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    open(&page, "watt-1").await;
+    page.choose("plot", "G").await;
+    page.stop_at("40").await;
+    let first = page.value("out-G.y").await;
+    page.choose("linkage-assembly", "2").await;
+    page.settle().await;
+    assert_eq!(page.written("linkage-assembly").await, "2");
+    let second = page.value("out-G.y").await;
+    assert!((second - first).abs() > 0.1);
+    page.until("the address", async || {
+        let address = page.address().await;
+        address.contains("kind=linkage") && !address.contains("assembly")
+    })
+    .await;
+    page.settle().await;
+    page.reload().await;
+    page.until("the mechanism", async || {
+        page.count("#linkage-assembly").await == 1
+    })
+    .await;
+    page.settle().await;
+    assert_eq!(page.written("linkage-assembly").await, "2");
+    assert!((page.value("out-G.y").await - second).abs() < 1e-12);
+    page.close().await;
+}
