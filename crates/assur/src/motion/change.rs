@@ -48,7 +48,7 @@ pub enum Refusal {
 /// A change begins with a step of this part of the range of the dimension …
 const FIRST_STEP: f64 = 0.25;
 /// … the input gives way where one this small fails …
-const LEAST_STEP: f64 = 1.0 / 256.0;
+const LEAST_STEP: f64 = 1.0 / 1024.0;
 /// … and the last value that works is found to this part, and told as exactly.
 const RESOLUTION: f64 = 2e-4;
 /// No more steps are tried; of which the input gives way in few.
@@ -57,6 +57,8 @@ const MOST_TRIES: usize = 200;
 const TRIED: usize = 3;
 /// Two inputs this near, relative to the span, are the same.
 const TOLD: f64 = 1e-9;
+/// So often it goes on giving way.
+const FURTHER: usize = 8;
 /// By these parts of its span the input gives way. The least is how near it comes to
 /// where links come apart.
 const WAYS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
@@ -155,7 +157,7 @@ impl Motion {
             link: self.mechanism.link_name(link).to_owned(),
             base: FRAME.to_owned(),
         };
-        let mut met = Vec::new();
+        let mut found = Err(Vec::new());
         let aside = WAYS.into_iter().flat_map(|part| [part, -part]);
         for part in [0.0].into_iter().chain(aside) {
             let Ok(pose) = self.pose::<1>(input + part * self.mechanism.span()) else {
@@ -167,16 +169,21 @@ impl Motion {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
                     let (input, gave_way) = (motion.home, part != 0.0);
-                    return Ok(Changed {
+                    let moves = motion.pose::<2>(input).is_ok();
+                    let changed = Changed {
                         motion,
                         input,
                         gave_way,
-                    });
+                    };
+                    if moves {
+                        return Ok(changed);
+                    }
+                    found = found.or(Ok(changed));
                 }
-                Err(defects) => met = defects,
+                Err(defects) => found = found.or(Err(defects)),
             }
         }
-        Err(met)
+        found
     }
 
     /// The pose at an input, or else the drawn one.
@@ -252,13 +259,25 @@ impl Way {
 }
 
 /// The neighbour at another input: of those there are, the one whose links that came
-/// apart are farthest from it.
+/// apart are farthest from it; and on the same way for as long as they get farther.
 fn aside(here: &Joined, setting: Setting, apart: &Apart) -> Option<Joined> {
-    let ways = WAYS.into_iter().flat_map(|way| [way, -way]);
-    let inputs = ways.map(|way| here.input() + way * here.span());
-    let found = inputs.flat_map(|input| here.neighbour(setting, input));
     let margin = |one: &Joined| one.margin(apart.step);
-    found.max_by(|a, b| margin(a).total_cmp(&margin(b)))
+    let better = |a: &Joined, b: &Joined| margin(a).total_cmp(&margin(b));
+    let next = |from: &Joined, way: f64| {
+        let input = from.input() + way * from.span();
+        from.neighbour(setting, input).ok()
+    };
+    let ways = WAYS.into_iter().flat_map(|way| [way, -way]);
+    let mut best = ways.filter_map(|way| next(here, way)).max_by(better)?;
+    let sense = (best.input() - here.input()).signum();
+    for _ in 0..FURTHER {
+        let mut ways = WAYS.into_iter().rev();
+        match ways.find_map(|way| next(&best, sense * way)) {
+            Some(further) if better(&further, &best).is_gt() => best = further,
+            _ => break,
+        }
+    }
+    Some(best)
 }
 
 /// As near to the wanted input as it comes.
