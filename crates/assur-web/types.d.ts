@@ -1,6 +1,6 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { LinkageDocument } from "assur/types/file.js";
-export type Summaries = { linkage: MotionSummary, mixer: MixerSummary, scheme: SchemeSummary };
+export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionSummary = { 
 /**
@@ -11,6 +11,20 @@ moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<E
  * The numbers of links, by which their angles are called.
  */
 numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
+/**
+ * The links that can be driven.
+ */
+cranks: Array<string>, 
+/**
+ * What the input is: `angle` or `length`.
+ */
+moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**
  * The ratios of the peripheral wheels to the rocker.
@@ -109,6 +123,6 @@ arc: number,
  * From its least to its greatest value: radians, or in the unit of the lengths.
  */
 stroke: number, movable: Array<Movement>, };
-export type Movement = { link: string, by: number, };
+export type Movement = { field: string, by: number, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };

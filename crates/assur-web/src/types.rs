@@ -6,8 +6,8 @@ use std::{env, fs};
 use ts_rs::{Config, TS};
 
 use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
-use crate::dimensions::DimensionSummary;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
+use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
