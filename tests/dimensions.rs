@@ -271,3 +271,18 @@ fn a_driver_at_its_dead_point() {
     let changed = motion.driven_by(rocker, input).unwrap();
     assert!(changed.motion.pose::<3>(changed.input).is_ok());
 }
+
+/// Drawn in an assembly it is the one of that number.
+#[test]
+fn every_assembly_of_the_catalogue() {
+    for name in gallery() {
+        let motion = motion(name);
+        let mechanism = motion.mechanism();
+        for number in 0..mechanism.assemblies() {
+            let other = mechanism.assembly(number).unwrap();
+            let found = (other.drawn_assembly(), other.assemblies());
+            assert_eq!(found, (number, mechanism.assemblies()), "{name}");
+            assert_eq!(other.home(), mechanism.home(), "{name}");
+        }
+    }
+}

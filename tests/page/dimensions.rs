@@ -68,6 +68,7 @@ async fn what_cannot_be_is_refused_at_its_row() {
     let page = Page::open().await;
     page.stop_at("40").await;
     open(&page, "stephenson-1").await;
+    page.choose("plot", "G").await;
     page.stop_at("40").await;
     let place = page.value("out-G.x").await;
     page.press("slider-length-3", Key::Home).await;
@@ -135,17 +136,20 @@ async fn an_assembly_is_saved_as_it_is_drawn() {
     page.choose("plot", "G").await;
     page.stop_at("40").await;
     let first = page.value("out-G.y").await;
+    page.until("the address", async || {
+        let address = page.address().await;
+        address.contains("v.phi_deg=40&") && address.contains("v.plot=G")
+    })
+    .await;
+    let before = page.address().await;
     page.choose("linkage-assembly", "2").await;
     page.settle().await;
     assert_eq!(page.written("linkage-assembly").await, "2");
     let second = page.value("out-G.y").await;
     assert!((second - first).abs() > 0.1);
-    page.until("the address", async || {
-        let address = page.address().await;
-        address.contains("kind=linkage") && !address.contains("assembly")
-    })
-    .await;
-    page.settle().await;
+    page.until("another address", async || page.address().await != before)
+        .await;
+    assert!(!page.address().await.contains("assembly"));
     page.reload().await;
     page.until("the mechanism", async || {
         page.count("#linkage-assembly").await == 1

@@ -28,6 +28,16 @@ pub(crate) struct DimensionSummary<'a> {
 /// A slider goes in so many steps at least, a power of ten each.
 const STEPS: f64 = 200.0;
 
+/// The step of a slider over a range, and its ends on whole steps.
+fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
+    let digits = ((range[1] - range[0]) / STEPS).log10().floor() as i32;
+    // Divided by a whole number a whole number comes as near to its decimals as it can.
+    let (times, parts) = (10_f64.powi(digits.max(0)), 10_f64.powi(-digits.min(0)));
+    let whole = |steps: f64| steps * times / parts;
+    let ends = range.map(|end| whole((end / times * parts).round()));
+    (ends, whole(1.0))
+}
+
 impl<'a> DimensionSummary<'a> {
     pub(crate) fn all(moving: &'a Moving) -> Vec<Self> {
         let mechanism = moving.mechanism();
@@ -52,7 +62,7 @@ impl<'a> DimensionSummary<'a> {
                     Role::Secondary.name(),
                 ),
             };
-            let [min, max] = mechanism.range(dimension)?;
+            let ([min, max], step) = stepped(mechanism.range(dimension)?);
             Some(Self {
                 field: dimension_field(dimension),
                 kind,
@@ -62,7 +72,7 @@ impl<'a> DimensionSummary<'a> {
                 value: mechanism.value(dimension)?,
                 min,
                 max,
-                step: 10_f64.powf(((max - min) / STEPS).log10().floor()),
+                step,
             })
         };
         mechanism
