@@ -359,9 +359,9 @@ impl Mechanism {
         self.bodies.ids().find(|body| {
             let turned = [a, b].map(|state| state.turn[*body].value());
             let moved = [a, b].map(|state| state.origin[*body].value());
-            let same = (turned[0] - turned[1]).norm() <= within
+            let near = (turned[0] - turned[1]).norm() <= within
                 && (moved[0] - moved[1]).norm() <= within * self.size;
-            !same && !self.is_idle_wheel(*body)
+            !near && !self.is_idle_wheel(*body)
         })
     }
 
