@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 28] = [
+const BUILT: [(&str, &[&str]); 45] = [
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     (
         "field.",
@@ -54,6 +54,22 @@ const BUILT: [(&str, &[&str]); 28] = [
     ("lesson.", &["www/lesson/panel.js"]),
     // What the mechanisms of the catalogue call their links.
     ("link.", LINKS),
+    ("kind.", &["crates/assur-file/src/kinds/mod.rs"]),
+    // By what the input is.
+    ("axes.physical.", MOVES),
+    ("input.", &[]),
+    ("input.epsilon.", MOVES),
+    ("input.instant.", MOVES),
+    ("input.omega.", MOVES),
+    ("input.true_time.", MOVES),
+    ("readouts.input.", MOVES),
+    ("told.axis.", MOVES),
+    ("told.now.", MOVES),
+    ("transport.", &["www/controls/transport.js"]),
+    ("transport.input.", MOVES),
+    ("transport.scrubber.", MOVES),
+    ("transport.true_time.", MOVES),
+    ("unit.acceleration.", MOVES),
     ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
         "name.",
@@ -69,11 +85,13 @@ const BUILT: [(&str, &[&str]); 28] = [
     ("notice.", &["www/app/opening.js"]),
     // Of a panel: its kind, by what its derivatives are, its order.
     ("plots.", &[]),
-    ("plots.angle.by_time.", &["www/engine.js"]),
-    ("plots.angle.unit.", &["www/engine.js"]),
-    ("plots.length.by_time.", &["www/engine.js"]),
-    ("plots.length.unit.", &["www/engine.js"]),
-    ("preset.", &["crates/assur-web/src/simulator.rs"]),
+    ("plots.angle.by_length.", ORDERS),
+    ("plots.length.by_length.", ORDERS),
+    ("plots.angle.by_time.", ORDERS),
+    ("plots.angle.unit.", ORDERS),
+    ("plots.length.by_time.", ORDERS),
+    ("plots.length.unit.", ORDERS),
+    ("preset.", &["crates/assur-file/src/catalogue.rs"]),
     (
         "problem.",
         &[
@@ -101,6 +119,12 @@ const BUILT: [(&str, &[&str]); 28] = [
     ("told.", &["www/app/description.js"]),
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
+
+/// Who says what the input is: an angle or a length.
+const MOVES: &[&str] = &["crates/assur-web/src/summary.rs"];
+
+/// Who counts the orders of derivatives.
+const ORDERS: &[&str] = &["crates/assur-draw/src/chart.rs"];
 
 /// Who names links: the mechanisms of the catalogue, the mixer, the engine its frame.
 const LINKS: &[&str] = &[

@@ -36,6 +36,7 @@ export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 /** The links that are no wheels, and the keys of their names. */
 const LINKS = Object.freeze({ crank: "name.l1", coupler: "name.l2", rocker: "name.l3" });
 
+const ADDITION = Object.freeze({ wheels: "wheels.add", tracers: "tracers.add" });
 const REMOVAL = Object.freeze({ wheels: "wheels.remove", tracers: "tracers.remove" });
 
 /**
@@ -68,7 +69,7 @@ export class RailList {
     this.#store = store;
     this.#drafts = drafts;
     this.cards = make("div", { id: name });
-    this.add = make("button", { id: `${name}-add`, class: "control add", type: "button", "data-t": `${name}.add` });
+    this.add = make("button", { id: `${name}-add`, class: "control add", type: "button", "data-t": ADDITION[name] });
     this.add.addEventListener("click", () => {
       const summary = this.#summary;
       if (summary) this.#change((entries, document) => ({ [name]: [...entries, another(document, summary)] }));

@@ -59,7 +59,7 @@ export class Rail {
       if (kind !== "mixer") continue;
       const { tracers: _, ...document } = preset;
       const name = id.replace("mixer-", "");
-      const button = make("button", { id: `preset-${name}`, type: "button", class: "segment", "data-t": `preset.${name}` });
+      const button = make("button", { id: `preset-${name}`, type: "button", class: "segment", "data-t": `preset.${id}` });
       button.addEventListener("click", () => {
         drafts.dropAll(Object.keys(document));
         store.update((state) => edited(state, "mixer", ({ tracers: traced }) => ({ ...document, tracers: staying(traced, document.wheels) })));
