@@ -319,6 +319,8 @@ async fn links_are_called_in_the_language_of_the_page() {
     let formula = page.text("out-formula").await;
     assert_eq!(formula, "I(стойка,кривошип) → II₂(шатун,ползун)");
     assert!(page.text("plot").await.contains("шатун"));
+    assert!(page.text("driver").await.contains("кривошип"));
+    assert!(page.text("linkage-lengths").await.contains("шатун"));
     take(&page, "klann", "Кланна").await;
     assert!(page.text("out-formula").await.contains("нижнее коромысло"));
     // The document keeps its own.

@@ -4,6 +4,7 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
@@ -44,7 +45,7 @@ export class DesignView {
   #rows = null;
   /** @type {{ arc: number | null, stroke: number | null }} as written: degrees, the stroke of a length in its unit; null: as it is now */
   #wish = { arc: null, stroke: null };
-  /** @type {{ field: string, name: string, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
+  /** @type {{ field: string, name: string, said: HTMLElement, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
   #built = "";
   /** @type {Snapshot | null} */
@@ -88,6 +89,7 @@ export class DesignView {
     this.element.hidden = coordinate.moves !== "angle";
     if (this.#worker && !this.#holds(state)) this.#finish("stopped");
     this.#build(snapshot);
+    this.#name(words);
     const { profile } = summary;
     const { arc, stroke } = this.#now();
     this.#rows?.arc.show(this.#wish.arc ?? arc, words, false);
@@ -136,13 +138,27 @@ export class DesignView {
       const by = make("select", { id: `design-by-${index}`, class: "control", "data-t-label": "design.by", "data-n": name },
         PER_CENT.map((value) => make("option", { value }, [`± ${value} %`])));
       by.value = USUAL;
-      return { field, name, moves, by };
+      return { field, name, said: make("span"), moves, by };
     });
     this.#links.replaceChildren(
-      ...this.#movable.map(({ name, moves, by }) => make("div", { class: "row" }, [make("label", { class: "check" }, [moves, " ", name]), by])),
+      ...this.#movable.map(({ said, moves, by }) => make("div", { class: "row" }, [make("label", { class: "check" }, [moves, " ", said]), by])),
     );
     words.fill(this.element);
     this.#tell();
+  }
+
+  /**
+   * Says what the links are called that may become others.
+   * @param {Words} words
+   */
+  #name(words) {
+    for (const { name, said, moves, by } of this.#movable) {
+      const link = called(name, words);
+      if (said.textContent === link) continue;
+      write(said, link);
+      moves.dataset.n = by.dataset.n = link;
+      if (moves.parentElement?.parentElement) words.fill(moves.parentElement.parentElement);
+    }
   }
 
   /** @param {Partial<{ arc: number, stroke: number }>} change */

@@ -1,6 +1,7 @@
 // The rail of a linkage: its driver, its dimensions, its assembly. What a change makes of it the engine says.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 
@@ -57,7 +58,7 @@ export class LinkageRail {
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     const { assembly, assemblies, cranks, dimensions } = summary;
-    const built = JSON.stringify([linkage.title, cranks, dimensions.map(({ field, name }) => [field, name])]);
+    const built = JSON.stringify([words.lang, linkage.title, cranks, dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {
       this.#built = built;
       this.#build(summary, words);
@@ -87,8 +88,8 @@ export class LinkageRail {
    * @param {Words} words
    */
   #build({ cranks, dimensions }, words) {
-    this.#driver.replaceChildren(...cranks.map((name) => make("option", { value: name }, [name])));
-    this.#rows = dimensions.map((dimension) => this.#row(dimension));
+    this.#driver.replaceChildren(...cranks.map((name) => make("option", { value: name }, [called(name, words)])));
+    this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
     for (const { element } of this.#rows) words.fill(element);
     for (const [place, of] of /** @type {const} */ ([[this.#lengths, "links"], [this.#coordinates, "points"]])) {
       const rows = this.#rows.filter(({ field }) => field.startsWith(of));
@@ -97,11 +98,14 @@ export class LinkageRail {
     }
   }
 
-  /** @param {Dimension} dimension */
-  #row({ field, kind, index, name, role, min, max, step }) {
+  /**
+   * @param {Dimension} dimension
+   * @param {Words} words
+   */
+  #row({ field, kind, index, name, role, min, max, step }, words) {
     const { engine, drafts } = this.#page;
     const id = kind === "length" ? `length-${index}` : `point-${index}-${kind}`;
-    return new NumberRow({ field, id, ...KINDS[kind], n: name, role, slider: { min, max, step } }, drafts, (value) =>
+    return new NumberRow({ field, id, ...KINDS[kind], n: kind === "length" ? called(name, words) : name, role, slider: { min, max, step } }, drafts, (value) =>
       this.#change((input) => engine.setDimension(field, value, input), field),
     );
   }
