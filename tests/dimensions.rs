@@ -222,24 +222,21 @@ fn a_hinge_is_moved() {
     }
 }
 
-/// Any link that is hinged on the frame can drive, from the pose at hand.
+/// Whatever can drive drives from the pose at hand: links hinged on the frame, slides on it.
 #[test]
 fn every_driver_of_the_catalogue() {
     for name in gallery() {
         let motion = motion(name);
         let mechanism = motion.mechanism();
-        for crank in mechanism.cranks() {
+        for link in mechanism.drivable() {
+            let driver = motion.driver(link).unwrap();
             for input in inputs(&motion) {
-                let at = format!("{name} {} at {input}", mechanism.link_name(crank));
-                let changed = motion.driven_by(crank, input);
+                let at = format!("{name} {link} at {input}");
+                let changed = motion.driven_by(&driver, input);
                 let changed = changed.unwrap_or_else(|defects| panic!("{at}: {defects:?}"));
                 let after = changed.motion.mechanism();
                 let first = after.terms()[0].clone();
-                assert_eq!(
-                    first,
-                    format!("I(frame,{})", mechanism.link_name(crank)),
-                    "{at}"
-                );
+                assert_eq!(first, format!("I(frame,{link})"), "{at}");
                 let pose = changed.motion.pose(changed.input).unwrap();
                 assert!(residual(after, &pose) < 1e-9, "{at}");
                 let here = places(mechanism, &motion.pose(input).unwrap());
@@ -267,8 +264,8 @@ fn a_driver_at_its_dead_point() {
         .find(|point| point.name == "D");
     let frame = d.unwrap().at - a;
     let input = limit + frame.y.atan2(frame.x);
-    let rocker = mechanism.link("rocker").unwrap();
-    let changed = motion.driven_by(rocker, input).unwrap();
+    let rocker = motion.driver("rocker").unwrap();
+    let changed = motion.driven_by(&rocker, input).unwrap();
     assert!(changed.motion.pose::<3>(changed.input).is_ok());
 }
 

@@ -13,9 +13,9 @@ moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<E
 numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
- * The links that can be driven.
+ * What can drive it, by the links that are turned or slide.
  */
-cranks: Array<string>, 
+drivers: Array<string>, 
 /**
  * What the input is: `angle` or `length`.
  */

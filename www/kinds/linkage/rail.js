@@ -57,14 +57,14 @@ export class LinkageRail {
     const shown = [linkage, summary, words, ...wrong];
     if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    const { assembly, assemblies, cranks, dimensions } = summary;
-    const built = JSON.stringify([words.lang, linkage.title, cranks, dimensions.map(({ field, name }) => [field, name])]);
+    const { assembly, assemblies, drivers, dimensions } = summary;
+    const built = JSON.stringify([words.lang, linkage.title, drivers, dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {
       this.#built = built;
       this.#build(summary, words);
     }
     const [driver] = linkage.drivers;
-    this.#driver.value = driver?.crank ?? "";
+    this.#driver.value = driver?.crank ?? linkage.slides?.[driver?.slide ?? -1]?.link ?? "";
     this.#rows.forEach((row, i) => row.show(dimensions[i].value, words, wrong.has(row.field)));
     const numbers = Array.from({ length: assemblies }, (_, i) => String(i + 1));
     if (this.#assembly.options.length !== assemblies) {
@@ -87,8 +87,8 @@ export class LinkageRail {
    * @param {Summary} summary
    * @param {Words} words
    */
-  #build({ cranks, dimensions }, words) {
-    this.#driver.replaceChildren(...cranks.map((name) => make("option", { value: name }, [called(name, words)])));
+  #build({ drivers, dimensions }, words) {
+    this.#driver.replaceChildren(...drivers.map((name) => make("option", { value: name }, [called(name, words)])));
     this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
     for (const { element } of this.#rows) words.fill(element);
     for (const [place, of] of /** @type {const} */ ([[this.#lengths, "links"], [this.#coordinates, "points"]])) {

@@ -69,8 +69,8 @@ pub(crate) struct LinkageSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
     dimensions: Vec<DimensionSummary<'a>>,
-    /// The links that can be driven.
-    cranks: Vec<&'a str>,
+    /// What can drive it, by the links that are turned or slide.
+    drivers: Vec<&'a str>,
 }
 
 impl Linkage {
@@ -95,11 +95,10 @@ struct Traced {
 impl Shown for Linkage {
     fn summary(&self) -> JsValue {
         let mechanism = self.mechanism();
-        let cranks = mechanism.cranks().map(|link| mechanism.link_name(link));
         to_js(&LinkageSummary {
             motion: MotionSummary::new(&self.0),
             dimensions: DimensionSummary::all(&self.0),
-            cranks: cranks.collect(),
+            drivers: mechanism.drivable(),
         })
     }
 
@@ -152,10 +151,9 @@ impl Edited for Linkage {
     }
 
     fn drive(&self, link: &str, input: f64) -> Result<Change, Vec<Problem>> {
-        let mut cranks = self.mechanism().cranks();
-        let crank = cranks.find(|crank| self.mechanism().link_name(*crank) == link);
-        let crank = crank.ok_or_else(|| vec![unknown(link)])?;
-        let changed = self.0.motion().driven_by(crank, input);
+        let motion = self.0.motion();
+        let driver = motion.driver(link).ok_or_else(|| vec![unknown(link)])?;
+        let changed = motion.driven_by(&driver, input);
         Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input))
     }
 

@@ -269,7 +269,7 @@ impl Draft {
     }
 
     /// Where a point is drawn.
-    pub(super) fn place(&self, name: &str) -> Option<Point> {
+    pub(crate) fn place(&self, name: &str) -> Option<Point> {
         let point = self.points.iter().find(|point| point.name == name);
         point.map(|point| point.at)
     }

@@ -235,6 +235,15 @@ impl Mechanism {
         self.link_of(self.links[link].body)
     }
 
+    /// The links that can be driven: cranks, and what slides along a line of the frame.
+    pub fn drivable(&self) -> Vec<&str> {
+        let cranks = self.cranks().map(|link| self.link_name(link));
+        let slides = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
+        cranks
+            .chain(slides.map(|slide| slide.link.as_str()))
+            .collect()
+    }
+
     /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
     pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
         self.link_ids().filter(|link| {

@@ -5,7 +5,7 @@ use super::Motion;
 use crate::Point;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{
-    Apart, Cause, Defect, Dimension, DraftDriver, FRAME, Joined, Mechanism, Setting,
+    Apart, Cause, Defect, Dimension, DraftDriver, DraftSlide, FRAME, Joined, Mechanism, Setting,
 };
 
 /// A linkage after a change.
@@ -57,6 +57,8 @@ const MOST_TRIES: usize = 200;
 const TRIED: usize = 3;
 /// Two inputs this near, relative to the span, are the same.
 const TOLD: f64 = 1e-9;
+/// In so many poses it is looked how far a slide goes.
+const SAMPLES: u32 = 720;
 /// So often it goes on giving way.
 const FURTHER: usize = 8;
 /// By these parts of its span the input gives way. The least is how near it comes to
@@ -147,16 +149,57 @@ impl Motion {
         self.taken(&Way::follow(start, setting, whole))
     }
 
-    /// The linkage driven by a link that is hinged on the frame, from the pose at an
-    /// input; where that pose is a dead point of the new driver, from one next to it.
+    /// The driver that a link of [`Mechanism::drivable`] is: a crank, or a slide over the way
+    /// that it goes now; none of a link that is no driver, or that does not move.
+    pub fn driver(&self, link: &str) -> Option<DraftDriver> {
+        let mechanism = &self.mechanism;
+        if mechanism
+            .cranks()
+            .any(|crank| mechanism.link_name(crank) == link)
+        {
+            return Some(DraftDriver::Crank {
+                link: link.to_owned(),
+                base: FRAME.to_owned(),
+            });
+        }
+        let mut slides = mechanism.draft().slides.iter();
+        let slide = slides.position(|slide| slide.link == link && slide.on == FRAME)?;
+        let range = self.way(&mechanism.draft().slides[slide])?;
+        Some(DraftDriver::Slide { slide, range })
+    }
+
+    /// The least and the greatest way of a slide along a line of the frame; none of one
+    /// that stays where it is. From samples: the very ends are its dead points.
+    fn way(&self, slide: &DraftSlide) -> Option<[f64; 2]> {
+        let mechanism = &self.mechanism;
+        if let Some(DraftDriver::Slide {
+            slide: driven,
+            range,
+        }) = mechanism.draft().drivers.first()
+            && mechanism.draft().slides.get(*driven) == Some(slide)
+        {
+            return Some(*range);
+        }
+        let point = mechanism.point(&slide.point)?;
+        let [from, to] = [0, 1].map(|end| mechanism.draft().place(&slide.line[end]));
+        let (from, along) = (from?, (to? - from?).normalize());
+        let [first, last] = self.cycle.axis();
+        let inputs =
+            (0..=SAMPLES).map(|k| first + (last - first) * f64::from(k) / f64::from(SAMPLES));
+        let poses = inputs.filter_map(|input| self.pose::<1>(input).ok());
+        let ways = poses.map(|pose| (mechanism.place(&pose, point).place() - from).dot(&along));
+        let range = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], way| {
+            [least.min(way), most.max(way)]
+        });
+        (range[1] - range[0] > TOLD * mechanism.size()).then_some(range)
+    }
+
+    /// The linkage with another driver, from the pose at an input; where that pose is a
+    /// dead point of the new driver, from one next to it.
     ///
     /// # Errors
     /// Why it cannot be driven so.
-    pub fn driven_by(&self, link: LinkId, input: f64) -> Result<Changed, Vec<Defect>> {
-        let crank = DraftDriver::Crank {
-            link: self.mechanism.link_name(link).to_owned(),
-            base: FRAME.to_owned(),
-        };
+    pub fn driven_by(&self, driver: &DraftDriver, input: f64) -> Result<Changed, Vec<Defect>> {
         let mut found = Err(Vec::new());
         let aside = WAYS.into_iter().flat_map(|part| [part, -part]);
         for part in [0.0].into_iter().chain(aside) {
@@ -164,7 +207,7 @@ impl Motion {
                 continue;
             };
             let mut draft = self.mechanism.shaped_in(&pose);
-            draft.drivers = vec![crank.clone()];
+            draft.drivers = vec![driver.clone()];
             match Mechanism::new(&draft) {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
