@@ -46,6 +46,9 @@ async fn transport_and_read_outs_are_in_lengths() {
     agrees(&page, 1.5).await;
     assert_eq!(page.text("input-symbol").await, "s");
     assert_eq!(page.text("step-forward").await, "+0.01");
+    let status = page.text("status").await;
+    assert!(status.contains("can be assembled for s"), "{status}");
+    assert_eq!(page.written("driver").await, "foot");
     let name = page.attribute("angle", "aria-label").await;
     assert_eq!(name.as_deref(), Some("Input length, m"));
 

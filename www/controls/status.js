@@ -7,16 +7,18 @@ import { byId, make, setData } from "assur/core/dom.js";
  */
 
 /**
- * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string> }} S
+ * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, say: (snapshot: S) => Entry | null }>} Item
  * `title`: the key of its words; `say`: what it says, null where there is nothing to say.
  */
 
-/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string> }} S */
+/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** @type {{ name: string, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
+  /** @type {{ name: string, n: string, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
   #entries;
+  /** The symbol of the input in the titles. */
+  #symbol = "";
   #shown = "";
   /** @type {ReadonlySet<string> | null} */
   #untold = null;
@@ -30,13 +32,26 @@ export class StatusLine {
       const output = make("dd", { id: `out-${name}` });
       const entry = make("div", { class: `entry ${more}`.trim(), "data-of": kind }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
       this.#list.append(entry);
-      return { name, say, entry, output };
+      return { name, n, say, entry, output };
     });
+  }
+
+  /**
+   * Titles say {n}: their own number, or the symbol of the input.
+   * @param {string} symbol
+   * @param {import("assur/core/words.js").Words} words
+   */
+  #name(symbol, words) {
+    this.#symbol = symbol;
+    for (const { n, entry } of this.#entries) {
+      entry.querySelector("dt")?.setAttribute("data-n", n || symbol);
+      words.fill(entry);
+    }
   }
 
   /** @param {S} snapshot */
   render(snapshot) {
-    const { words, revision, stale, untold } = snapshot;
+    const { words, revision, stale, untold, coordinate } = snapshot;
     setData(this.#list, "faded", String(stale));
     // What is not the state's own mechanism keeps the words it had.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
@@ -44,6 +59,7 @@ export class StatusLine {
     if (shown === this.#shown && untold === this.#untold) return;
     this.#untold = untold;
     this.#shown = shown;
+    if (coordinate.symbol !== this.#symbol) this.#name(coordinate.symbol, words);
     for (const { name, say, entry, output } of this.#entries) {
       const said = say(snapshot);
       const text = said?.text ?? "";

@@ -9,10 +9,10 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  */
 
-/** What moves: the place of its input in the view, its symbols and those of its rates, the units that are written after numbers. */
+/** What moves: the place of its input in the view and its symbols with those of its rates. */
 const SORTS = Object.freeze({
-  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ₁", rates: Object.freeze(["ω₁", "ε₁"]), unit: "°" }),
-  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v₁", "a₁"]), unit: " m" }),
+  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ₁", rates: Object.freeze(["ω₁", "ε₁"]) }),
+  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v₁", "a₁"]) }),
 });
 
 /** At speed 1 a crank turns once, and a slide goes there and back, in so many seconds. */
@@ -125,8 +125,8 @@ export class Coordinate {
    * @param {Words} words
    * @param {number} decimals
    */
-  written(place, { numbers }, decimals) {
-    return numbers.fixed(place, this.#decimals(decimals)) + this.#sort.unit;
+  written(place, words, decimals) {
+    return this.#withUnit(words.numbers.fixed(place, this.#decimals(decimals)), words);
   }
 
   /**
@@ -135,8 +135,8 @@ export class Coordinate {
    * @param {Words} words
    * @param {number} decimals
    */
-  short(input, { numbers }, decimals) {
-    return numbers.upTo(this.place(input), this.#decimals(decimals)) + this.#sort.unit;
+  short(input, words, decimals) {
+    return this.#withUnit(words.numbers.upTo(this.place(input), this.#decimals(decimals)), words);
   }
 
   /**
@@ -145,7 +145,7 @@ export class Coordinate {
    * @returns {string} with all its digits, to be typed over
    */
   exact(place, { numbers }) {
-    return numbers.exact(place) + (this.#turns ? this.#sort.unit : "");
+    return numbers.exact(place) + (this.#turns ? "°" : "");
   }
 
   /**
@@ -153,8 +153,9 @@ export class Coordinate {
    * @param {Words} words
    * @returns {string} a turn, or a slide's way, divided into so many parts
    */
-  share(count, { numbers }) {
-    return this.#turns ? `${numbers.upTo(360 / count, 1)}°` : numbers.upTo(this.#way / count, this.#decimals(5)) + this.#sort.unit;
+  share(count, words) {
+    const part = this.#turns ? words.numbers.upTo(360 / count, 1) : words.numbers.upTo(this.#way / count, this.#decimals(5));
+    return this.#withUnit(part, words);
   }
 
   /**
@@ -165,6 +166,14 @@ export class Coordinate {
   near(one, other) {
     if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);
     return Math.abs(Math.sin((one - other) / 2)) < radians(0.5) / 2;
+  }
+
+  /**
+   * @param {string} number
+   * @param {Words} words
+   */
+  #withUnit(number, words) {
+    return this.#turns ? `${number}°` : words.text("unit.length", { value: number });
   }
 
   /** @param {number} decimals */

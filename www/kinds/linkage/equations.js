@@ -66,9 +66,20 @@ export class EquationsView {
     if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
   }
 
+  /**
+   * @param {string} symbol of the input
+   * @param {Words} words
+   */
+  #name(symbol, words) {
+    this.#order.dataset.n = symbol;
+    for (const option of this.#order.options) option.dataset.n = symbol;
+    words.fill(this.#details);
+  }
+
   #show() {
     if (!this.#details.open || !this.#snapshot) return;
-    const { summary, words, input, stale, problems } = this.#snapshot;
+    const { summary, words, coordinate, input, stale, problems } = this.#snapshot;
+    if (this.#order.dataset.n !== coordinate.symbol) this.#name(coordinate.symbol, words);
     setData(this.#table, "faded", String(stale));
     const order = Number(this.#order.value);
     this.#build(summary.equations, order, words);
