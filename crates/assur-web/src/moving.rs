@@ -1,10 +1,9 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
-use assur::motion::{Column, Motion};
+use assur::motion::Motion;
 use assur::{Cycle, Jet, Point};
 use assur_draw::chart::{Chart, Settings};
 use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
@@ -12,7 +11,6 @@ use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
 use crate::driven::Driven;
 use crate::equations::sides;
-use crate::table::{SweepRow, SweepTable};
 
 /// Why there is no pose at an input, or none of its derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
@@ -301,7 +299,8 @@ impl Moving {
         pose.map_err(|unsolved| self.problem(&unsolved))
     }
 
-    fn problem(&self, unsolved: &Unsolved) -> Problem {
+    /// Why there is no pose, or none of its derivatives, as the document has it.
+    pub(crate) fn problem(&self, unsolved: &Unsolved) -> Problem {
         (self.explain)(self.mechanism(), unsolved)
     }
 
@@ -346,46 +345,6 @@ impl Moving {
         let driven = self.driven.filter(|driven| driven.end() == point)?;
         let pose = self.pose(input);
         Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
-    }
-
-    /// The motion as a table with this many rows to a turn of the crank, or to the range of
-    /// a driven slide.
-    pub(crate) fn table(&self, steps: u32) -> SweepTable {
-        let mechanism = self.mechanism();
-        let columns = Column::all(mechanism);
-        let steps = steps.max(1);
-        let [start, end] = self.cycle().axis();
-        let turns = if mechanism.turns() {
-            ((end - start) / TAU).round().max(1.0) as u32
-        } else {
-            1
-        };
-        let row = |step: u32| {
-            let part = f64::from(step) / f64::from(steps);
-            let input = if mechanism.turns() {
-                TAU * part
-            } else {
-                start + (end - start) * part
-            };
-            let row = self.motion.row(&columns, input);
-            SweepRow {
-                // Not from radians: whole degrees stay whole.
-                input: if mechanism.turns() {
-                    360.0 * f64::from(step) / f64::from(steps)
-                } else {
-                    input
-                },
-                values: row.values,
-                reason: row.reason.map(|unsolved| self.problem(&unsolved)),
-            }
-        };
-        SweepTable {
-            rows: (0..=turns * steps).map(row).collect(),
-            columns: columns
-                .iter()
-                .map(|column| column.name(mechanism))
-                .collect(),
-        }
     }
 
     /// Of every constraint equation left side, right side and residual; of order 1 and 2

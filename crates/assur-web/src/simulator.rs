@@ -13,6 +13,7 @@ use crate::convert::{read, thrown, to_js};
 use crate::kinds::shown;
 use crate::moving::{Here, Moving};
 use crate::shown::{Edited, Shown};
+use crate::table::SweepTable;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
 /// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
@@ -203,7 +204,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.moving()?.table(steps)))
+        Ok(to_js(&SweepTable::of(self.moving()?, steps)))
     }
 
     /// Of every constraint equation of the summary at a crank angle its left side,

@@ -171,11 +171,13 @@ impl Edited for Linkage {
         let link = link.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = moving.document().tracers.clone();
         let taken = |name: &String| mechanism.points().any(|point| point == name);
-        let mut names = (1..).map(|k| format!("P{k}"));
-        let name = names.find(|name| !taken(name)).unwrap_or_default();
+        let mut number = 1;
+        while taken(&format!("P{number}")) {
+            number += 1;
+        }
         let [x, y] = mechanism.on_link(&pose, link, at).into();
         tracers.push(TracerDocument {
-            name,
+            name: format!("P{number}"),
             link: mechanism.link_name(link).to_owned(),
             at: [x, y],
         });
