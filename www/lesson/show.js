@@ -1,5 +1,5 @@
 // What a step of a lesson shows: the document that it opens, and how that is looked at.
-import { degrees } from "assur/core/angles.js";
+import { Coordinate } from "assur/state/coordinate.js";
 import { SWITCHES } from "assur/state/state.js";
 
 /**
@@ -28,8 +28,9 @@ export function opens({ preset, change = (document) => document }, presets, engi
  */
 export function looked({ play = false, overlays = ["traces"], at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
-  const phi = summary ? at?.(summary) : undefined;
-  const place = phi === undefined ? {} : { phi_deg: degrees(phi) };
+  const input = summary ? at?.(summary) : undefined;
+  const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle) : null;
+  const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
   // The plots are those that the words are about.
   return { ...shown, plot: "angles", axes: "analogues", ...place, playing: play };
 }
