@@ -243,7 +243,7 @@ impl Hand<'_> {
         }
         let kept = self
             .page
-            .ask("return Object.values(localStorage).filter((text) => text.startsWith('{'))")
+            .ask("return Object.entries(localStorage).filter(([name]) => name === 'assur.state').map(([, text]) => text)")
             .await;
         for text in kept.as_array().unwrap() {
             let text = text.as_str().unwrap();
