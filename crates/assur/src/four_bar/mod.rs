@@ -187,6 +187,11 @@ impl FourBar {
         self.k[1] == 0.0 || self.k[2] == 0.0
     }
 
+    /// True where it has a change point.
+    pub(crate) fn changes(&self) -> bool {
+        self.changes_at_pi() || self.changes_at_zero()
+    }
+
     /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B comes
     /// to D at φ₁ = 0.
     fn is_deltoid(&self) -> bool {

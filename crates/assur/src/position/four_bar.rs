@@ -1,9 +1,17 @@
 //! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
 //! closed form passes change points smoothly and needs no history.
 
-use super::{Angle, Arm, Cause, Complex, Given, Sign, Solvable, State};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::rrr::lay;
+use super::{Angle, Arm, Cause, Complex, Given, Orientation, Sign, Solvable, State};
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
+
+/// P and Q relative to (l₂ + l₃)² from which on links are far from being in line.
+const CLEAR: f64 = 1.0 / 64.0;
+/// The shortest of long links, relative to both together.
+const LONG: f64 = 1.0 / 64.0;
 
 /// A four-bar within a mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +23,11 @@ pub(crate) struct Closed {
     /// Coupler and rocker, and what the angles of their bodies lack to φ₂ and φ₃.
     pub(crate) arms: [Arm; 2],
     pub(crate) leads: [f64; 2],
+    /// Whether it may be laid as any dyad where its links are far from being in line.
+    plain: bool,
+    /// The angles of the bodies of coupler and rocker, and their turns, where φ₂ and φ₃ are
+    /// a quarter turn.
+    across: [(f64, Vector); 2],
 }
 
 impl Closed {
@@ -31,6 +44,8 @@ impl Closed {
         let linkage = FourBar::new(lengths).ok()?;
         let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
         let arms = [coupler, rocker];
+        let [l2, l3] = arms.each_ref().map(Arm::length);
+        let plain = lengths[0] < lengths[3] && l2.min(l3) > LONG * (l2 + l3) && !linkage.changes();
         let leads = arms.each_ref().map(|arm| {
             let along = arm.to - arm.from;
             frame - along.y.atan2(along.x)
@@ -41,7 +56,50 @@ impl Closed {
             lead: out - frame,
             arms,
             leads,
+            plain,
+            across: leads.map(|lead| {
+                let angle = FRAC_PI_2 + lead;
+                (angle, Vector::new(angle.cos(), angle.sin()))
+            }),
         })
+    }
+
+    /// Lays the links as those of any dyad, which is as exact far from poses in which they
+    /// are in line, and takes less than half the time. With a crank shorter than the frame
+    /// φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of where they
+    /// stand across it.
+    fn lay<const N: usize>(&self, state: &mut State<N>, sign: Sign, margins: [Jet<N>; 2]) {
+        lay(state, &self.arms, margins, sign.factor());
+        let plus = sign == Sign::Plus;
+        for (arm, (angle, turn)) in self.arms.iter().zip(self.across) {
+            let (angle, turn) = if plus {
+                (angle, turn)
+            } else {
+                (angle - PI, -turn)
+            };
+            state.turned_near(arm.body, Orientation { angle, turn });
+        }
+    }
+
+    /// Turns each link by its own angle: laid between the joints, a short link would be
+    /// turned by their rounding.
+    fn turn<const N: usize>(&self, state: &mut State<N>, sign: Sign) -> Result<(), Cause> {
+        let crank = state.angle(self.crank).value() + self.lead;
+        let pose = self.linkage.pose::<N>(sign.into(), crank);
+        let pose = pose.map_err(|unsolved| match unsolved {
+            Unsolved::NotAnAngle => Cause::Input,
+            Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Cause::Apart { by },
+            Unsolved::Undetermined { .. } => Cause::Undetermined,
+            Unsolved::DeadPoint { .. } => Cause::DeadPoint,
+        })?;
+        let angles = [pose.coupler + self.leads[0], pose.rocker + self.leads[1]];
+        for (arm, angle) in self.arms.iter().zip(angles) {
+            let (at, turn) = (state.place(arm.outer), Complex::turn(angle));
+            state.turn[arm.body] = turn;
+            state.origin[arm.body] = at - turn.by(arm.from);
+            state.angle[arm.body] = Angle::Known(angle);
+        }
+        Ok(())
     }
 
     /// On which side of the diagonal the joint of coupler and rocker is, to the left
@@ -67,33 +125,21 @@ impl Solvable for Closed {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        let crank = state.angle(self.crank);
-        let pose = self
-            .linkage
-            .pose::<N>(given.sign.into(), crank.value() + self.lead)
-            .map_err(|unsolved| match unsolved {
-                Unsolved::NotAnAngle => Cause::Input,
-                Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Cause::Apart { by },
-                Unsolved::Undetermined { .. } => Cause::Undetermined,
-                Unsolved::DeadPoint { .. } => Cause::DeadPoint,
-            })?;
-        let [coupler, rocker] = &self.arms;
-        let [b, d] = [coupler, rocker].map(|arm| state.place(arm.outer));
+        let [b, d] = self.arms.each_ref().map(|arm| state.place(arm.outer));
+        let [l2, l3] = self.arms.each_ref().map(Arm::length);
+        let square = (d - b).norm_squared();
+        let [sum, difference] = [l2 + l3, l2 - l3];
+        let margins = [-square + sum * sum, square + -(difference * difference)];
+        let [p, q] = margins.map(|margin| margin.value());
         // Told for the kind of a dead point only; the closed form passes by itself.
-        let [l2, l3] = [coupler.length(), rocker.length()];
-        let square = (d - b).norm_squared().value();
-        let margins = [(l2 + l3).powi(2) - square, square - (l2 - l3).powi(2)];
-        state.margins[given.step] = margins.map(Jet::constant);
-        // Each stands by its own angle: laid between the joints, a short link would be
-        // turned by their rounding.
-        let angles = [pose.coupler + self.leads[0], pose.rocker + self.leads[1]];
-        for ((arm, at), angle) in self.arms.iter().zip([b, d]).zip(angles) {
-            let turn = Complex::turn(angle);
-            state.turn[arm.body] = turn;
-            state.origin[arm.body] = at - turn.by(arm.from);
-            state.angle[arm.body] = Angle::Known(angle);
+        state.margins[given.step] = [p, q].map(Jet::constant);
+        let near = [b, d].map(|at| at.value().norm_squared() < (sum / LONG).powi(2));
+        let clear = [p, q].map(|margin| margin > CLEAR * sum * sum);
+        if self.plain && near == [true; 2] && clear == [true; 2] {
+            self.lay(state, given.sign, margins);
+            return Ok(());
         }
-        Ok(())
+        self.turn(state, given.sign)
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -11,6 +11,29 @@ pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
 }
 
+/// Lays both arms with the joint to the left of BD (1), to its right (−1), or on it (0); P
+/// and Q as of [`Rrr`].
+pub(super) fn lay<const N: usize>(
+    state: &mut State<N>,
+    [i, j]: &[Arm; 2],
+    [p, q]: [Jet<N>; 2],
+    side: f64,
+) {
+    let [l2, l3] = [i.length(), j.length()];
+    let [b, d] = [state.place(i.outer), state.place(j.outer)];
+    let diagonal = d - b;
+    let square = diagonal.norm_squared();
+    let along = (square + ((l2 + l3) * (l2 - l3))) * 0.5;
+    let across = if side == 0.0 {
+        Jet::constant(0.0)
+    } else {
+        (p * q).sqrt() * (0.5 * side)
+    };
+    let to_c = (diagonal * Complex::new(along, across)).scaled(square.recip());
+    state.lay(i, b, to_c);
+    state.lay(j, d, to_c - diagonal);
+}
+
 impl Solvable for Rrr {
     /// With d = D − B and r = |d|: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2
     /// and 16 S² = P Q, P = (l₂ + l₃)² − r², Q = r² − (l₂ − l₃)², S the area of BCD.
@@ -40,15 +63,12 @@ impl Solvable for Rrr {
         };
         let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;
         let near = clear(q, scale).map_err(|dead| beyond(dead, difference.abs() - distance))?;
-        let along = (square + (sum * difference)) * 0.5;
-        let across = if far && near {
-            (p * q).sqrt() * (0.5 * given.sign.factor())
+        let side = if far && near {
+            given.sign.factor()
         } else {
-            Jet::constant(0.0)
+            0.0
         };
-        let to_c = (diagonal * Complex::new(along, across)).scaled(square.recip());
-        state.lay(i, b, to_c);
-        state.lay(j, d, to_c - diagonal);
+        lay(state, &self.arms, [p, q], side);
         Ok(())
     }
 

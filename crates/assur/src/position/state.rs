@@ -126,6 +126,12 @@ impl<const N: usize> State<N> {
         self.angle[body] = Angle::Turned;
     }
 
+    /// The angle of a body is that of its turn, less than half a turn from this one.
+    pub(crate) fn turned_near(&mut self, body: BodyId, near: Orientation) {
+        self.near[body] = near;
+        self.angle[body] = Angle::Turned;
+    }
+
     /// How a body is turned.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         Orientation {
