@@ -1,9 +1,10 @@
 //! Values of ours as JavaScript's.
 
 use assur_file::{Problem, State};
+use js_sys::{Array, Object};
 use serde::Serialize;
 use serde_json::Value;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// Any value of ours as a plain JavaScript object.
 pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
@@ -13,18 +14,55 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
 }
 
 /// A state of the page. All that is read goes by way of JSON's values, so that what reads it
-/// is there once.
+/// is there once; they have no place for NaN and infinities, which would be taken for nothing.
 ///
 /// # Errors
-/// The part that has not the form.
-pub(crate) fn read(state: JsValue) -> Result<State, JsValue> {
-    let value: Result<Value, _> = serde_wasm_bindgen::from_value(state);
+/// The fields of numbers that are none; the part that has not the form.
+pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
+    let mut problems = Vec::new();
+    for (_, part) in entries(state) {
+        name_not_numbers(&part, "", &mut problems);
+    }
+    if !problems.is_empty() {
+        return Err(thrown(problems));
+    }
+    let value: Result<Value, _> = serde_wasm_bindgen::from_value(state.clone());
     let value = value.map_err(|error| Problem::BadState {
         path: ".".to_owned(),
         detail: error.to_string(),
     });
     let state = value.and_then(|value| State::read(&value));
     state.map_err(|problem| thrown([problem]))
+}
+
+/// Names the fields that hold NaN or an infinity.
+fn name_not_numbers(value: &JsValue, field: &str, problems: &mut Vec<Problem>) {
+    if value.as_f64().is_some_and(|number| !number.is_finite()) {
+        problems.push(Problem::NotANumber {
+            field: field.to_owned().into(),
+        });
+    }
+    let listed = Array::is_array(value);
+    for (name, inner) in entries(value) {
+        let field = match (listed, field) {
+            (true, _) => format!("{field}[{name}]"),
+            (false, "") => name,
+            (false, _) => format!("{field}.{name}"),
+        };
+        name_not_numbers(&inner, &field, problems);
+    }
+}
+
+/// What an object or a list holds, by names or numbers; nothing in other values.
+fn entries(value: &JsValue) -> Vec<(String, JsValue)> {
+    let Some(object) = value.dyn_ref::<Object>() else {
+        return Vec::new();
+    };
+    let entries = Object::entries(object);
+    let named = entries.iter().map(|entry| Array::from(&entry));
+    named
+        .filter_map(|entry| Some((entry.get(0).as_string()?, entry.get(1))))
+        .collect()
 }
 
 /// Problems as what is thrown: an array of `{code, …}`.

@@ -72,7 +72,7 @@ impl Design {
     /// Every problem of the state; else the first of the wishes.
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
-        let state = read(state)?;
+        let state = read(&state)?;
         let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
             thrown([Problem::BadState {
                 path: "wishes".to_owned(),

@@ -37,7 +37,7 @@ impl Simulator {
     /// # Errors
     /// Every problem of the state; the document set before stays.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
-        let state = read(state)?;
+        let state = read(&state)?;
         let shown = shown(&state).map_err(thrown)?;
         let summary = shown.summary();
         self.shown = Some(shown);
@@ -278,7 +278,7 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 /// Every problem of the state.
 #[wasm_bindgen(js_name = readState)]
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
-    let state = read(state)?;
+    let state = read(&state)?;
     shown(&state).map_err(thrown)?;
     Ok(to_js(&state))
 }

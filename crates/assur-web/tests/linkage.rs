@@ -43,7 +43,7 @@ fn every_mechanism_of_the_catalogue_is_taken() {
     let all: Array = catalogue().unwrap().unchecked_into();
     assert_eq!(all.length() as usize, names.len());
     for (entry, name) in all.iter().zip(names) {
-        assert!(json(&entry).starts_with(&format!(r#"{{"id":"{name}","group":""#)));
+        assert!(json(&entry).starts_with(&format!(r#"{{"id":"{name}","kind":""#)));
         let state = state(SLIDER_CRANK);
         Reflect::set(&state, &"format".into(), &2.into()).unwrap();
         for key in ["kind", "document"] {
