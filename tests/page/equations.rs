@@ -89,6 +89,8 @@ async fn equations_stand_in_numbers() {
     page.until("other numbers", async || shown(&page, 10).await != before)
         .await;
     page.stop_at("75").await;
+    page.settle().await;
+    assert_eq!(page.value("out-input").await, 75.0);
     let last = shown(&page, 10).await;
     page.write("field-length-0", "40").await;
     page.until("a sentence", async || page.text("problem").await != "")
