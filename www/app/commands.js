@@ -76,7 +76,9 @@ function motionCommands(page) {
     if (state.kind === first.kind) preset = engine.presetOf(state) ?? preset;
   };
   note(store.get());
-  store.subscribe(note);
+  store.subscribe((state, previous) => {
+    if (state.document !== previous.document) note(state);
+  });
 
   return {
     play: () => {

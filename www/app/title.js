@@ -15,9 +15,10 @@ export class Title {
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, words }) {
+    const shown = [state.document, words];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
     const name = this.#name(state, words);
-    if ([name, words].every((part, i) => part === this.#shown[i])) return;
-    this.#shown = [name, words];
     write(this.#place, name);
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);

@@ -84,7 +84,7 @@ export class Transport {
     this.#scrubber.value = String(place);
     if (!playing) this.#scrubber.setAttribute("aria-valuetext", brief);
     if (playing && this.#box.busy) return;
-    this.#box.show(coordinate.of(state), { brief, full: coordinate.exact(place, words) }, faded && !stale);
+    this.#box.show(place, { brief, full: coordinate.exact(place, words) }, faded && !stale);
   }
 
   /**

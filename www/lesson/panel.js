@@ -158,7 +158,7 @@ export class LessonPanel {
       this.#shown = shown;
       this.#write(number);
     }
-    this.#tools.render();
+    if (snapshot.legible) this.#tools.render();
     // What was said of another mechanism no longer holds.
     const step = this.#steps[number - 1];
     const judged = this.#judged.get(step);

@@ -89,7 +89,7 @@ export class Tools {
       const source = document.getElementById(`out-${id}`);
       const row = source?.closest("tr, .entry");
       // Of another kind of mechanism it is there, but hidden with all that is of that kind.
-      entry.hidden = !row || row.matches("[hidden]") || row.closest("[data-of][hidden]") !== null;
+      entry.hidden = !row || row.matches("[hidden]") || row.closest(".elsewhere") !== null;
       write(name, source ? titleOf(source) : "");
       write(value, source?.textContent ?? "");
       setData(value, "value", source?.dataset.value ?? "");
