@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::rrr::lay;
+use super::rrr::Triangle;
 use super::{Angle, Arm, Cause, Complex, Given, Orientation, Sign, Solvable, State};
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
@@ -68,8 +68,8 @@ impl Closed {
     /// are in line, and takes less than half the time. With a crank shorter than the frame
     /// φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of where they
     /// stand across it.
-    fn lay<const N: usize>(&self, state: &mut State<N>, sign: Sign, margins: [Jet<N>; 2]) {
-        lay(state, &self.arms, margins, sign.factor());
+    fn lay<const N: usize>(&self, state: &mut State<N>, sign: Sign, triangle: &Triangle<N>) {
+        triangle.lay(state, &self.arms, sign.factor());
         let plus = sign == Sign::Plus;
         for (arm, (angle, turn)) in self.arms.iter().zip(self.across) {
             let (angle, turn) = if plus {
@@ -125,18 +125,16 @@ impl Solvable for Closed {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        let [b, d] = self.arms.each_ref().map(|arm| state.place(arm.outer));
-        let [l2, l3] = self.arms.each_ref().map(Arm::length);
-        let square = (d - b).norm_squared();
-        let [sum, difference] = [l2 + l3, l2 - l3];
-        let margins = [-square + sum * sum, square + -(difference * difference)];
-        let [p, q] = margins.map(|margin| margin.value());
+        let triangle = Triangle::of(state, &self.arms);
+        let sum = triangle.sum;
+        let [p, q] = triangle.margins.map(|margin| margin.value());
         // Told for the kind of a dead point only; the closed form passes by itself.
         state.margins[given.step] = [p, q].map(Jet::constant);
-        let near = [b, d].map(|at| at.value().norm_squared() < (sum / LONG).powi(2));
+        let near =
+            [triangle.b, triangle.d].map(|at| at.value().norm_squared() < (sum / LONG).powi(2));
         let clear = [p, q].map(|margin| margin > CLEAR * sum * sum);
         if self.plain && near == [true; 2] && clear == [true; 2] {
-            self.lay(state, given.sign, margins);
+            self.lay(state, given.sign, &triangle);
             return Ok(());
         }
         self.turn(state, given.sign)

@@ -11,46 +11,72 @@ pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
 }
 
-/// Lays both arms with the joint to the left of BD (1), to its right (−1), or on it (0); P
-/// and Q as of [`Rrr`].
-pub(super) fn lay<const N: usize>(
-    state: &mut State<N>,
-    [i, j]: &[Arm; 2],
-    [p, q]: [Jet<N>; 2],
-    side: f64,
-) {
-    let [l2, l3] = [i.length(), j.length()];
-    let [b, d] = [state.place(i.outer), state.place(j.outer)];
-    let diagonal = d - b;
-    let square = diagonal.norm_squared();
-    let along = (square + ((l2 + l3) * (l2 - l3))) * 0.5;
-    let across = if side == 0.0 {
-        Jet::constant(0.0)
-    } else {
-        (p * q).sqrt() * (0.5 * side)
-    };
-    let to_c = (diagonal * Complex::new(along, across)).scaled(square.recip());
-    state.lay(i, b, to_c);
-    state.lay(j, d, to_c - diagonal);
+/// The triangle BCD of two arms, before it is known on which side of BD their joint C is.
+pub(super) struct Triangle<const N: usize> {
+    pub(super) b: Complex<N>,
+    pub(super) d: Complex<N>,
+    diagonal: Complex<N>,
+    /// r² = |BD|².
+    square: Jet<N>,
+    /// l₂ + l₃ and l₂ − l₃.
+    pub(super) sum: f64,
+    difference: f64,
+    /// P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
+    pub(super) margins: [Jet<N>; 2],
 }
 
-impl Solvable for Rrr {
-    /// With d = D − B and r = |d|: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2
-    /// and 16 S² = P Q, P = (l₂ + l₃)² − r², Q = r² − (l₂ − l₃)², S the area of BCD.
-    /// The sign σ is that of S: C to the left of BD or to its right.
-    fn solve<const N: usize>(
-        &self,
-        state: &mut State<N>,
-        given: &Given<'_, N>,
-    ) -> Result<(), Cause> {
-        let [i, j] = &self.arms;
+impl<const N: usize> Triangle<N> {
+    pub(super) fn of(state: &State<N>, [i, j]: &[Arm; 2]) -> Self {
         let [l2, l3] = [i.length(), j.length()];
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
         let diagonal = d - b;
         let square = diagonal.norm_squared();
         let (sum, difference) = (l2 + l3, l2 - l3);
-        let p = -square + sum * sum;
-        let q = square + -(difference * difference);
+        let margins = [-square + sum * sum, square + -(difference * difference)];
+        Self {
+            b,
+            d,
+            diagonal,
+            square,
+            sum,
+            difference,
+            margins,
+        }
+    }
+
+    /// Lays both arms with the joint to the left of BD (1), to its right (−1), or on it (0).
+    ///
+    /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
+    /// the area of BCD with the sign σ of the side.
+    pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], side: f64) {
+        let [p, q] = self.margins;
+        let along = (self.square + (self.sum * self.difference)) * 0.5;
+        let across = if side == 0.0 {
+            Jet::constant(0.0)
+        } else {
+            (p * q).sqrt() * (0.5 * side)
+        };
+        let to_c = self.diagonal * Complex::new(along, across);
+        let to_c = to_c.scaled(self.square.recip());
+        state.lay(i, self.b, to_c);
+        state.lay(j, self.d, to_c - self.diagonal);
+    }
+}
+
+impl Solvable for Rrr {
+    fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        let triangle = Triangle::of(state, &self.arms);
+        let Triangle {
+            square,
+            sum,
+            difference,
+            margins: [p, q],
+            ..
+        } = triangle;
         state.margins[given.step] = [p, q];
         let scale = sum * sum;
         if square.value() <= f64::EPSILON * f64::EPSILON * scale {
@@ -68,7 +94,7 @@ impl Solvable for Rrr {
         } else {
             0.0
         };
-        lay(state, &self.arms, [p, q], side);
+        triangle.lay(state, &self.arms, side);
         Ok(())
     }
 
