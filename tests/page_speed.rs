@@ -120,14 +120,19 @@ async fn page_speed() {
         page.tool("Performance.enable", json!({ "timeDomain": clock }))
             .await;
         let before = page.metric("TaskDuration").await;
+        let start = Instant::now();
         have(&page, &format!("frames({FRAMES})")).await;
+        let passed = start.elapsed().as_secs_f64();
         let spent = page.metric("TaskDuration").await - before;
         print(name, spent / FRAMES * 1e3);
+        print(&format!("frames a second, by {clock}"), FRAMES / passed);
     }
 
     page.click("play").await;
     let before = page.metric("TaskDuration").await;
+    let start = Instant::now();
     let mut steps = have(&page, &format!("drag({STEPS})")).await;
+    let passed = start.elapsed().as_secs_f64();
     let spent = page.metric("TaskDuration").await - before;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
@@ -139,6 +144,10 @@ async fn page_speed() {
     print(
         "step of a dragged slider, mean, ms of processor",
         spent / steps.len() as f64 * 1e3,
+    );
+    print(
+        "steps a second of a dragged slider",
+        steps.len() as f64 / passed,
     );
     page.click("play").await;
 

@@ -10,7 +10,8 @@ use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
 
 /// P and Q relative to (l₂ + l₃)² from which on links are far from being in line.
 const CLEAR: f64 = 1.0 / 64.0;
-/// The shortest of long links, relative to both together.
+/// The shortest of long links relative to both together, and both to their distance from the
+/// origin.
 const LONG: f64 = 1.0 / 64.0;
 
 /// A four-bar within a mechanism.
@@ -23,8 +24,8 @@ pub(crate) struct Closed {
     /// Coupler and rocker, and what the angles of their bodies lack to φ₂ and φ₃.
     pub(crate) arms: [Arm; 2],
     pub(crate) leads: [f64; 2],
-    /// Whether it may be laid as any dyad where its links are far from being in line.
-    plain: bool,
+    /// P and Q from which on it may be laid as any dyad; infinite where it never may.
+    clear: f64,
     /// The angles of the bodies of coupler and rocker, and their turns, where φ₂ and φ₃ are
     /// a quarter turn.
     across: [(f64, Vector); 2],
@@ -41,11 +42,15 @@ impl Closed {
         let out = coupler.outer.local - hinge;
         let base = rocker.outer.local - a;
         let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
+        // B and D are never farther from the origin.
+        let far = (a.norm() + lengths[0]).max(rocker.outer.local.norm());
         let linkage = FourBar::new(lengths).ok()?;
         let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
         let arms = [coupler, rocker];
         let [l2, l3] = arms.each_ref().map(Arm::length);
-        let plain = lengths[0] < lengths[3] && l2.min(l3) > LONG * (l2 + l3) && !linkage.changes();
+        let sum = l2 + l3;
+        let long = l2.min(l3) > LONG * sum && sum > LONG * far;
+        let plain = lengths[0] < lengths[3] && long && !linkage.changes();
         let leads = arms.each_ref().map(|arm| {
             let along = arm.to - arm.from;
             frame - along.y.atan2(along.x)
@@ -56,7 +61,11 @@ impl Closed {
             lead: out - frame,
             arms,
             leads,
-            plain,
+            clear: if plain {
+                CLEAR * sum * sum
+            } else {
+                f64::INFINITY
+            },
             across: leads.map(|lead| {
                 let angle = FRAC_PI_2 + lead;
                 (angle, Vector::new(angle.cos(), angle.sin()))
@@ -126,14 +135,10 @@ impl Solvable for Closed {
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
         let triangle = Triangle::of(state, &self.arms);
-        let sum = triangle.sum;
         let [p, q] = triangle.margins.map(|margin| margin.value());
         // Told for the kind of a dead point only; the closed form passes by itself.
         state.margins[given.step] = [p, q].map(Jet::constant);
-        let near =
-            [triangle.b, triangle.d].map(|at| at.value().norm_squared() < (sum / LONG).powi(2));
-        let clear = [p, q].map(|margin| margin > CLEAR * sum * sum);
-        if self.plain && near == [true; 2] && clear == [true; 2] {
+        if p.min(q) > self.clear {
             self.lay(state, given.sign, &triangle);
             return Ok(());
         }

@@ -13,19 +13,20 @@ pub(crate) struct Rrr {
 
 /// The triangle BCD of two arms, before it is known on which side of BD their joint C is.
 pub(super) struct Triangle<const N: usize> {
-    pub(super) b: Complex<N>,
-    pub(super) d: Complex<N>,
+    b: Complex<N>,
+    d: Complex<N>,
     diagonal: Complex<N>,
     /// r² = |BD|².
     square: Jet<N>,
     /// l₂ + l₃ and l₂ − l₃.
-    pub(super) sum: f64,
+    sum: f64,
     difference: f64,
     /// P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
     pub(super) margins: [Jet<N>; 2],
 }
 
 impl<const N: usize> Triangle<N> {
+    #[inline(always)]
     pub(super) fn of(state: &State<N>, [i, j]: &[Arm; 2]) -> Self {
         let [l2, l3] = [i.length(), j.length()];
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
@@ -48,6 +49,7 @@ impl<const N: usize> Triangle<N> {
     ///
     /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
     /// the area of BCD with the sign σ of the side.
+    #[inline(always)]
     pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], side: f64) {
         let [p, q] = self.margins;
         let along = (self.square + (self.sum * self.difference)) * 0.5;
