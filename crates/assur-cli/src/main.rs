@@ -86,6 +86,12 @@ impl From<io::Error> for Failure {
     }
 }
 
+impl From<serde_json::Error> for Failure {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Io(format!("a problem cannot be put into words: {error}"))
+    }
+}
+
 fn main() -> ExitCode {
     // clap answers --help with 0 and arguments it does not know with 2 by itself.
     let arguments = Arguments::parse();

@@ -5,7 +5,8 @@ use std::io;
 use assur::motion::Motion;
 use assur_file::{LinkageDocument, Problem};
 
-use crate::{Failure, words};
+use crate::Failure;
+use crate::words::Words;
 
 /// No larger file is read: the largest linkage that is taken is far smaller.
 const LARGEST: u64 = 4 << 20;
@@ -66,9 +67,15 @@ fn text(name: &str) -> Result<String, Failure> {
 
 /// One line for each problem.
 pub(crate) fn refused(name: &str, problems: &[Problem]) -> Failure {
-    let sentences: Vec<String> = problems.iter().map(words::sentence).collect();
-    Failure::Input(format!(
-        "{name}: {}",
-        sentences.join(&format!("\n{name}: "))
-    ))
+    let sentences = Words::english().and_then(|words| {
+        let sentences = problems.iter().map(|problem| words.sentence(problem));
+        sentences.collect::<Result<Vec<_>, _>>()
+    });
+    match sentences {
+        Ok(sentences) => Failure::Input(format!(
+            "{name}: {}",
+            sentences.join(&format!("\n{name}: "))
+        )),
+        Err(unsaid) => unsaid.into(),
+    }
 }

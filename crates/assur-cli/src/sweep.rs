@@ -5,7 +5,8 @@ use std::io::Write;
 use assur::motion::{Column, Motion};
 use assur_file::LinkageProblem;
 
-use crate::{Failure, words};
+use crate::Failure;
+use crate::words::Words;
 
 /// No more rows are written.
 const MOST_ROWS: f64 = 1e7;
@@ -39,17 +40,18 @@ pub(crate) fn write(
     let first = if turns { "phi_deg" } else { "s" };
     let header = [first.to_owned()].into_iter().chain(names);
     line(out, header.chain(["reason".to_owned()]))?;
+    let words = Words::english()?;
     for k in 0..=rows as u64 {
         let at = (start + decimal(k as f64 * step)).min(end);
         let input = if turns { at.to_radians() } else { at };
         let row = motion.row(&columns, input);
         let values = row.values.iter();
         let values = values.map(|value| value.map(number).unwrap_or_default());
-        let reason = row.reason.map(|unsolved| {
-            words::sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into())
-        });
+        let reason = row
+            .reason
+            .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into()));
         let cells = [number(at)].into_iter().chain(values);
-        line(out, cells.chain([reason.unwrap_or_default()]))?;
+        line(out, cells.chain([reason.transpose()?.unwrap_or_default()]))?;
     }
     Ok(())
 }

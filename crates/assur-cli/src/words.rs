@@ -3,63 +3,79 @@
 use std::collections::BTreeMap;
 
 use assur_file::Problem;
-use serde_json::Value;
+use serde::Deserialize;
+use serde_json::{Error, Map, Value};
 
-/// The sentence of a problem.
-pub(crate) fn sentence(problem: &Problem) -> String {
-    let table = table();
-    // A problem holds nothing that JSON cannot.
-    let said = serde_json::to_value(problem).unwrap_or_default();
-    let code = said["code"].as_str().unwrap_or_default();
-    let Some(text) = table.get(&format!("problem.{code}")) else {
-        return code.to_owned();
-    };
-    let mut sentence = String::new();
-    let mut rest = text.as_str();
-    while let Some((before, (place, after))) = rest
-        .split_once('{')
-        .and_then(|(b, rest)| Some((b, rest.split_once('}')?)))
-    {
-        sentence += before;
-        sentence += &filled(place, &said[place], &table);
-        rest = after;
+/// The English table.
+pub(crate) struct Words(BTreeMap<String, String>);
+
+/// A problem as it is written for programs.
+#[derive(Deserialize)]
+struct Written {
+    code: String,
+    #[serde(flatten)]
+    parameters: Map<String, Value>,
+}
+
+impl Words {
+    /// # Errors
+    /// A table that is none, which tests of the workspace rule out.
+    pub(crate) fn english() -> Result<Self, Error> {
+        serde_json::from_str(include_str!("../../../lang/en.json")).map(Self)
     }
-    let detail = said["detail"].as_str();
-    let detail = detail.map_or(String::new(), |detail| format!(" ({detail})"));
-    sentence + rest + &detail
-}
 
-/// What the page says. Tests of the workspace check it.
-fn table() -> BTreeMap<String, String> {
-    serde_json::from_str(include_str!("../../../lang/en.json")).unwrap_or_default()
-}
-
-/// What stands in a place of a sentence.
-fn filled(place: &str, value: &Value, table: &BTreeMap<String, String>) -> String {
-    match (place, value) {
-        ("path", Value::String(path)) if path == "." => text(table, "field.state"),
-        ("field", Value::String(field)) => table
-            .get(&format!("field.{field}"))
-            .unwrap_or(field)
-            .clone(),
-        (_, Value::String(text)) => text.clone(),
-        (_, Value::Array(all)) => {
-            let all: Vec<&str> = all.iter().filter_map(Value::as_str).collect();
-            all.join(", ")
+    /// The sentence of a problem, or its code where there is none.
+    ///
+    /// # Errors
+    /// A problem that cannot be written.
+    pub(crate) fn sentence(&self, problem: &Problem) -> Result<String, Error> {
+        let Written { code, parameters } = serde_json::from_value(serde_json::to_value(problem)?)?;
+        let Some(text) = self.0.get(&format!("problem.{code}")) else {
+            return Ok(code);
+        };
+        let mut sentence = String::new();
+        let mut rest = text.as_str();
+        while let Some((before, (place, after))) = rest
+            .split_once('{')
+            .and_then(|(b, rest)| Some((b, rest.split_once('}')?)))
+        {
+            sentence += before;
+            sentence += &match parameters.get(place) {
+                Some(value) => self.filled(place, value),
+                None => format!("{{{place}}}"),
+            };
+            rest = after;
         }
-        ("phi", Value::Number(number)) => {
-            format!(
-                "{}°",
-                short(number.as_f64().unwrap_or_default().to_degrees())
-            )
+        sentence += rest;
+        if let Some(Value::String(detail)) = parameters.get("detail") {
+            sentence += &format!(" ({detail})");
         }
-        (_, Value::Number(number)) => short(number.as_f64().unwrap_or_default()),
-        _ => String::new(),
+        Ok(sentence)
     }
-}
 
-fn text(table: &BTreeMap<String, String>, key: &str) -> String {
-    table.get(key).cloned().unwrap_or_default()
+    /// What stands in a place of a sentence.
+    fn filled(&self, place: &str, value: &Value) -> String {
+        match value {
+            Value::String(path) if place == "path" && path == "." => self.name("state"),
+            Value::String(field) if place == "field" => self.name(field),
+            Value::String(text) => text.clone(),
+            Value::Array(all) => {
+                let all: Vec<String> = all.iter().map(|one| self.filled(place, one)).collect();
+                all.join(", ")
+            }
+            other => match other.as_f64() {
+                Some(phi) if place == "phi" => format!("{}°", short(phi.to_degrees())),
+                Some(number) => short(number),
+                None => other.to_string(),
+            },
+        }
+    }
+
+    /// What a field is called; a dimension of a linkage as it is saved.
+    fn name(&self, field: &str) -> String {
+        let name = self.0.get(&format!("field.{field}"));
+        name.map_or(field, String::as_str).to_owned()
+    }
 }
 
 /// A number with four digits that count.
@@ -83,8 +99,9 @@ mod tests {
             mobility: -1,
             links: ["crank", "third rocker"].map(str::to_owned).to_vec(),
         };
+        let words = Words::english().unwrap();
         assert_eq!(
-            sentence(&locked.into()),
+            words.sentence(&locked.into()).unwrap(),
             "There are too many pairs or drivers (W = -1); these links are locked: crank, third rocker."
         );
         let form = Problem::BadState {
@@ -92,7 +109,7 @@ mod tests {
             detail: "no {code} here".to_owned(),
         };
         assert_eq!(
-            sentence(&form),
+            words.sentence(&form).unwrap(),
             "These settings cannot be read: the whole record has the wrong format. (no {code} here)"
         );
     }
