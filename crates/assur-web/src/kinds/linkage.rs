@@ -82,7 +82,7 @@ impl Linkage {
     fn changed(&self, changed: &Changed, input: f64) -> Change {
         let redrawn = Redrawn::of(changed.motion.mechanism().draft());
         let other = (changed.input != input).then_some(changed.input);
-        Change::of(&redrawn, other)
+        Change::document(&redrawn).and_input(other)
     }
 }
 
