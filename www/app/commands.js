@@ -52,10 +52,6 @@ function fileCommands(page) {
  */
 function motionCommands(page) {
   const { store, model, drafts, history, engine } = page;
-  const step = (/** @type {number} */ count) => {
-    const { coordinate } = model;
-    page.drive(coordinate.of(store.get()) + count * coordinate.step);
-  };
   const assemble = (/** @type {1 | 2} */ assembly) => {
     const assemblies = "assemblies" in model.summary ? model.summary.assemblies : 2;
     if (assembly > assemblies) return;
@@ -86,10 +82,10 @@ function motionCommands(page) {
       store.update((state) => withView(state, { playing: !state.view.playing }));
     },
     reverse: () => store.update((state) => withView(state, { direction: turned(state.view.direction) })),
-    back: () => step(-1),
-    forward: () => step(1),
-    back10: () => step(-10),
-    forward10: () => step(10),
+    back: () => page.step(-1),
+    forward: () => page.step(1),
+    back10: () => page.step(-10),
+    forward10: () => page.step(10),
     start: () => page.drive(model.coordinate.start),
     end: () => page.drive(model.coordinate.end),
     faster: () => hasten(1),

@@ -33,7 +33,7 @@ import { Store } from "assur/state/store.js";
 const WRITING_PERIOD = 0.2;
 
 export class Page {
-  #loop = new Loop((dt) => this.#step(dt), () => this.#render());
+  #loop = new Loop((dt) => this.#play(dt), () => this.#render());
   #views;
   #toLesson;
   /** Seconds since numbers were written: at first they are due. */
@@ -154,6 +154,15 @@ export class Page {
     this.store.update((state) => placed(state, place, this.model));
   }
 
+  /**
+   * Moves the driver by hand in small steps, as large as its coordinate says.
+   * @param {number} count of them; back where negative
+   */
+  step(count) {
+    const { coordinate } = this.model;
+    this.drive(coordinate.of(this.store.get()) + count * coordinate.step);
+  }
+
   /** Brings the open lesson where the eye is, and the focus to it. */
   attend() {
     this.#toLesson();
@@ -167,7 +176,7 @@ export class Page {
   }
 
   /** @param {number} dt seconds */
-  #step(dt) {
+  #play(dt) {
     this.#unwritten += dt;
     this.store.update((state) => played(state, dt, this.engine, this.model));
     return this.store.get().view.playing;

@@ -44,7 +44,6 @@ export class Transport {
   constructor(page) {
     const { store, model, drafts, theme } = page;
     this.#bar = new Scrubber(byId("scrubber-bar", HTMLCanvasElement), theme);
-    const step = (/** @type {1 | -1} */ sense) => page.drive(model.coordinate.of(store.get()) + sense * model.coordinate.step);
     this.#play.addEventListener("click", () => {
       drafts.drop(INPUT);
       store.update((state) => withView(state, { playing: !state.view.playing }));
@@ -52,7 +51,7 @@ export class Transport {
     this.#reverse.addEventListener("click", () => {
       store.update((state) => withView(state, { direction: turned(state.view.direction) }));
     });
-    this.#steps.forEach(({ button, sense }) => button.addEventListener("click", () => step(sense)));
+    this.#steps.forEach(({ button, sense }) => button.addEventListener("click", () => page.step(sense)));
     this.#scrubber.addEventListener("input", () => page.drive(Number(this.#scrubber.value)));
     this.#box = new NumberBox(byId("angle", HTMLInputElement), INPUT, drafts, (value) => {
       store.update((state) => placed(state, value, model));
