@@ -158,5 +158,19 @@ async fn an_assembly_is_saved_as_it_is_drawn() {
     page.settle().await;
     assert_eq!(page.written("linkage-assembly").await, "2");
     assert!((page.value("out-G.y").await - second).abs() < 1e-12);
+
+    // A key does what the list does, in one step; that of the drawn assembly is none.
+    let before = page.address().await;
+    page.keys("1").await;
+    page.keys("1").await;
+    assert_eq!(page.written("linkage-assembly").await, "1");
+    assert!((page.value("out-G.y").await - first).abs() < 1e-9);
+    page.until("the address of the first", async || {
+        page.address().await != before
+    })
+    .await;
+    assert!(!page.address().await.contains("assembly"));
+    page.chord(&[Key::Control], 'z').await;
+    assert_eq!(page.written("linkage-assembly").await, "2");
     page.close().await;
 }

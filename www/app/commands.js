@@ -3,9 +3,11 @@ import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
+import { attempt } from "assur/core/problem.js";
+import { take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { withDocument, withMechanism, withView } from "assur/state/state.js";
+import { withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -52,10 +54,11 @@ function fileCommands(page) {
  */
 function motionCommands(page) {
   const { store, model, drafts, history, engine } = page;
-  const assemble = (/** @type {1 | 2} */ assembly) => {
-    const assemblies = "assemblies" in model.summary ? model.summary.assemblies : 2;
-    if (assembly > assemblies) return;
-    history.step(() => store.update((state) => withDocument(state, { assembly })));
+  const assemble = (/** @type {1 | 2} */ number) => {
+    model.follow(store.get());
+    const { value: change } = attempt(() => engine.assemble(number));
+    // What has no such assembly stays as it is.
+    if (change) history.step(() => take(change, page));
   };
   const hasten = (/** @type {1 | -1} */ by) => {
     store.update((state) => {

@@ -55,10 +55,8 @@ pub(crate) trait Edited {
         Err(vec![unknown(link)])
     }
 
-    /// Another assembly drawn, by its number from 1.
-    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
-        Err(vec![unknown("assembly")])
-    }
+    /// An assembly chosen, by its number from 1; nothing becomes other where it is the drawn one.
+    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>>;
 }
 
 /// What is none of the points that can be dragged.

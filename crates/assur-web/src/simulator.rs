@@ -153,7 +153,8 @@ impl Simulator {
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// What choosing another assembly, from 1, changes: `{document}`, drawn in it.
+    /// What choosing an assembly, from 1, changes: `{document}` with the fields that
+    /// become others, or nothing.
     ///
     /// # Errors
     /// No such assembly.

@@ -8,7 +8,7 @@
 )]
 
 use assur_web::{Simulator, catalogue};
-use js_sys::{Array, JSON, Reflect};
+use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
@@ -268,6 +268,22 @@ fn points_are_put_on_links_and_dragged_along() {
         thrown(simulator.drag("P2", 1.0, x, y).unwrap_err())[0].0,
         "bad_state"
     );
+}
+
+#[wasm_bindgen_test]
+fn an_assembly_is_chosen_by_its_number() {
+    let simulator = simulator();
+    for (chosen, said) in [(1, 1.0), (2, 2.0)] {
+        let change = simulator.assemble(chosen).unwrap();
+        assert_eq!(number(&change, "document.assembly"), said);
+        let document: Object = get(&change, "document").unchecked_into();
+        assert_eq!(Object::keys(&document).length(), 1);
+        assert!(get(&change, "input").is_undefined());
+    }
+    for none in [0, 3] {
+        let problems = thrown(simulator.assemble(none).unwrap_err());
+        assert_eq!(problems[0].0, "bad_state");
+    }
 }
 
 #[wasm_bindgen_test]

@@ -159,6 +159,9 @@ impl Edited for Linkage {
 
     fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
         let mechanism = self.mechanism();
+        if number == mechanism.drawn_assembly() + 1 {
+            return Ok(Change::default());
+        }
         let other = number.checked_sub(1).and_then(|k| mechanism.assembly(k));
         let other = other.ok_or_else(|| vec![unknown("assembly")])?;
         Ok(Change::document(&Redrawn::of(other.draft())))

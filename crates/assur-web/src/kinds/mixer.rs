@@ -48,6 +48,12 @@ struct Lengths {
     assembly: u8,
 }
 
+/// The assembly, where another is chosen.
+#[derive(Serialize)]
+struct Assembled {
+    assembly: u8,
+}
+
 /// The traced points, where one of them was put somewhere.
 #[derive(Serialize)]
 struct Tracers {
@@ -97,6 +103,14 @@ impl Mixer {
             linkage, assembly, ..
         } = &self.parameters;
         Ok(linkage.pose(*assembly, input)?)
+    }
+}
+
+/// An assembly as the document counts them.
+fn number_of(assembly: Assembly) -> u8 {
+    match assembly {
+        Assembly::First => 1,
+        Assembly::Second => 2,
     }
 }
 
@@ -178,12 +192,18 @@ impl Edited for Mixer {
                 l2: (joint == Joint::C).then_some(l2),
                 l3,
                 l4: (joint == Joint::D).then_some(l4),
-                assembly: match assembly {
-                    Assembly::First => 1,
-                    Assembly::Second => 2,
-                },
+                assembly: number_of(assembly),
             }),
         })
+    }
+
+    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
+        let mut all = [Assembly::First, Assembly::Second]
+            .map(number_of)
+            .into_iter();
+        let assembly = all.find(|one| usize::from(*one) == number);
+        let assembly = assembly.ok_or_else(|| vec![unknown("assembly")])?;
+        Ok(Change::document(&Assembled { assembly }))
     }
 
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {
