@@ -1,12 +1,13 @@
 //! The kinds of document on the page, found by their folders: a folder of `www/kinds` with `kind.js` is
 //! one. The list goes into a module that the page imports, so no script names a kind.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use serde::Deserialize;
+
+use crate::words;
 
 /// The module of the list, in the page.
 pub(crate) const LIST: &str = "kinds/index.js";
@@ -86,23 +87,14 @@ pub(crate) fn add_words(folder: &Path, tables: &Path) -> Result<()> {
                 continue;
             };
             let place = tables.join(language);
-            let mut table = words(&place)?;
-            table.extend(words(&path)?);
-            let text = serde_json::to_string(&table).context("a table of words")?;
-            fs::write(&place, text)
-                .with_context(|| format!("{} cannot be written", place.display()))?;
+            let mut table = words::read(&place)?;
+            table.extend(words::read(&path)?);
+            words::write(&place, &table)?;
             fs::remove_file(&path)
                 .with_context(|| format!("{} cannot be removed", path.display()))?;
         }
     }
     Ok(())
-}
-
-fn words(path: &Path) -> Result<BTreeMap<String, String>> {
-    let text =
-        fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))?;
-    serde_json::from_str(&text)
-        .with_context(|| format!("{} is not one flat object of texts", path.display()))
 }
 
 #[cfg(test)]
@@ -122,7 +114,7 @@ mod tests {
         copy(&root.join("tests/data/page/kinds"), &kinds).unwrap();
         let after = list(&kinds).unwrap();
         add_words(&kinds, &lang).unwrap();
-        let table = words(&lang.join("en.json")).unwrap();
+        let table = words::read(&lang.join("en.json")).unwrap();
         fs::remove_file(kinds.join("scheme/kind.js")).unwrap();
         let error = list(&kinds).unwrap_err().to_string();
         fs::remove_dir_all(&place).unwrap();

@@ -7,7 +7,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+
+use crate::words;
 
 /// The module of the list, in the page.
 pub(crate) const LIST: &str = "lessons/index.js";
@@ -54,15 +55,15 @@ pub(crate) fn list(folder: &Path) -> Result<String> {
 const CALLED: [&str; 2] = ["title", "line"];
 
 /// Puts what the lessons are called into every table of words of a folder.
-pub(crate) fn name(lessons: &Path, words: &Path) -> Result<()> {
-    let unreadable = || format!("{} cannot be read", words.display());
-    for entry in fs::read_dir(words).with_context(unreadable)? {
+pub(crate) fn name(lessons: &Path, tables: &Path) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", tables.display());
+    for entry in fs::read_dir(tables).with_context(unreadable)? {
         let path = entry.with_context(unreadable)?.path();
         let language = path.file_stem().unwrap_or_default().to_string_lossy();
-        let mut page = table(&path)?;
+        let mut page = words::read(&path)?;
         for Lesson { id, .. } in found(lessons)? {
             let own = lessons.join(&id).join(format!("words.{language}.json"));
-            let own = table(&own)?;
+            let own = words::read(&own)?;
             for key in CALLED {
                 let text = own.get(key).with_context(|| {
                     format!("the lesson {id} has no {key} in its words of {language}")
@@ -70,16 +71,9 @@ pub(crate) fn name(lessons: &Path, words: &Path) -> Result<()> {
                 page.insert(format!("lessons.{id}.{key}"), text.clone());
             }
         }
-        let text = serde_json::to_string(&page).context("a table of words")?;
-        fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))?;
+        words::write(&path, &page)?;
     }
     Ok(())
-}
-
-fn table(path: &Path) -> Result<Map<String, Value>> {
-    let text =
-        fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))?;
-    serde_json::from_str(&text).with_context(|| format!("{} is no table of words", path.display()))
 }
 
 /// The lessons of a folder in their order.
@@ -193,19 +187,19 @@ mod tests {
     #[test]
     fn what_lessons_are_called_is_in_the_words_of_the_page() {
         let lessons = Copy::of_the_lessons("called");
-        let words = lessons.0.join("lang");
-        copy(&root().join("lang"), &words).unwrap();
-        let of_page = |language: &str| table(&words.join(format!("{language}.json"))).unwrap();
+        let tables = lessons.0.join("lang");
+        copy(&root().join("lang"), &tables).unwrap();
+        let of_page = |lang: &str| words::read(&tables.join(format!("{lang}.json"))).unwrap();
         let before = of_page("ru").len();
         // The folder of the words is no lesson.
         let only = Copy::of_the_lessons("called-only");
-        name(&only.0, &words).unwrap();
+        name(&only.0, &tables).unwrap();
         let after = of_page("ru");
-        let own = table(&only.0.join("mixer").join("words.ru.json")).unwrap();
+        let own = words::read(&only.0.join("mixer").join("words.ru.json")).unwrap();
         assert_eq!(after["lessons.mixer.title"], own["title"]);
         assert_eq!(after.len(), before + 2 * found(&only.0).unwrap().len());
         fs::write(only.0.join("mixer").join("words.kk.json"), "{}").unwrap();
-        let error = format!("{:#}", name(&only.0, &words).unwrap_err());
+        let error = format!("{:#}", name(&only.0, &tables).unwrap_err());
         assert!(
             error.contains("mixer has no title in its words of kk"),
             "{error}"

@@ -1,4 +1,5 @@
-//! The tables of words, as far as the page needs them before any script has run.
+//! The tables of words: how they are read and written, and what the page needs of them before any
+//! script has run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,7 +10,22 @@ use anyhow::{Context, Result, bail};
 /// The language of the title and the first of every joined text.
 const FIRST: &str = "en";
 
-type Table = BTreeMap<String, String>;
+/// Texts by their keys.
+pub(crate) type Table = BTreeMap<String, String>;
+
+/// The table of words in a file.
+pub(crate) fn read(path: &Path) -> Result<Table> {
+    let text =
+        fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    serde_json::from_str(&text)
+        .with_context(|| format!("{} is not one flat object of texts", path.display()))
+}
+
+/// Writes a table of words into a file.
+pub(crate) fn write(path: &Path, table: &Table) -> Result<()> {
+    let text = serde_json::to_string(table).context("a table of words")?;
+    fs::write(path, text).with_context(|| format!("{} cannot be written", path.display()))
+}
 
 /// Every language's table, by the name of its file.
 pub(crate) struct Words(BTreeMap<String, Table>);
@@ -33,10 +49,7 @@ impl Words {
                 .unwrap_or_default()
                 .to_string_lossy()
                 .into_owned();
-            let text = fs::read_to_string(&path).with_context(unreadable)?;
-            let table = serde_json::from_str(&text)
-                .with_context(|| format!("{} is not one flat object of texts", path.display()))?;
-            tables.insert(language, table);
+            tables.insert(language, read(&path)?);
         }
         if !tables.contains_key(FIRST) {
             bail!("{} holds no {FIRST}.json", directory.display());
