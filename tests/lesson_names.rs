@@ -6,9 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
+use assur_tests::files::{root, scripts};
 
 /// What stands in a folder, by the names without endings.
 fn names(folder: &str, is: fn(&Path) -> bool) -> BTreeSet<String> {
@@ -16,21 +14,6 @@ fn names(folder: &str, is: fn(&Path) -> bool) -> BTreeSet<String> {
     let paths = entries.map(|entry| entry.unwrap().path());
     let stem = |path: PathBuf| path.file_stem().unwrap().to_str().unwrap().to_owned();
     paths.filter(|path| is(path)).map(stem).collect()
-}
-
-/// The scripts of a folder and of those in it, by their paths from the root.
-fn scripts(folder: &str) -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(root().join(folder)).unwrap() {
-        let entry = entry.unwrap();
-        let path = format!("{folder}/{}", entry.file_name().into_string().unwrap());
-        if entry.path().is_dir() {
-            found.extend(scripts(&path));
-        } else if path.ends_with(".js") {
-            found.push((path, fs::read_to_string(entry.path()).unwrap()));
-        }
-    }
-    found
 }
 
 /// The code of a line: a type may name a kind.

@@ -3,20 +3,14 @@
 #![cfg(not(target_family = "wasm"))]
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
 
 use assur::mechanism::{LinkId, Quantity};
 use assur::motion::{Dwell, Motion, OutputProfile};
 use assur_file::{LinkageDocument, from_catalogue};
+use assur_tests::files::source;
 
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 const SCRIPT: &str = "www/lessons/class4-dwell/lesson.js";
-
-fn source(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
-    fs::read_to_string(path).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
 
 fn words(lang: &str) -> BTreeMap<String, String> {
     let text = source(&format!("www/lessons/class4-dwell/words.{lang}.json"));

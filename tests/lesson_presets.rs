@@ -7,13 +7,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use assur_file::{State, View, gallery};
+use assur_tests::files::root;
 use serde_json::{Value, json};
 
 /// The folders of the lessons, with that of the tests.
 fn lessons() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let places = ["www/lessons", "tests/data/page/lessons"];
-    let entries = places.map(|place| fs::read_dir(root.join(place)).unwrap());
+    let entries = places.map(|place| fs::read_dir(root().join(place)).unwrap());
     let paths = entries
         .into_iter()
         .flatten()

@@ -4,7 +4,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+
+use assur_tests::files::{root, scripts, source};
 
 type Words = BTreeMap<String, String>;
 
@@ -142,29 +143,6 @@ const LINKS: &[&str] = &[
 
 /// The tables of all that the page says.
 const PAGE: &str = "lang/*.json";
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-fn source(name: &str) -> String {
-    fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// The scripts of a folder and of those in it, by their paths.
-fn scripts(folder: &str) -> BTreeMap<String, String> {
-    let mut found = BTreeMap::new();
-    for entry in fs::read_dir(root().join(folder)).unwrap() {
-        let entry = entry.unwrap();
-        let path = format!("{folder}/{}", entry.file_name().into_string().unwrap());
-        if entry.path().is_dir() {
-            found.extend(scripts(&path));
-        } else if path.ends_with(".js") {
-            found.insert(path.clone(), source(&path));
-        }
-    }
-    found
-}
 
 /// The folders of the lessons.
 fn lessons() -> Vec<String> {

@@ -1,4 +1,7 @@
-//! What several tests share: reading the golden tables and comparing with them.
+//! What several tests share: reading the golden tables and comparing with them; files of the
+//! project.
+
+pub mod files;
 
 use std::f64::consts::{PI, TAU};
 
