@@ -1,8 +1,7 @@
 // Problems of the engine as sentences.
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
-import { called } from "assur/core/names.js";
-import { subscript } from "assur/core/symbols.js";
+import { called, entryNumber } from "assur/core/names.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
@@ -12,9 +11,7 @@ import { subscript } from "assur/core/symbols.js";
  */
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
-const ENTRY = /^(wheels|tracers)\[(\d)\]\.(\w+)$/;
-/** The number of the first entry of a list, as readers count. */
-const FIRST = Object.freeze({ wheels: 5, tracers: 1 });
+const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `points[8].x`. */
 const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
 
@@ -22,15 +19,14 @@ const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
  * @param {string} field
  * @param {Words} words
  * @param {Document | undefined} document that has the field
- * @returns {string} its name, with the number of the wheel, the name of the link or point
+ * @returns {string} its name, with the number of the entry of a list, the name of the link or point
  */
 function fieldName(field, words, document) {
   const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
   if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at), words) ?? at });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
-  const number = String(Number(index) + FIRST[/** @type {keyof typeof FIRST} */ (list)]);
-  return words.text(`field.${list}.${part}`, { n: list === "tracers" ? subscript(number) : number });
+  return words.text(`field.${list}.${part}`, { n: entryNumber(list, Number(index)) });
 }
 
 /**

@@ -1,4 +1,5 @@
-// What links are called in the reader's language: by the words of the field, else by the names that they have.
+// What links are called in the reader's language: by the words of the field, else by the names that they have. How entries of
+// a list are numbered.
 
 /**
  * @param {string} link
@@ -18,4 +19,27 @@ export function called(link, words) {
  */
 export function calledIn(formula, words) {
   return formula.replace(/(?<=[(,])[^(),]+(?=[,)])/g, (link) => called(link, words));
+}
+
+/** @typedef {(index: number) => string} Numbering of the entries of a list in a document, by their place from 0 */
+
+/** @type {Map<string, Numbering>} by the name of the list */
+const NUMBERINGS = new Map();
+
+/**
+ * A kind of document says how readers number the entries of a list of its own.
+ * @param {string} list
+ * @param {Numbering} numbering
+ */
+export function numberEntries(list, numbering) {
+  NUMBERINGS.set(list, numbering);
+}
+
+/**
+ * @param {string} list
+ * @param {number} index from 0
+ * @returns {string} the number of the entry for readers, who count from 1 where no kind says otherwise
+ */
+export function entryNumber(list, index) {
+  return NUMBERINGS.get(list)?.(index) ?? String(index + 1);
 }

@@ -2,6 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { numberEntries } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 import { WHEELS, wheelLink, wheelOf } from "assur/kinds/mixer/wheels.js";
 import { TRACERS, edited } from "assur/state/state.js";
@@ -28,8 +29,16 @@ import { TRACERS, edited } from "assur/state/state.js";
  * @typedef {(index: number, put: Put, drafts: Drafts, remove: HTMLButtonElement) => { lines: HTMLElement[], show: Show<E> }} Build
  */
 
-/** Of each list the number of its first entry as readers count, and how many it may have. */
-const LISTS = Object.freeze({ wheels: WHEELS, tracers: { ...TRACERS, first: 1, least: 0 } });
+/** Of each list the number of its first entry as readers count, how a number is written, and how many entries it may have. */
+const LISTS = Object.freeze({
+  wheels: Object.freeze({ ...WHEELS, written: String }),
+  tracers: Object.freeze({ ...TRACERS, first: 1, least: 0, written: (/** @type {number} */ number) => subscript(String(number)) }),
+});
+
+/** Says elsewhere how the entries of the lists are numbered. */
+export function numberLists() {
+  for (const [name, { first, written }] of Object.entries(LISTS)) numberEntries(name, (index) => written(index + first));
+}
 
 export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 
@@ -104,14 +113,14 @@ export class RailList {
 
   /** @param {number} index */
   #card(index) {
-    const number = index + LISTS[this.#name].first;
+    const { first, written } = LISTS[this.#name];
     const remove = make("button", {
-      id: `${this.#name}-remove-${number}`,
+      id: `${this.#name}-remove-${index + first}`,
       type: "button",
       class: "control icon",
       "data-t-label": REMOVAL[this.#name],
       "data-t-title": REMOVAL[this.#name],
-      "data-n": this.#name === "tracers" ? subscript(String(number)) : String(number),
+      "data-n": written(index + first),
     }, ["×"]);
     remove.addEventListener("click", () => this.#change((entries, document) => removed(this.#name, index, entries, document)));
     /** @type {Put} */
