@@ -1,5 +1,5 @@
 // The status line: what kind of mechanism it is and what it does over a turn, an entry for each thing that is said.
-import { keepBack, tell } from "assur/controls/told.js";
+import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
 /**
@@ -7,12 +7,12 @@ import { byId, make, setData } from "assur/core/dom.js";
  */
 
 /**
- * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
+ * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, say: (snapshot: S) => Entry | null }>} Item
  * `title`: the key of its words; `say`: what it says, null where there is nothing to say.
  */
 
-/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, untold: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
+/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
   /** @type {{ name: string, n: string, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
@@ -21,7 +21,7 @@ export class StatusLine {
   #symbol = "";
   #shown = "";
   /** @type {ReadonlySet<string> | null} */
-  #untold = null;
+  #withheld = null;
 
   /**
    * @param {string} kind whose entries they are
@@ -51,21 +51,21 @@ export class StatusLine {
 
   /** @param {S} snapshot */
   render(snapshot) {
-    const { words, revision, stale, untold, coordinate } = snapshot;
+    const { words, revision, stale, withheld, coordinate } = snapshot;
     setData(this.#list, "faded", String(stale));
     // What is not the state's own mechanism keeps the words it had.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
     const shown = `${revision} ${words.lang}`;
-    if (shown === this.#shown && untold === this.#untold) return;
-    this.#untold = untold;
+    if (shown === this.#shown && withheld === this.#withheld) return;
+    this.#withheld = withheld;
     this.#shown = shown;
     if (coordinate.symbol !== this.#symbol) this.#name(coordinate.symbol, words);
     for (const { name, say, entry, output } of this.#entries) {
       const said = say(snapshot);
       const text = said?.text ?? "";
       entry.hidden = said === null || text === "";
-      if (untold.has(name)) keepBack(output, words);
-      else tell(output, text, said?.value);
+      if (withheld.has(name)) withhold(output, words);
+      else writeReadout(output, text, said?.value);
     }
   }
 }

@@ -36,7 +36,7 @@ import { withView } from "assur/state/state.js";
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms;
- * `hides`: the read-outs that tell the answer, which the page does not tell until it was given, or the reader gives up.
+ * `hides`: the read-outs that tell the answer, which the page withholds until it was given, or the reader gives up.
  */
 
 /**
@@ -125,18 +125,18 @@ export class LessonPanel {
     });
     this.#reveal.addEventListener("click", () => {
       this.#revealed.add(this.#step);
-      this.#keepBack();
+      this.#withhold();
       this.#check.focus();
     });
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     place.replaceChildren(walk, this.#title, this.#text, this.#shows, this.#tools.element, this.#errata, form);
   }
 
-  /** Gives back what the page has lent, and lets it tell everything. */
+  /** Gives back what the page has lent, and withholds nothing. */
   close() {
     this.#tools.close();
     this.#shown = [];
-    this.#ask([]);
+    this.#setWithheld([]);
   }
 
   /** @param {Words} words */
@@ -219,24 +219,24 @@ export class LessonPanel {
     write(this.#check, words.text("lesson.check"));
     write(this.#reveal, words.text("lesson.reveal"));
     this.#tools.show(step, () => this.#page.store.get().document);
-    this.#keepBack();
+    this.#withhold();
     this.#say();
   }
 
-  /** What tells the answer is not told before it is given, unless the reader gives up. */
-  #keepBack() {
+  /** Read-outs that tell the answer are withheld until it is given, unless the reader gives up. */
+  #withhold() {
     const step = this.#step;
     const open = !this.#progress.isSolved(step.id) && !this.#revealed.has(step);
     const { hides = [] } = step.question;
-    this.#ask(open ? hides : []);
+    this.#setWithheld(open ? hides : []);
     this.#reveal.hidden = !open || hides.length === 0;
   }
 
-  /** @param {readonly string[]} readouts that are not to be told */
-  #ask(readouts) {
+  /** @param {readonly string[]} readouts that are not to be written */
+  #setWithheld(readouts) {
     const { model } = this.#page;
-    if (readouts.join() === [...model.untold].join()) return;
-    model.untold = new Set(readouts);
+    if (readouts.join() === [...model.withheld].join()) return;
+    model.withheld = new Set(readouts);
     this.#page.redraw();
   }
 
@@ -279,7 +279,7 @@ export class LessonPanel {
     const verdict = judge(step.question, this.#progress.given(step.id), this.#snapshot, step.kind ?? this.#kind);
     this.#judged.set(step, { verdict, document: this.#snapshot.state.document });
     if (verdict === "right") this.#progress.solve(step.id);
-    this.#keepBack();
+    this.#withhold();
     this.#say();
     this.#said.scrollIntoView({ block: "nearest" });
   }

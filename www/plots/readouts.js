@@ -1,5 +1,5 @@
 // The table of current values: the input and what the engine lists. Its rows are the legend of drawing and plots.
-import { keepBack, tell } from "assur/controls/told.js";
+import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { subscript, symbol } from "assur/core/symbols.js";
@@ -32,7 +32,7 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, legible, untold } = snapshot;
+    const { state, summary, readouts, coordinate, place, words, stale, legible, withheld } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
     const built = [summary, words, state.view.axes];
@@ -43,8 +43,8 @@ export class ReadoutTable {
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
       const said = value === undefined ? null : written(value, listed.what, order, words);
-      if (untold.has(output.id.replace("out-", ""))) keepBack(output, words);
-      else tell(output, said?.text ?? NONE, said?.value);
+      if (withheld.has(output.id.replace("out-", ""))) withhold(output, words);
+      else writeReadout(output, said?.text ?? NONE, said?.value);
     }
   }
 

@@ -34,13 +34,13 @@ import { DRAWN } from "assur/state/state.js";
  *   stale: boolean,
  *   faded: boolean,
  *   legible: boolean,
- *   untold: ReadonlySet<string>,
+ *   withheld: ReadonlySet<string>,
  * }} Shown
  * What the views draw. `place` is where the input is on its axis, as readers count, `input` the same for the engine; `revision` counts
  * the mechanisms taken; `frameInput` is the input of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
  * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame);
- * `untold`: read-outs, by their ids, that are not told because a lesson asks for them.
+ * `withheld`: read-outs, by their ids, that are not written because a lesson asks for them.
  */
 
 /**
@@ -78,8 +78,8 @@ function notTrapped(problem) {
 }
 
 export class Model {
-  /** @type {ReadonlySet<string>} what is not told because a lesson asks for it */
-  untold = new Set();
+  /** @type {ReadonlySet<string>} read-outs that are not written because a lesson asks for them */
+  withheld = new Set();
   #engine;
   #drafts;
   /** @type {State | null} the state the engine was asked about last */
@@ -211,7 +211,7 @@ export class Model {
       stale,
       faded: stale || this.#unplaced.length > 0,
       legible,
-      untold: this.untold,
+      withheld: this.withheld,
     };
   }
 

@@ -2,6 +2,7 @@
 //! and the engine's and computes nothing.
 
 mod canvas;
+mod capabilities;
 mod change;
 mod chart;
 mod convert;
@@ -12,7 +13,6 @@ mod equations;
 mod kinds;
 mod moving;
 mod profile;
-mod shown;
 mod simulator;
 mod summary;
 mod table;

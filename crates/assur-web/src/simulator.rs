@@ -8,11 +8,11 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
+use crate::capabilities::{Capabilities, Edited};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, thrown, to_js};
-use crate::kinds::shown;
+use crate::kinds::open;
 use crate::moving::{Here, Moving};
-use crate::shown::{Edited, Shown};
 use crate::table::SweepTable;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
@@ -21,7 +21,7 @@ use crate::table::SweepTable;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
-    shown: Option<Box<dyn Shown>>,
+    document: Option<Box<dyn Capabilities>>,
 }
 
 #[wasm_bindgen]
@@ -38,9 +38,9 @@ impl Simulator {
     /// Every problem of the state; the document set before stays.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let state = read(&state)?;
-        let shown = shown(&state).map_err(thrown)?;
-        let summary = shown.summary();
-        self.shown = Some(shown);
+        let document = open(&state).map_err(thrown)?;
+        let summary = document.summary();
+        self.document = Some(document);
         Ok(summary)
     }
 
@@ -50,7 +50,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.shown()?.labels().to_vec())
+        Ok(self.document()?.labels().to_vec())
     }
 
     /// The display list of everything rigid, grouped by body.
@@ -58,7 +58,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
-        Ok(self.shown()?.scene().numbers().to_vec())
+        Ok(self.document()?.scene().numbers().to_vec())
     }
 
     /// Everything at an input, from one pose: how many numbers each of four lists has, then
@@ -73,9 +73,9 @@ impl Simulator {
     /// # Errors
     /// Why there is no pose.
     pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
-        let shown = self.shown()?;
-        let Some(moving) = shown.moving() else {
-            return Ok(Here::still(shown.still()).flat());
+        let document = self.document()?;
+        let Some(moving) = document.moving() else {
+            return Ok(Here::still(document.still()).flat());
         };
         Ok(moving.at(input).map_err(one)?.flat())
     }
@@ -94,7 +94,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
-        let moving = self.shown()?.moving();
+        let moving = self.document()?.moving();
         Ok(thrown(moving.and_then(|moving| moving.why(input))))
     }
 
@@ -106,7 +106,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = readoutNames)]
     pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
-        let moving = self.shown()?.moving();
+        let moving = self.document()?.moving();
         Ok(moving.map_or_else(Vec::new, Moving::readout_names))
     }
 
@@ -218,18 +218,18 @@ impl Simulator {
         self.moving()?.equations(input, order).map_err(one)
     }
 
-    fn shown(&self) -> Result<&dyn Shown, JsValue> {
-        let shown = self.shown.as_deref();
-        shown.ok_or_else(|| one(bad("", "no state has been set")))
+    fn document(&self) -> Result<&dyn Capabilities, JsValue> {
+        let document = self.document.as_deref();
+        document.ok_or_else(|| one(bad("", "no state has been set")))
     }
 
     fn moving(&self) -> Result<&Moving, JsValue> {
-        let moving = self.shown()?.moving();
+        let moving = self.document()?.moving();
         moving.ok_or_else(|| one(bad("", "nothing moves")))
     }
 
     fn edited(&self) -> Result<&dyn Edited, JsValue> {
-        let edited = self.shown()?.edited();
+        let edited = self.document()?.edited();
         edited.ok_or_else(|| one(bad("", "nothing can be dragged")))
     }
 }
@@ -280,6 +280,6 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = readState)]
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let state = read(&state)?;
-    shown(&state).map_err(thrown)?;
+    open(&state).map_err(thrown)?;
     Ok(to_js(&state))
 }

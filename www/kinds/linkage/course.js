@@ -1,7 +1,7 @@
 // What the plotted output does over a turn: stroke, dwell and cyclogram in the rail, the dwell shaded on the plots and
 // magnified in an inset.
 import { NumberRow } from "assur/controls/number-row.js";
-import { keepBack, tell } from "assur/controls/told.js";
+import { withhold, writeReadout } from "assur/controls/readout.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -149,12 +149,12 @@ export class CourseView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#design.render(snapshot);
-    const { state, summary, coordinate, words, problems, stale, untold } = snapshot;
+    const { state, summary, coordinate, words, problems, stale, withheld } = snapshot;
     const { profile, plotted } = summary;
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
-    const shown = [profile, words, wrong, band, stale, untold];
+    const shown = [profile, words, wrong, band, stale, withheld];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     if (!profile) return;
@@ -173,8 +173,8 @@ export class CourseView {
     };
     for (const name of ROWS) {
       const output = /** @type {HTMLElement} */ (this.#outputs.get(name));
-      if (untold.has(`course-${name}`)) keepBack(output, words);
-      else tell(output, texts[name], undefined);
+      if (withheld.has(`course-${name}`)) withhold(output, words);
+      else writeReadout(output, texts[name], undefined);
     }
     this.#draw(profile, summary, turned, words);
   }

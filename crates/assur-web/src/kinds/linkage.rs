@@ -11,11 +11,11 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::capabilities::{Capabilities, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::dimensions::DimensionSummary;
 use crate::moving::Moving;
-use crate::shown::{Edited, Shown, unknown};
 use crate::summary::MotionSummary;
 
 /// A linkage with all that is drawn of it.
@@ -92,7 +92,7 @@ struct Traced {
     tracers: Vec<TracerDocument>,
 }
 
-impl Shown for Linkage {
+impl Capabilities for Linkage {
     fn summary(&self) -> JsValue {
         let mechanism = self.mechanism();
         to_js(&LinkageSummary {

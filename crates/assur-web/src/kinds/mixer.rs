@@ -11,10 +11,10 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::capabilities::{Capabilities, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::moving::Moving;
-use crate::shown::{Edited, Shown, unknown};
 use crate::summary::MotionSummary;
 
 /// A mixer with all that is drawn of it.
@@ -81,7 +81,7 @@ impl Mixer {
             Ok(_) => LinkageProblem::unsolved(unsolved, mechanism).into(),
         };
         let annotations = Annotations::from(&parameters);
-        let quantities = told(&moved.document, moved.motion.mechanism());
+        let quantities = readouts(&moved.document, moved.motion.mechanism());
         let angles = quantities.iter().filter_map(|one| match one {
             Quantity::Angle(link) => Some(*link),
             Quantity::X(_) | Quantity::Y(_) => None,
@@ -116,7 +116,7 @@ fn number_of(assembly: Assembly) -> u8 {
 
 /// What is read of it: all but the input itself, what stands still, and what turns as one
 /// with another link.
-fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
+fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers
         .iter()
@@ -138,7 +138,7 @@ fn told(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     quantities
 }
 
-impl Shown for Mixer {
+impl Capabilities for Mixer {
     fn summary(&self) -> JsValue {
         let gears = &self.parameters.gears;
         to_js(&MixerSummary {

@@ -9,13 +9,13 @@ pub(crate) use linkage::Redrawn;
 
 use assur_file::{Document, Problem, State};
 
-use crate::shown::Shown;
+use crate::capabilities::Capabilities;
 
 /// The document of a state with all that is drawn of it.
 ///
 /// # Errors
 /// Every problem of the state.
-pub(crate) fn shown(state: &State) -> Result<Box<dyn Shown>, Vec<Problem>> {
+pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>> {
     Ok(match &state.document {
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),

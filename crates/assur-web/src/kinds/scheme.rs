@@ -6,8 +6,8 @@ use assur_file::{LinkageProblem, Problem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::capabilities::Capabilities;
 use crate::convert::to_js;
-use crate::shown::Shown;
 use crate::summary::StructureSummary;
 
 /// A linkage drawn where it stands.
@@ -57,7 +57,7 @@ impl Scheme {
     }
 }
 
-impl Shown for Scheme {
+impl Capabilities for Scheme {
     fn summary(&self) -> JsValue {
         to_js(&SchemeSummary {
             moves: None,

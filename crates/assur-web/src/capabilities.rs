@@ -1,5 +1,5 @@
-//! What the page asks of what it shows, whichever kind it is of: capabilities, of which a
-//! kind has those that it has.
+//! What the page asks of a document that is open, whichever kind it is of: capabilities, of
+//! which a kind has those that it has.
 
 use assur::Point;
 use assur_draw::List;
@@ -10,7 +10,7 @@ use crate::change::Change;
 use crate::moving::Moving;
 
 /// A document with all that is drawn of it.
-pub(crate) trait Shown {
+pub(crate) trait Capabilities {
     /// What is said of it as a whole; it says by `moves` whether anything does.
     fn summary(&self) -> JsValue;
 

@@ -1,4 +1,4 @@
-// Writing a read-out; one that a lesson asks for is not told.
+// Writing a read-out, and withholding one that a lesson asks for.
 import { make, write } from "assur/core/dom.js";
 
 /**
@@ -6,7 +6,7 @@ import { make, write } from "assur/core/dom.js";
  * @param {string | readonly (Node | string)[]} said
  * @param {number | undefined} value behind it
  */
-export function tell(output, said, value) {
+export function writeReadout(output, said, value) {
   output.removeAttribute("data-asked");
   // A text that is the same may have been made of several elements.
   if (typeof said === "string" && output.childElementCount === 0) write(output, said);
@@ -19,7 +19,7 @@ export function tell(output, said, value) {
  * @param {HTMLElement} output
  * @param {import("assur/core/words.js").Words} words
  */
-export function keepBack(output, words) {
+export function withhold(output, words) {
   if (output.dataset.asked === words.lang) return;
   output.dataset.asked = words.lang;
   output.removeAttribute("data-value");
