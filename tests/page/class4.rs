@@ -478,7 +478,15 @@ async fn the_regulator_is_in_its_step() {
     for _ in 1..5 {
         page.click("lesson-on").await;
     }
+    // What the engine makes of the length, in one step of undo.
+    let drawn = page.written("field-length-5").await;
     page.click("lesson-show").await;
+    page.settle().await;
+    assert_eq!(page.written("field-length-5").await, "4.112");
+    page.click("undo").await;
+    assert_eq!(page.written("field-length-5").await, drawn);
+    page.click("redo").await;
+    assert_eq!(page.written("field-length-5").await, "4.112");
     page.click("play").await;
     let read = async |place: &str| {
         let script = format!("return document.querySelector('{place}').textContent");

@@ -15,6 +15,7 @@ import { Lesson } from "assur/lesson/lesson.js";
 import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
+import { change } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
@@ -27,6 +28,8 @@ import { Store } from "assur/state/store.js";
  * @typedef {import("assur/app/opening.js").Failure} Failure
  * @typedef {import("assur/app/opening.js").Taken} Taken
  * @typedef {import("assur/state/state.js").State} State
+ * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
+ * with the input where it is drawn; the field where it stands why it is not done
  */
 
 /** Numbers that change faster than this cannot be read; in seconds. */
@@ -129,14 +132,19 @@ export class Page {
    * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
+   * @param {readonly Edit[]} edits what the engine makes other in it
    * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
    * if it takes it
    */
-  choose(kind, document, look = () => ({})) {
+  choose(kind, document, edits = [], look = () => ({})) {
     const { store, model } = this;
     this.history.step(() => {
       store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
       this.mechanism.fit();
+      for (const { asked, field } of edits) {
+        model.follow(store.get());
+        change(() => asked(model.home), field, this);
+      }
       // The driver of another mechanism may not go where this one's stands.
       model.follow(store.get());
       const { coordinate, home } = model;

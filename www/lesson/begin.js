@@ -1,7 +1,7 @@
 // A lesson opened from elsewhere than its tab: with the mechanism of its step.
 import { readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
-import { looked, opens } from "assur/lesson/show.js";
+import { open } from "assur/lesson/show.js";
 
 /**
  * Opens a lesson at the first step that was not answered rightly, with what the step shows.
@@ -13,8 +13,5 @@ export async function begin(page, entry) {
   const { id } = entry;
   const index = Math.max(new Progress(id, steps).next, 0);
   const [show] = steps[index].shows;
-  const whole = opens(show, presets, page.engine);
-  if (!whole) return;
-  page.choose(whole.kind, whole.document, (summary) => ({ ...looked(show, summary), lesson: { id, step: index + 1 } }));
-  page.attend();
+  if (open(show, presets, page, { lesson: { id, step: index + 1 } })) page.attend();
 }

@@ -3,7 +3,7 @@ import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { Progress } from "assur/lesson/progress.js";
-import { looked, opens } from "assur/lesson/show.js";
+import { open } from "assur/lesson/show.js";
 import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
 
@@ -20,11 +20,11 @@ import { withView } from "assur/state/state.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   name?: string, preset: string, change?: (document: Documents[K]) => Documents[K], play?: boolean, overlays?: readonly string[],
+ *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[],
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * What a button opens instead of the document there is: a preset, or a change of it, the crank's angle in it or its motion, and what is
- * laid over the drawing. The words of the button are `ID.show.NAME`, or "Show it".
+ * What a button opens instead of the document there is: a preset, with dimensions `set` (by their names, as in `controls`) or another link
+ * to `drive` it, the crank's angle in it or its motion, and what is laid over the drawing. The words of the button are `ID.show.NAME`, or "Show it".
  */
 
 /**
@@ -269,8 +269,7 @@ export class LessonPanel {
 
   /** @param {Show} show */
   #show(show) {
-    const whole = opens(show, this.#presets, this.#page.engine);
-    if (whole) this.#page.choose(whole.kind, whole.document, (summary) => looked(show, summary));
+    open(show, this.#presets, this.#page);
   }
 
   #answer() {

@@ -1,4 +1,5 @@
 // What a step of a lesson shows: the document that it opens, and how that is looked at.
+import { fieldOf } from "assur/lesson/field.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { SWITCHES } from "assur/state/state.js";
 
@@ -7,6 +8,7 @@ import { SWITCHES } from "assur/state/state.js";
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/lesson/panel.js").OwnPresets} OwnPresets
  * @typedef {import("assur/lesson/panel.js").Show} Show
+ * @typedef {import("assur/lesson/panel.js").Whole} Whole
  * @typedef {import("assur/state/state.js").View} View
  */
 
@@ -16,9 +18,39 @@ import { SWITCHES } from "assur/state/state.js";
  * @param {Engine} engine
  * @returns {import("assur/lesson/panel.js").Whole | undefined} what it opens
  */
-export function opens({ preset, change = (document) => document }, presets, engine) {
+export function opens({ preset }, presets, engine) {
   const whole = presets[preset] ?? engine.preset(preset);
-  return whole && /** @type {import("assur/lesson/panel.js").Whole} */ ({ kind: whole.kind, document: change(whole.document) });
+  return whole && /** @type {Whole} */ ({ kind: whole.kind, document: whole.document });
+}
+
+/**
+ * Opens what a step shows, in one step of undo.
+ * @param {Show} show
+ * @param {OwnPresets} presets of the lesson
+ * @param {import("assur/app/page.js").Page} page
+ * @param {Partial<View>} [view] what else it is looked at with
+ * @returns {boolean} whether there is such a preset
+ */
+export function open(show, presets, page, view = {}) {
+  const whole = opens(show, presets, page.engine);
+  if (whole) page.choose(whole.kind, whole.document, edits(show, whole.document, page.engine), (summary) => ({ ...looked(show, summary), ...view }));
+  return whole !== undefined;
+}
+
+/**
+ * @param {Show} show
+ * @param {Whole["document"]} document that it opens
+ * @param {Engine} engine
+ * @returns {import("assur/app/page.js").Edit[]} what is other in it than in its preset
+ */
+function edits({ set = {}, drive }, document, engine) {
+  /** @type {import("assur/app/page.js").Edit[]} */
+  const all = Object.entries(set).map(([name, value]) => {
+    const field = fieldOf(name, document);
+    return { asked: (home) => engine.setDimension(field, value, home), field };
+  });
+  if (drive !== undefined) all.push({ asked: (home) => engine.drive(drive, home), field: "drivers" });
+  return all;
 }
 
 /**
@@ -26,7 +58,7 @@ export function opens({ preset, change = (document) => document }, presets, engi
  * @param {Summary | null} summary of what it opens, where the engine takes it
  * @returns {Partial<View>} how that is looked at
  */
-export function looked({ play = false, overlays = ["traces"], at }, summary) {
+function looked({ play = false, overlays = ["traces"], at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle) : null;

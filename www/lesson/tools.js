@@ -1,6 +1,7 @@
 // What a step asks for, in the step itself: its controls and the constraint equations, lent by the page as long as it is open,
 // and read-outs that say what those of the page say.
 import { byId, make, setData, write } from "assur/core/dom.js";
+import { fieldOf } from "assur/lesson/field.js";
 
 /**
  * @typedef {import("assur/lesson/panel.js").Step} Step
@@ -117,20 +118,4 @@ function giveBack({ element, home, open }) {
   if (home.isConnected) home.replaceWith(element);
   else element.remove();
   return false;
-}
-
-/**
- * @param {string} name of a field; of a dimension of a link or point by its name, as `FK.length`, `H.x`
- * @param {Document} document
- * @returns {string} as the controls have it: `links[5].length`
- */
-function fieldOf(name, document) {
-  const [, of, part] = /^(.+)\.(length|x|y)$/.exec(name) ?? [];
-  for (const list of /** @type {const} */ (["links", "points"])) {
-    /** @type {readonly { name: string }[]} */
-    const entries = Object(document)[list] ?? [];
-    const index = entries.findIndex((entry) => entry.name === of);
-    if (index >= 0 && of) return `${list}[${index}].${part}`;
-  }
-  return name;
 }

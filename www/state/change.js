@@ -1,4 +1,5 @@
 // What the engine changes, put into the state: fields of the document, and where the driver is.
+import { attempt } from "assur/core/problem.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
@@ -14,6 +15,18 @@ export function take({ document, input }, { store, model, drafts }) {
   // The place is one of the motion that is now.
   model.follow(store.get());
   store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
+}
+
+/**
+ * Takes what the engine is asked to change, or says why it does not.
+ * @param {() => import("assur/engine.js").Changed} asked of the engine, which knows the state
+ * @param {string} field where it stands why it is not done
+ * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
+ */
+export function change(asked, field, page) {
+  const { value: changed, problems } = attempt(asked);
+  if (changed) take(changed, page);
+  else page.drafts.keep(field, problems);
 }
 
 /**

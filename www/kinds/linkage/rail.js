@@ -2,8 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { attempt } from "assur/core/problem.js";
-import { inputNow, take } from "assur/state/change.js";
+import { change, inputNow } from "assur/state/change.js";
 
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
@@ -78,9 +77,7 @@ export class LinkageRail {
    * @param {string} [field] where it stands why it is not done
    */
   #change(asked, field = "drivers") {
-    const { value: change, problems } = attempt(() => asked(inputNow(this.#page)));
-    if (change) take(change, this.#page);
-    else this.#page.drafts.keep(field, problems);
+    change(() => asked(inputNow(this.#page)), field, this.#page);
   }
 
   /**

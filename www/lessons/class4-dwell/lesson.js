@@ -2,10 +2,7 @@
 // Its words are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
-/**
- * @typedef {import("assur/engine.js").MotionSummary} Summary
- * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
- */
+/** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
 const PRESET = "class4-dwell";
 /** A length of FK, the regulator, that makes the dwell clearly shorter. */
@@ -30,7 +27,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "driver",
     formula: "3n − 2p₁ = 0",
-    shows: [{ preset: PRESET, change: drivenBy("CD"), at: ({ home }) => home, overlays: ["traces", "groups"] }],
+    shows: [{ preset: PRESET, drive: "CD", at: ({ home }) => home, overlays: ["traces", "groups"] }],
     readouts: ["formula"],
     question: { hides: ["class"], choices: ["ii", "iii", "iv"], answer: classOf },
   },
@@ -45,7 +42,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "regulator",
     formula: (numbers) => `FK = ${numbers.exact(REGULATED)}`,
-    shows: [{ preset: PRESET, change: regulated, play: true }],
+    shows: [{ preset: PRESET, set: { "FK.length": REGULATED }, play: true }],
     controls: ["FK.length", "H.x", "H.y", "D.x", "D.y"],
     readouts: ["course-arc", "course-stroke"],
     question: { unit: "°", within: 0.5, answer: dwell },
@@ -75,20 +72,6 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
 /** @param {Summary} summary */
 function classOf({ class: highest }) {
   return /** @type {Record<string, string | undefined>} */ (CLASSES)[highest];
-}
-
-/**
- * @param {string} link
- * @returns {(document: LinkageDocument) => LinkageDocument} another driver of the same linkage
- */
-function drivenBy(link) {
-  return (document) => ({ ...document, drivers: [{ crank: link }], assembly: null });
-}
-
-/** @param {LinkageDocument} document */
-function regulated(document) {
-  const links = document.links.map((link) => (link.name === "FK" ? { ...link, length: REGULATED } : link));
-  return { ...document, links };
 }
 
 /**
