@@ -49,6 +49,13 @@ async fn a_lesson_and_a_kind_without_motion() {
     page.keys(" ").await;
     page.settle().await;
     assert!(page.address().await.contains("kind=scheme"));
+    // It has no assemblies: the keys for them are no step.
+    page.focus("tab-lesson").await;
+    page.keys("2").await;
+    page.click("undo").await;
+    page.until("the mixer", async || visible(&page, "play").await)
+        .await;
+    page.click("redo").await;
 
     // It is kept, sent and opened again.
     page.reload().await;
