@@ -35,6 +35,14 @@ import init, * as module from "assur/pkg/assur_web.js";
 /** How many lists a place of the motion has. */
 const LISTS = 4;
 
+/** @returns {Promise<Response>} the wasm of the engine; in the one-file page it is packed */
+export async function fetchWasm() {
+  const response = await fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm"));
+  if (response.headers.get("Content-Type") !== "application/gzip" || !response.body) return response;
+  const unpacked = response.body.pipeThrough(new DecompressionStream("gzip"));
+  return new Response(unpacked, { headers: { "Content-Type": "application/wasm" } });
+}
+
 /**
  * @param {Float64Array} flat how many numbers each of the lists has, then the lists
  * @returns {Float64Array[]}
@@ -91,7 +99,7 @@ export class Engine {
 
   /** @returns {Promise<Engine>} */
   static async load() {
-    await init({ module_or_path: fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm")) });
+    await init({ module_or_path: fetchWasm() });
     return new Engine();
   }
 

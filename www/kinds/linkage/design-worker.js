@@ -10,11 +10,11 @@ addEventListener("message", ({ data }) => {
   else goOn();
 });
 
-/** @param {{ engine: string, wasm: string, state: object, wishes: object }} task addresses of the engine, arguments of its Design */
+/** @param {{ engine: string, wasm: ArrayBuffer, state: object, wishes: object }} task address and wasm of the engine, arguments of its Design */
 async function search({ engine, wasm, state, wishes }) {
   try {
     const { default: load, Design } = await import(engine);
-    await load({ module_or_path: fetch(wasm) });
+    await load({ module_or_path: wasm });
     const design = new Design(state, wishes);
     let progress;
     do {

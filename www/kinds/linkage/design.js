@@ -5,6 +5,7 @@ import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { fetchWasm } from "assur/engine.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
@@ -190,17 +191,17 @@ export class DesignView {
     this.#problems = [];
     const worker = new Worker(import.meta.resolve("assur/kinds/linkage/design-worker.js"), { type: "module" });
     this.#worker = worker;
+    const lost = () => {
+      if (worker === this.#worker) this.#hear({ problems: [{ code: "not_arrived" }] });
+    };
     worker.addEventListener("message", ({ data }) => {
       // What was under way when it was stopped no longer counts.
       if (worker === this.#worker) this.#hear(data);
     });
-    worker.addEventListener("error", () => this.#hear({ problems: [{ code: "not_arrived" }] }));
-    worker.postMessage({
-      engine: import.meta.resolve("assur/pkg/assur_web.js"),
-      wasm: import.meta.resolve("assur/pkg/assur_web_bg.wasm"),
-      state,
-      wishes,
-    });
+    worker.addEventListener("error", lost);
+    fetchWasm().then((response) => response.arrayBuffer()).then((wasm) => {
+      worker.postMessage({ engine: import.meta.resolve("assur/pkg/assur_web.js"), wasm, state, wishes }, [wasm]);
+    }).catch(lost);
     this.#show();
     this.#stop.focus();
     this.#tell();
