@@ -13,7 +13,7 @@
  * @typedef {Frozen<import("assur/types/file.js").Document>} Document
  * @typedef {Document["kind"]} Kind of document
  * @typedef {{ [K in Kind]: Extract<Document, { kind: K }>["document"] }} Documents
- * @typedef {Partial<MixerDocument> | Partial<LinkageDocument>} Change of a document
+ * @typedef {{ [K in Kind]: Partial<Documents[K]> }[Kind]} Change of a document
  */
 
 /**
@@ -114,11 +114,12 @@ export function withDocument(state, change) {
  * @template {Kind} K
  * @param {State} state
  * @param {K} kind
- * @param {(document: Documents[K]) => Change} change
+ * @param {(document: Documents[K]) => Partial<Documents[K]>} change
  * @returns {State}
  */
 export function edited(state, kind, change) {
-  return state.kind === kind ? withDocument(state, change(/** @type {Documents[K]} */ (state.document))) : state;
+  if (state.kind !== kind) return state;
+  return withDocument(state, /** @type {Change} */ (change(/** @type {Documents[K]} */ (state.document))));
 }
 
 /**

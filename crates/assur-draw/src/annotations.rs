@@ -1,5 +1,6 @@
 //! What a document says of its drawing beyond the linkage itself.
 
+use assur::Point;
 use assur::gears::GearSet;
 use assur::mixer::Mixer;
 
@@ -22,6 +23,19 @@ pub struct Annotations {
     pub input: Option<String>,
     /// Symbols of vectors of the loops, each by its two points.
     pub loop_vectors: Vec<([String; 2], String)>,
+    /// The positions that it was made for.
+    pub given: Vec<GivenPosition>,
+}
+
+/// A position that a linkage was made for; lines go from the first point to the second.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPosition {
+    /// By which number it is called.
+    pub number: String,
+    /// What is given: directions, to be taken hold of at their ends.
+    pub directions: Vec<([Point; 2], Role)>,
+    /// The links as they are there.
+    pub links: Vec<([Point; 2], Role)>,
 }
 
 /// The number of a wheel, written by its rim. A wheel that has one and is its
@@ -102,6 +116,7 @@ impl From<&Mixer> for Annotations {
                 .collect(),
             input: Some("φ₁".to_owned()),
             loop_vectors: vectors.to_vec(),
+            given: Vec::new(),
         }
     }
 }

@@ -2,6 +2,7 @@
 //! and what is laid over it.
 
 mod bounds;
+mod given;
 mod layout;
 mod names;
 mod nearest;
@@ -20,6 +21,7 @@ use crate::annotations::{Annotations, Tag};
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Overlays};
 use crate::parts;
+use given::Given;
 use layout::Layout;
 use names::Names;
 use overlaid::Overlaid;
@@ -79,6 +81,7 @@ pub struct Figure {
     gearing: Gearing,
     names: Names,
     overlaid: Overlaid,
+    given: Given,
     /// Numbers of wheels: each where it stands in a pose, and its name.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
@@ -104,6 +107,7 @@ impl Figure {
         });
         let tags = tags.collect();
         let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
+        let given = Given::new(&view.annotations.given, &mut names);
 
         let runs = paths::sampled(motion);
         let guides = slides::guides(&layout, mechanism, &home, &runs);
@@ -132,6 +136,7 @@ impl Figure {
             joints
                 .chain(wheels)
                 .chain(rails)
+                .chain(given.reach())
                 .chain(fixed.iter().map(place)),
         );
         let size = bounds::size(base);
@@ -152,6 +157,7 @@ impl Figure {
             gearing,
             names,
             overlaid,
+            given,
             tags,
             rigid: List::default(),
         };
@@ -275,6 +281,7 @@ impl Figure {
                 path.draw(&mut list, role);
             }
         }
+        self.given.draw(&mut list, u);
         for guide in guides {
             guide.draw_line(&mut list, u);
         }

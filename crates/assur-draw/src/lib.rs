@@ -12,7 +12,7 @@ mod overlays;
 mod parts;
 pub mod svg;
 
-pub use annotations::{Annotations, Tag};
+pub use annotations::{Annotations, GivenPosition, Tag};
 pub use figure::{Figure, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;

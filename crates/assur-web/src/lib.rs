@@ -10,6 +10,7 @@ mod design;
 mod dimensions;
 mod driven;
 mod equations;
+mod handle;
 mod kinds;
 mod moving;
 mod profile;

@@ -11,6 +11,7 @@ use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
 use crate::driven::Driven;
 use crate::equations::sides;
+use crate::handle::{Handle, HandlePlace};
 
 /// Why there is no pose at an input, or none of its derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
@@ -27,8 +28,8 @@ pub(crate) struct Moving {
     listed: Vec<Reading>,
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
-    /// The points that can be dragged.
-    handles: Vec<PointId>,
+    /// What can be dragged.
+    handles: Vec<Handle>,
     figure: Figure,
     chart: Chart,
     explain: Explain,
@@ -63,16 +64,11 @@ impl Here {
 
     /// The lengths of the lists, then the lists.
     pub(crate) fn flat(&self) -> Vec<f64> {
-        let Self {
-            frame,
-            handles,
-            readouts,
-            plotted,
-        } = self;
-        let lengths = [frame.len(), handles.len(), readouts.len(), plotted.len()];
-        let lengths = lengths.map(|length| length as f64).into_iter();
-        let frame = frame.iter().copied().map(f64::from);
-        let rest = [handles, readouts, plotted].into_iter().flatten().copied();
+        let frame = self.frame.iter().copied().map(f64::from);
+        let rest = [&self.handles, &self.readouts, &self.plotted];
+        let lengths = rest.map(|list| list.len() as f64);
+        let lengths = [self.frame.len() as f64].into_iter().chain(lengths);
+        let rest = rest.into_iter().flatten().copied();
         lengths.chain(frame).chain(rest).collect()
     }
 }
@@ -116,13 +112,19 @@ impl Moving {
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
         let points = mechanism.point_ids();
+        let points = points.filter(|point| figure.is_drawn(*point));
+        let handles = points.map(|point| Handle {
+            name: mechanism.point_name(point).to_owned(),
+            role: role(mechanism, &figure, point),
+            at: HandlePlace::Point(point),
+        });
         Ok(Self {
             dyads: mechanism.rrr_dyads(),
             numbers,
             quantities,
             listed: Vec::new(),
             driven: Driven::of(&document, mechanism),
-            handles: points.filter(|point| figure.is_drawn(*point)).collect(),
+            handles: handles.collect(),
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
@@ -138,6 +140,14 @@ impl Moving {
         let angles = links.map(|link| Reading::Quantity(Quantity::Angle(link)));
         let transmissions = (0..self.dyads.len()).map(Reading::Transmission);
         self.listed = angles.chain(transmissions).collect();
+        self
+    }
+
+    /// The same with these handles instead of those of its points; what is driven stays one.
+    pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
+        let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
+        self.handles.retain(|handle| Some(handle.at) == driven);
+        self.handles.extend(handles);
         self
     }
 
@@ -204,7 +214,7 @@ impl Moving {
         self.listed.iter().copied().chain(plotted)
     }
 
-    pub(crate) fn handles(&self) -> &[PointId] {
+    pub(crate) fn handles(&self) -> &[Handle] {
         &self.handles
     }
 
@@ -317,20 +327,16 @@ impl Moving {
         })
     }
 
-    /// The role that a link with the point is drawn in; of the frame's points none is.
-    pub(crate) fn role(&self, point: PointId) -> &'static str {
-        let mut links = self.mechanism().link_ids();
-        let link = links.find(|link| self.mechanism().points_of(*link).contains(&point));
-        link.map_or("ink", |link| self.figure.drawn_role(link).name())
-    }
-
     /// Where a point is.
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }
 
     fn places<const N: usize>(&self, pose: &Pose<N>) -> Vec<f64> {
-        let places = self.handles.iter().map(|point| self.place(pose, *point));
+        let places = self.handles.iter().map(|handle| match handle.at {
+            HandlePlace::Point(point) => self.place(pose, point),
+            HandlePlace::Fixed(at) => at,
+        });
         places.flat_map(|at| [at.x, at.y]).collect()
     }
 
@@ -361,6 +367,13 @@ impl Moving {
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
         Ok(sides(self.mechanism(), &pose, order.min(2)))
     }
+}
+
+/// The role that a link with the point is drawn in; of the frame's points none is.
+fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
+    let mut links = mechanism.link_ids();
+    let link = links.find(|link| mechanism.points_of(*link).contains(&point));
+    link.map_or("ink", |link| figure.drawn_role(link).name())
 }
 
 /// What a view lays over the drawing.

@@ -219,8 +219,8 @@ impl<'a> MotionSummary<'a> {
             })
         });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
-            name: mechanism.point_name(*handle),
-            role: moving.role(*handle),
+            name: &handle.name,
+            role: handle.role,
         });
         let plotted = moving.plotted().iter();
         // What is plotted first most often is an output: its motion is searched through once.

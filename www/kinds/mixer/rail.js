@@ -1,7 +1,8 @@
 // The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
+import { CardList } from "assur/controls/card-list.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
-import { RailList, TEETH, anotherTracer, anotherWheel, staying, tracerCard, wheelCard } from "assur/kinds/mixer/lists.js";
+import { TEETH, TRACER_LIST, WHEEL_LIST, staying } from "assur/kinds/mixer/lists.js";
 import { contains, edited } from "assur/state/state.js";
 
 /**
@@ -44,15 +45,16 @@ export class Rail {
   /**
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor({ store, engine, drafts, mechanism }) {
+  constructor(page) {
+    const { store, engine, drafts, mechanism } = page;
     const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => edited(state, "mixer", () => change));
     const rows = (/** @type {readonly RowKind[]} */ kinds) => kinds.map((kind) => {
       const row = new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value }));
       this.#rows.push(row);
       return row.element;
     });
-    const wheels = new RailList("wheels", wheelCard, anotherWheel, store, drafts);
-    const tracers = new RailList("tracers", tracerCard, anotherTracer, store, drafts);
+    const wheels = new CardList(WHEEL_LIST, page);
+    const tracers = new CardList(TRACER_LIST, page);
     this.#lists = [wheels, tracers];
     const presets = make("div", { id: "presets", class: "segments", role: "group", "data-t-label": "preset.heading" });
     for (const { id, kind, document: preset } of engine.catalogue) {

@@ -1,0 +1,161 @@
+// A list of the document in the rail: a card for each entry, one more, one less.
+import { make } from "assur/core/dom.js";
+import { numberEntries } from "assur/core/names.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/drafts.js").Drafts} Drafts
+ * @typedef {import("assur/state/model.js").Moving} Moving
+ */
+
+/**
+ * @template {Moving} K
+ * @typedef {import("assur/state/model.js").OwnSnapshot<K>} Snapshot
+ */
+
+/**
+ * @template {Moving} K
+ * @typedef {import("assur/state/state.js").Documents[K]} Documents
+ */
+
+/**
+ * @template {Moving} K
+ * @template E
+ * @typedef {(entry: E, snapshot: Snapshot<K>, wrong: ReadonlySet<string | undefined>) => void} Show
+ */
+
+/**
+ * @template {Moving} K
+ * @template E
+ * @typedef {(index: number, put: (change: Partial<E>) => void, drafts: Drafts, remove: HTMLButtonElement) => { lines: HTMLElement[], show: Show<K, E> }} Build
+ */
+
+/**
+ * @template {Moving} K
+ * @template E
+ * @typedef {Readonly<{
+ *   kind: K,
+ *   name: string & keyof Documents<K>,
+ *   first: number,
+ *   least: number,
+ *   most: number,
+ *   written: (number: number) => string,
+ *   words: Readonly<{ add: string, remove: string }>,
+ *   build: Build<K, E>,
+ *   another: (snapshot: Snapshot<K>) => E,
+ *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
+ * }>} ListKind
+ * A list of the documents of a kind: by which number the first entry goes as readers count, how a number is written, how many there
+ * may be, the keys of what its buttons are called; `without`: the fields of the document that change with an entry removed, where it is more than the list.
+ */
+
+/**
+ * @template {Moving} K
+ * @template E
+ */
+export class CardList {
+  #kind;
+  #store;
+  #drafts;
+  /** The button for one more. */
+  add;
+  /** Where the cards are. */
+  cards;
+  /** @type {{ show: Show<K, E>, element: HTMLElement, remove: HTMLButtonElement }[]} */
+  #cards = [];
+  /** @type {Snapshot<K> | null} */
+  #snapshot = null;
+
+  /**
+   * @param {ListKind<K, E>} kind
+   * @param {Pick<import("assur/app/page.js").Page, "store" | "drafts">} page
+   */
+  constructor(kind, { store, drafts }) {
+    const { name, first, written, words, another } = kind;
+    numberEntries(name, (index) => written(index + first));
+    this.#kind = kind;
+    this.#store = store;
+    this.#drafts = drafts;
+    this.cards = make("div", { id: name });
+    this.add = make("button", { id: `${name}-add`, class: "control add", type: "button", "data-t": words.add });
+    this.add.addEventListener("click", () => {
+      const snapshot = this.#snapshot;
+      if (snapshot) this.#change((document) => this.#with(document, (entries) => [...entries, another(snapshot)]));
+    });
+  }
+
+  /**
+   * @param {Snapshot<K>} snapshot
+   * @param {ReadonlySet<string | undefined>} wrong fields with a problem
+   */
+  show(snapshot, wrong) {
+    this.#snapshot = snapshot;
+    const entries = this.#of(/** @type {Documents<K>} */ (snapshot.state.document));
+    const { least, most } = this.#kind;
+    while (this.#cards.length < entries.length) {
+      const card = this.#card(this.#cards.length);
+      this.#cards.push(card);
+      this.cards.append(card.element);
+      snapshot.words.fill(card.element);
+    }
+    const focused = document.activeElement;
+    for (const [index, card] of this.#cards.entries()) {
+      card.element.hidden = index >= entries.length;
+      card.remove.hidden = entries.length <= least;
+      if (entries[index]) card.show(entries[index], snapshot, wrong);
+    }
+    this.add.disabled = entries.length >= most;
+    // A button that is there no more gives the focus away, else it would be lost.
+    if (focused === this.add && this.add.disabled) this.#cards[entries.length - 1].remove.focus();
+    if (this.#cards.some(({ remove }) => remove === focused && remove.offsetParent === null)) this.add.focus();
+  }
+
+  /** @param {number} index */
+  #card(index) {
+    const { name, first, written, words, build, without } = this.#kind;
+    const number = index + first;
+    const remove = make("button", {
+      id: `${name}-remove-${number}`,
+      type: "button",
+      class: "control icon",
+      "data-t-label": words.remove,
+      "data-t-title": words.remove,
+      "data-n": written(number),
+    }, ["×"]);
+    const drop = without ?? ((_, document) => this.#with(document, (entries) => entries.filter((_, at) => at !== index)));
+    remove.addEventListener("click", () => this.#change((document) => drop(index, document)));
+    const put = (/** @type {Partial<E>} */ change) => this.#edit((document) => (
+      this.#with(document, (entries) => entries.map((entry, at) => (at === index ? { ...entry, ...change } : entry)))
+    ));
+    const { lines, show } = build(index, put, this.#drafts, remove);
+    return { element: make("div", { class: "card" }, lines), remove, show };
+  }
+
+  /**
+   * @param {Documents<K>} document
+   * @returns {readonly E[]}
+   */
+  #of(document) {
+    return /** @type {readonly E[]} */ (/** @type {unknown} */ (document[this.#kind.name]));
+  }
+
+  /**
+   * @param {Documents<K>} document
+   * @param {(entries: readonly E[]) => readonly E[]} change
+   * @returns {Partial<Documents<K>>} the list after it
+   */
+  #with(document, change) {
+    return /** @type {Partial<Documents<K>>} */ ({ [this.#kind.name]: change(this.#of(document)) });
+  }
+
+  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change of how many there are */
+  #change(change) {
+    this.#drafts.dropAll([this.#kind.name]);
+    this.#edit(change);
+  }
+
+  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change */
+  #edit(change) {
+    this.#store.update((state) => edited(state, this.#kind.kind, change));
+  }
+}
