@@ -13,7 +13,7 @@ mod interpolation;
 mod joined;
 mod limits;
 mod profile;
-mod root;
+pub(crate) mod root;
 mod table;
 mod transmission;
 

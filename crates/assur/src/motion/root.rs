@@ -8,7 +8,7 @@ const STEPS: usize = 120;
 /// rounding: by inverse quadratic interpolation where that is safe, else by halving
 /// (Chandrupatla, Advances in Engineering Software 28, 1997). None where the
 /// function has no value.
-pub(super) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut part = 0.5;
     for _ in 0..STEPS {
         let x = a[0] + part * (b[0] - a[0]);

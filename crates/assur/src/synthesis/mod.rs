@@ -1,3 +1,4 @@
 //! Dimensions for a wanted motion.
 
 pub mod dwell;
+pub mod four_bar;

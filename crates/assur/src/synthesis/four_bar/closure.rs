@@ -1,0 +1,58 @@
+//! The gap that output and input leave for the coupler.
+
+use nalgebra::Complex;
+
+use super::Proportions;
+
+/// Directions of output and input relative to the frame's, e₂/e₀ and e₃/e₀.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Direction {
+    pub(super) output: Complex<f64>,
+    pub(super) input: Complex<f64>,
+    /// φ₃ − φ₀.
+    pub(super) input_angle: f64,
+}
+
+/// What a linkage leaves open at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closure {
+    /// φ₁ = arg r, the coupler's angle at which the least is left open, in (−π, π] from the
+    /// frame's direction, φ₀ added. Where the gap is nothing any angle will do: φ₀.
+    pub coupler: f64,
+    /// |r| − z₁: by how much the gap is longer than the coupler, in lengths of the frame. Its
+    /// square is J.
+    pub residual: f64,
+}
+
+impl Direction {
+    /// r = e₀ − z₂e₂ − z₃e₃, relative to e₀.
+    pub(super) fn gap(&self, output: f64, input: f64) -> Complex<f64> {
+        Complex::new(1.0, 0.0) - self.output * output - self.input * input
+    }
+
+    /// By the sign of this C lies to the left (+) or to the right of the diagonal from B to D:
+    /// e₂ × r, in which z₂ cancels.
+    pub(super) fn side(&self, input: f64) -> f64 {
+        -self.output.im - input * cross(self.output, self.input)
+    }
+}
+
+impl Closure {
+    pub(super) fn new(proportions: Proportions, direction: &Direction, frame: f64) -> Self {
+        let gap = direction.gap(proportions.output, proportions.input);
+        Self {
+            coupler: gap.arg() + frame,
+            residual: gap.norm() - proportions.coupler,
+        }
+    }
+}
+
+/// a × b.
+pub(super) fn cross(a: Complex<f64>, b: Complex<f64>) -> f64 {
+    a.re * b.im - a.im * b.re
+}
+
+/// a · b.
+pub(super) fn dot(a: Complex<f64>, b: Complex<f64>) -> f64 {
+    a.re * b.re + a.im * b.im
+}

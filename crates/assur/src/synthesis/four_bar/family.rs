@@ -1,0 +1,413 @@
+//! Two positions: the linkages that take up both are the points of a line in (1/z₂, 1/z₃).
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::closure::Direction;
+use super::{Proportions, Solution, Task, ranges};
+
+/// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: that |r| is
+/// the same in two positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Δcos φ₃, the coefficient of 1/z₂.
+    pub output: f64,
+    /// Δcos φ₂, the coefficient of 1/z₃.
+    pub input: f64,
+    /// Δcos(φ₂ − φ₃).
+    pub right: f64,
+}
+
+/// Differences of cosines no larger than this are none.
+const NOTHING: f64 = 16.0 * f64::EPSILON;
+
+impl Line {
+    /// The line of two positions of a task, counted from 0.
+    pub(super) fn new(task: &Task, [j, k]: [usize; 2]) -> Self {
+        let frame = task.frame().angle;
+        let [a, b] = [j, k].map(|index| task.positions()[index]);
+        // cos x − cos y without cancellation; rounding of the angles is no difference.
+        let difference = |x: f64, y: f64| {
+            let product = -2.0 * (0.5 * (x + y)).sin() * (0.5 * (x - y)).sin();
+            if product.abs() <= NOTHING {
+                0.0
+            } else {
+                product
+            }
+        };
+        Self {
+            output: difference(a.input - frame, b.input - frame),
+            input: difference(a.output - frame, b.output - frame),
+            right: difference(a.output - a.input, b.output - b.input),
+        }
+    }
+
+    /// The point of two lines, (u, v); none where they are parallel.
+    pub(super) fn meet(self, other: Self) -> Option<[f64; 2]> {
+        let det = self.output * other.input - self.input * other.output;
+        let size = self.output.hypot(self.input) * other.output.hypot(other.input);
+        if det.abs() <= NOTHING * size {
+            return None;
+        }
+        Some([
+            (self.right * other.input - self.input * other.right) / det,
+            (self.output * other.right - self.right * other.output) / det,
+        ])
+    }
+}
+
+/// What two positions leave open.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TwoPositions {
+    /// The linkages of a curve.
+    Family(Family),
+    /// Any output and input: the positions are mirror images in the frame.
+    Any,
+    /// None: no positive lengths are on this line.
+    None(Line),
+}
+
+impl TwoPositions {
+    /// The linkages that take up the first two positions of a task; none where there is only one.
+    pub fn new(task: &Task) -> Option<Self> {
+        (task.positions().len() >= 2).then(|| Self::of(task, [0, 1]))
+    }
+
+    pub(super) fn of(task: &Task, pair: [usize; 2]) -> Self {
+        let line = Line::new(task, pair);
+        let [a, b, c] = [line.output, line.input, line.right];
+        if [a, b, c] == [0.0; 3] {
+            return Self::Any;
+        }
+        let shape = if c != 0.0 {
+            let [a, b] = [a / c, b / c];
+            // From the side of the input to that of the output, atan2(z₂, z₃): where both lengths
+            // are positive, a + b tan > 0.
+            let zero = (a.abs()).atan2(b.abs());
+            let between = match (a > 0.0, b > 0.0) {
+                (true, _) if b >= 0.0 => [0.0, FRAC_PI_2],
+                (_, true) if a >= 0.0 => [0.0, FRAC_PI_2],
+                (true, false) => [0.0, zero],
+                (false, true) => [zero, FRAC_PI_2],
+                _ => return Self::None(line),
+            };
+            Shape::Directions { a, b, between }
+        } else if a * b < 0.0 {
+            Shape::Sizes {
+                direction: a.abs().atan2(b.abs()),
+            }
+        } else {
+            return Self::None(line);
+        };
+        Self::Family(Family {
+            task: task.clone(),
+            pair,
+            line,
+            shape,
+        })
+    }
+}
+
+/// A one-parameter family of linkages, by a parameter between 0 and 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Family {
+    task: Task,
+    pub(super) pair: [usize; 2],
+    line: Line,
+    pub(super) shape: Shape,
+}
+
+/// How the family is run through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// a/z₂ + b/z₃ = 1, by the direction atan2(z₂, z₃).
+    Directions { a: f64, b: f64, between: [f64; 2] },
+    /// z₂ : z₃ is given, by the size hypot(z₂, z₃) from zero to infinity.
+    Sizes { direction: f64 },
+}
+
+/// From where to where a value goes. Ends at zero and infinity are not reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The least, or zero.
+    pub from: f64,
+    /// The greatest; none where there is none.
+    pub to: Option<f64>,
+}
+
+/// Why there is no one member with a given length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MemberError {
+    /// The length is not finite, or no member has it: from here to there.
+    OutOfRange(Range),
+    /// All members have this length: it tells none apart.
+    Same(f64),
+}
+
+/// A place of the family where a verdict changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// The parameter.
+    pub at: f64,
+    /// What changes there.
+    pub kind: ChangeKind,
+    /// z₁, z₂, z₃ there.
+    pub proportions: Proportions,
+}
+
+/// What changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChangeKind {
+    /// Grashof's class: all links can lie in one line.
+    Grashof,
+    /// Coupler and output are in line at this position, counted from 0: beyond, the linkage
+    /// belongs to the other assembly there.
+    DeadPoint(usize),
+}
+
+impl Family {
+    /// The line in (1/z₂, 1/z₃).
+    pub fn line(&self) -> Line {
+        self.line
+    }
+
+    /// The positions.
+    pub fn task(&self) -> &Task {
+        &self.task
+    }
+
+    /// The member at a parameter between 0 and 1, both excluded; none elsewhere.
+    pub fn member(&self, at: f64) -> Option<Solution> {
+        Some(Solution::new(&self.task, self.proportions(at)?))
+    }
+
+    /// The proportions of a member.
+    pub fn proportions(&self, at: f64) -> Option<Proportions> {
+        if !(at > 0.0 && at < 1.0) {
+            return None;
+        }
+        let [output, input] = match self.shape {
+            Shape::Directions { a, b, between } => {
+                let [from, to] = between;
+                let (sin, cos) = (from + at * (to - from)).sin_cos();
+                let size = a * cos + b * sin;
+                [size / cos, size / sin]
+            }
+            Shape::Sizes { direction } => {
+                let (sin, cos) = direction.sin_cos();
+                let size = (at * FRAC_PI_2).tan();
+                [size * sin, size * cos]
+            }
+        };
+        self.with_lengths(output, input)
+    }
+
+    /// With the coupler that the gap asks for; none unless all are positive and finite.
+    fn with_lengths(&self, output: f64, input: f64) -> Option<Proportions> {
+        let gaps = self.directions().map(|at| at.gap(output, input).norm());
+        let coupler = 0.5 * (gaps[0] + gaps[1]);
+        let sound = |z: f64| z > 0.0 && z.is_finite();
+        [coupler, output, input]
+            .into_iter()
+            .all(sound)
+            .then_some(Proportions {
+                coupler,
+                output,
+                input,
+            })
+    }
+
+    /// The directions of both positions.
+    pub(super) fn directions(&self) -> [Direction; 2] {
+        self.pair.map(|k| self.task.direction(k, [0.0; 2]))
+    }
+
+    /// The parameter of a member, by its z₂ and z₃.
+    fn parameter(&self, output: f64, input: f64) -> f64 {
+        match self.shape {
+            Shape::Directions { between, .. } => {
+                (output.atan2(input) - between[0]) / (between[1] - between[0])
+            }
+            Shape::Sizes { .. } => output.hypot(input).atan() / FRAC_PI_2,
+        }
+    }
+
+    /// So many members, evenly by the parameter within a stretch of it.
+    pub fn sample(&self, [from, to]: [f64; 2], count: usize) -> Vec<Solution> {
+        let step = (to - from) / count as f64;
+        let at = (0..count).map(|k| from + (k as f64 + 0.5) * step);
+        at.filter_map(|at| self.member(at)).collect()
+    }
+
+    /// Where z₂ and z₃ are within the ratios of the task; none where they nowhere are.
+    pub fn stretch(&self) -> Option<[f64; 2]> {
+        let [least, greatest] = self.task.ratios();
+        let [from, to] = match self.shape {
+            Shape::Directions { a, b, between } => {
+                // z₂ = a + b tan, z₃ = a cot + b, both monotone.
+                let mut within = between;
+                let cut = |scale: f64, rest: f64, ends: [f64; 2]| {
+                    // rest + scale t, t = tan or cot, between the ratios.
+                    if scale == 0.0 {
+                        let inside = (least..=greatest).contains(&rest);
+                        return if inside { ends } else { [1.0, 0.0] };
+                    }
+                    let mut t = [least, greatest].map(|z| ((z - rest) / scale).max(0.0));
+                    t.sort_by(f64::total_cmp);
+                    t
+                };
+                let output = cut(b, a, [0.0, f64::INFINITY]).map(f64::atan);
+                let input = cut(a, b, [0.0, f64::INFINITY]).map(|t| FRAC_PI_2 - t.atan());
+                within[0] = within[0].max(output[0]).max(input[1]);
+                within[1] = within[1].min(output[1]).min(input[0]);
+                within.map(|angle| (angle - between[0]) / (between[1] - between[0]))
+            }
+            Shape::Sizes { direction } => {
+                let (sin, cos) = direction.sin_cos();
+                let sizes = [
+                    (least / sin).max(least / cos),
+                    (greatest / sin).min(greatest / cos),
+                ];
+                sizes.map(|size| size.atan() / FRAC_PI_2)
+            }
+        };
+        (from < to).then_some([from, to])
+    }
+
+    /// The range of z₂.
+    pub fn output_range(&self) -> Range {
+        ranges::lengths(&self.shape)[0]
+    }
+
+    /// The range of z₃.
+    pub fn input_range(&self) -> Range {
+        ranges::lengths(&self.shape)[1]
+    }
+
+    /// The range of z₁, what it is between the ends included.
+    pub fn coupler_range(&self) -> Range {
+        ranges::coupler(self)
+    }
+
+    /// From where to where the coupler's angle φ₁ goes at the first and at the second position,
+    /// told continuously along the family.
+    pub fn coupler_angles(&self) -> [[f64; 2]; 2] {
+        let frame = self.task.frame().angle;
+        let directions = self.directions();
+        directions.map(|direction| {
+            ranges::coupler_angle(&self.shape, &direction).map(|angle| angle + frame)
+        })
+    }
+
+    /// The member with this z₂.
+    ///
+    /// # Errors
+    /// Where there is none, or not one alone.
+    pub fn with_output(&self, output: f64) -> Result<Solution, MemberError> {
+        let input = match self.shape {
+            Shape::Directions { a, b, .. } => b * output / (output - a),
+            Shape::Sizes { direction } => output / direction.tan(),
+        };
+        self.with(output, self.output_range(), [output, input])
+    }
+
+    /// The member with this z₃.
+    ///
+    /// # Errors
+    /// Where there is none, or not one alone.
+    pub fn with_input(&self, input: f64) -> Result<Solution, MemberError> {
+        let output = match self.shape {
+            Shape::Directions { a, b, .. } => a * input / (input - b),
+            Shape::Sizes { direction } => input * direction.tan(),
+        };
+        self.with(input, self.input_range(), [output, input])
+    }
+
+    fn with(
+        &self,
+        asked: f64,
+        range: Range,
+        [output, input]: [f64; 2],
+    ) -> Result<Solution, MemberError> {
+        if range.to == Some(range.from) {
+            return Err(MemberError::Same(range.from));
+        }
+        let inside = asked > range.from && range.to.is_none_or(|to| asked < to);
+        let found = self.with_lengths(output, input).filter(|_| inside);
+        let found = found.ok_or(MemberError::OutOfRange(range))?;
+        Ok(Solution::new(&self.task, found))
+    }
+
+    /// The members with this z₁, up to four.
+    ///
+    /// # Errors
+    /// Where there is none.
+    pub fn with_coupler(&self, coupler: f64) -> Result<Vec<Solution>, MemberError> {
+        let found = ranges::with_coupler(self, coupler).into_iter();
+        let found: Vec<Solution> = found
+            .filter_map(|[output, input]| self.with_lengths(output, input))
+            .map(|found| Solution::new(&self.task, found))
+            .collect();
+        if found.is_empty() {
+            Err(MemberError::OutOfRange(self.coupler_range()))
+        } else {
+            Ok(found)
+        }
+    }
+
+    /// Every place where Grashof's class or the assembly of a position changes, in their order.
+    /// Both are straight lines in (1/z₂, 1/z₃) as well: z₁ = |1 ± z₂ ± z₃| because z₁² is what
+    /// the first position makes it, and C on the line BD because z₂ cancels there.
+    pub fn changes(&self) -> Vec<Change> {
+        let directions = self.directions();
+        let first = directions[0];
+        let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {
+            let line = Line {
+                output: first.input.re + t,
+                input: first.output.re + s,
+                right: (first.output * first.input.conj()).re - s * t,
+            };
+            (line, ChangeKind::Grashof)
+        });
+        let dead = [0, 1].map(|k| {
+            let at = directions[k];
+            let line = Line {
+                output: 0.0,
+                input: at.output.im,
+                right: (at.output * at.input.conj()).im,
+            };
+            (line, ChangeKind::DeadPoint(self.pair[k]))
+        });
+        let mut changes: Vec<Change> = (lines.into_iter().chain(dead))
+            .filter_map(|(line, kind)| {
+                let [u, v] = self.line.meet(line)?;
+                let proportions = self.with_lengths(u.recip(), v.recip())?;
+                let at = self.parameter(proportions.output, proportions.input);
+                (at > 0.0 && at < 1.0).then_some(Change {
+                    at,
+                    kind,
+                    proportions,
+                })
+            })
+            .collect();
+        changes.sort_by(|a, b| a.at.total_cmp(&b.at));
+        changes
+    }
+
+    /// The parameter of a member by its proportions; none where they are not of the family.
+    pub fn at(&self, proportions: Proportions) -> Option<f64> {
+        let Proportions { output, input, .. } = proportions;
+        let Line {
+            output: a,
+            input: b,
+            right,
+        } = self.line;
+        let off = a / output + b / input - right;
+        let size = a.abs() / output + b.abs() / input + right.abs();
+        (off.abs() <= 1e-9 * size).then(|| self.parameter(output, input))
+    }
+}
+
+/// An angle brought next to another one by whole turns.
+pub(super) fn near(angle: f64, to: f64) -> f64 {
+    to + (angle - to + PI).rem_euclid(2.0 * PI) - PI
+}

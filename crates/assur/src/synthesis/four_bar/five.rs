@@ -1,0 +1,173 @@
+//! Five positions told from free starting angles: at most three linkages, in closed form.
+//!
+//! With w₂ = z₂e^{iφ₂₀}, w₃ = z₃e^{iφ₃₀} and the given turns A = e^{iφ₂}, B = e^{iφ₃} from the
+//! frame, |w₂A + w₃B − 1|² = z₁² reads
+//!
+//! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃,
+//!
+//! linear and homogeneous in the seven real numbers s, w₂, w₃, m. Five positions leave a plane
+//! λX + μY of them, and m = w₂ w̄₃ there is λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ: as λ is
+//! real, a cubic in t.
+
+use nalgebra::Complex;
+
+use super::closure::dot;
+use super::{Proportions, Solution, Task, linear, polynomial};
+
+/// Why free starts are not told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StartsError {
+    /// Fewer than five positions leave a family of so many freedoms.
+    Family {
+        /// Five less the positions.
+        freedoms: usize,
+    },
+    /// More than five positions are met only as nearly as can be: [`Search`](super::Search).
+    TooMany,
+    /// The positions are special, as those of a parallelogram are: they leave more than a finite
+    /// number of linkages.
+    Degenerate,
+}
+
+type Unknowns = [f64; 7];
+
+/// The linkages that take up all five positions of a task, φ₂ and φ₃ of the task being told from
+/// starts that each linkage chooses. Every one there is is listed, at most three, by growing size.
+///
+/// # Errors
+/// Where there are fewer or more positions, or special ones.
+pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
+    match task.positions().len() {
+        5 => {
+            let found = of(task, [0, 1, 2, 3, 4])?.into_iter();
+            let all =
+                found.map(|(proportions, starts)| Solution::started(task, proportions, starts));
+            Ok(all.collect())
+        }
+        count if count < 5 => Err(StartsError::Family {
+            freedoms: 5 - count,
+        }),
+        _ => Err(StartsError::TooMany),
+    }
+}
+
+/// Proportions with the starts of output and input.
+pub(super) type Started = (Proportions, [f64; 2]);
+
+/// The same for five of the positions of a task.
+pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsError> {
+    let turns = five.map(|k| {
+        let at = task.direction(k, [0.0; 2]);
+        [at.output, at.input]
+    });
+    let rows = turns.map(|[a, b]| {
+        let c = a * b.conj();
+        vec![1.0, -a.re, a.im, -b.re, b.im, c.re, -c.im]
+    });
+    let [x, y] = linear::plane::<7>(rows.to_vec()).ok_or(StartsError::Degenerate)?;
+    let [x, y] = orthonormal(x, y);
+    let parts = |v: &Unknowns| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
+    let ([x2, x3, xm], [y2, y3, ym]) = (parts(&x), parts(&y));
+    // (Xₘ + tYₘ) times the conjugate of (X₂ + tY₂)(X₃ + tY₃)̄ is real.
+    let product = [
+        x2 * x3.conj(),
+        x2 * y3.conj() + y2 * x3.conj(),
+        y2 * y3.conj(),
+    ];
+    let imaginary = |a: Complex<f64>, b: Complex<f64>| (a * b.conj()).im;
+    let cubic = [
+        imaginary(xm, product[0]),
+        imaginary(xm, product[1]) + imaginary(ym, product[0]),
+        imaginary(xm, product[2]) + imaginary(ym, product[1]),
+        imaginary(ym, product[2]),
+    ];
+    if cubic.iter().all(|c| c.abs() < 1e-14) {
+        return Err(StartsError::Degenerate);
+    }
+    let mut found: Vec<Started> = Vec::new();
+    for [p, q] in polynomial::directions(&cubic) {
+        let m = xm * p + ym * q;
+        let w = (x2 * p + y2 * q) * (x3 * p + y3 * q).conj();
+        let scale = dot(m, w) / w.norm_sqr();
+        let at = |a: Complex<f64>, b: Complex<f64>| (a * p + b * q) * scale;
+        if let Some(next) = polished(&turns, [at(x2, y2), at(x3, y3)]) {
+            let twice = found.iter().any(|earlier| same(earlier, &next));
+            if !twice {
+                found.push(next);
+            }
+        }
+    }
+    found.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    Ok(found)
+}
+
+fn size((proportions, _): &Started) -> f64 {
+    proportions.output.hypot(proportions.input)
+}
+
+fn same(a: &Started, b: &Started) -> bool {
+    let points = [a, b].map(|(z, [output, input])| {
+        [
+            Complex::from_polar(z.output, *output),
+            Complex::from_polar(z.input, *input),
+        ]
+    });
+    let off = (0..2).map(|k| (points[0][k] - points[1][k]).norm());
+    off.fold(0.0, f64::max) <= 1e-9 * size(a).max(size(b))
+}
+
+/// Two vectors of the same plane, perpendicular and of length 1: then no t is far off.
+fn orthonormal(x: Unknowns, y: Unknowns) -> [Unknowns; 2] {
+    let dot = |a: &Unknowns, b: &Unknowns| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let unit = |v: Unknowns| {
+        let size = dot(&v, &v).sqrt();
+        v.map(|value| value / size)
+    };
+    let x = unit(x);
+    let along = dot(&x, &y);
+    let y = std::array::from_fn(|k| y[k] - along * x[k]);
+    [x, unit(y)]
+}
+
+/// Steps after which Newton's method is as good as it gets.
+const STEPS: usize = 20;
+/// What remains open of a solution, relative to its size.
+const OPEN: f64 = 1e-12;
+
+/// w₂, w₃ and z₁ by Newton's method on the closures themselves; none where they do not close.
+fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<Started> {
+    let [mut w2, mut w3] = start;
+    let gap = |k: usize, w2, w3| Complex::new(1.0, 0.0) - turns[k][0] * w2 - turns[k][1] * w3;
+    let open = |w2: Complex<f64>, w3: Complex<f64>, z: f64| {
+        std::array::from_fn(|k| gap(k, w2, w3).norm() - z)
+    };
+    let worst = |open: &[f64; 5]| open.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let mut z = (0..5).map(|k| gap(k, w2, w3).norm()).sum::<f64>() / 5.0;
+    if !(w2.norm() > 0.0 && w3.norm() > 0.0 && z > 0.0 && z.is_finite()) {
+        return None;
+    }
+    let mut left: [f64; 5] = open(w2, w3, z);
+    for _ in 0..STEPS {
+        let jacobian = std::array::from_fn(|k| {
+            let r = gap(k, w2, w3);
+            let [a, b] = turns[k].map(|turn| turn * r.conj() / r.norm());
+            [-a.re, a.im, -b.re, b.im, -1.0]
+        });
+        let Some([a, b, c, d, e]) = linear::solve(jacobian, left) else {
+            break;
+        };
+        let next = (w2 - Complex::new(a, b), w3 - Complex::new(c, d), z - e);
+        let then = open(next.0, next.1, next.2);
+        if worst(&then).is_nan() || worst(&then) >= worst(&left) {
+            break;
+        }
+        ((w2, w3, z), left) = (next, then);
+    }
+    let closes = worst(&left) <= OPEN * (1.0 + w2.norm() + w3.norm());
+    let proportions = Proportions {
+        coupler: z,
+        output: w2.norm(),
+        input: w3.norm(),
+    };
+    (closes && z > 0.0).then_some((proportions, [w2.arg(), w3.arg()]))
+}

@@ -1,0 +1,369 @@
+//! A wanted function y = f(x): x becomes the input's angle, y the output's, both linearly.
+
+use std::f64::consts::PI;
+
+use super::family::near;
+use super::{Position, Solution, Task};
+use crate::{Assembly, FourBar};
+
+/// How x and y become angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mapping {
+    x: [f64; 2],
+    y: [f64; 2],
+    input: [f64; 2],
+    output: [f64; 2],
+}
+
+/// Why there is no such mapping, table or position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FunctionError {
+    /// The interval of x is empty or not finite.
+    Interval,
+    /// The two values of y are equal or not finite.
+    Values,
+    /// The two angles of the input are equal or not finite.
+    InputAngles,
+    /// The two angles of the output are equal or not finite.
+    OutputAngles,
+    /// The function has no finite value there.
+    Undefined {
+        /// Where.
+        x: f64,
+    },
+    /// No position is asked for, or more than [`Task::MOST`].
+    Count(usize),
+    /// A table has fewer than two rows.
+    Rows,
+    /// This row of a table is not finite, or its x does not exceed that of the row before.
+    Row(usize),
+}
+
+/// What a linkage makes of a wanted function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorCurve {
+    /// The assembly that is followed, that of the first position.
+    pub assembly: Assembly,
+    /// Even steps of x, the ends included.
+    pub samples: Vec<ErrorSample>,
+    /// Where the error of y is greatest, between the samples too; none where nothing is reached.
+    pub greatest: Option<ErrorSample>,
+    /// True where the linkage reaches all of the interval without a break.
+    pub complete: bool,
+}
+
+/// The function and the linkage at one x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorSample {
+    /// x.
+    pub x: f64,
+    /// f(x).
+    pub wanted: f64,
+    /// The linkage's y; none where it cannot go from the first position.
+    pub generated: Option<f64>,
+}
+
+impl ErrorSample {
+    /// By how much the linkage's y is too great.
+    pub fn error(&self) -> Option<f64> {
+        self.generated.map(|generated| generated - self.wanted)
+    }
+}
+
+/// The x of so many precision positions: the roots of Chebyshev's polynomial, ascending. They make
+/// the greatest error of an interpolation about as small as it can be (Freudenstein, *Approximate
+/// synthesis of four-bar linkages*, 1955).
+pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
+    let at = |k: usize| (PI * (2 * k + 1) as f64 / (2 * count) as f64).cos();
+    let middle = 0.5 * (from + to);
+    (0..count)
+        .map(|k| middle - 0.5 * (to - from) * at(k))
+        .collect()
+}
+
+/// Chandrupatla's and others' methods need a change of sign; a peak is narrowed by golden sections
+/// instead, this often.
+const SECTIONS: usize = 60;
+
+impl Mapping {
+    /// `input` and `output` are φ₃ at the two x and φ₂ at the two y, in that order; either may
+    /// fall.
+    ///
+    /// # Errors
+    /// Every reason at once.
+    pub fn new(
+        x: [f64; 2],
+        y: [f64; 2],
+        input: [f64; 2],
+        output: [f64; 2],
+    ) -> Result<Self, Vec<FunctionError>> {
+        let told = |[a, b]: [f64; 2]| (b - a).is_finite() && a != b;
+        let errors: Vec<FunctionError> = [
+            (told(x), FunctionError::Interval),
+            (told(y), FunctionError::Values),
+            (told(input), FunctionError::InputAngles),
+            (told(output), FunctionError::OutputAngles),
+        ]
+        .into_iter()
+        .filter_map(|(told, error)| (!told).then_some(error))
+        .collect();
+        if errors.is_empty() {
+            Ok(Self {
+                x,
+                y,
+                input,
+                output,
+            })
+        } else {
+            Err(errors)
+        }
+    }
+
+    /// The position that belongs to a point of the function.
+    pub fn position(&self, x: f64, y: f64) -> Position {
+        Position::new(
+            mapped(self.y, self.output, y),
+            mapped(self.x, self.input, x),
+        )
+    }
+
+    /// So many precision positions, by Chebyshev's spacing.
+    ///
+    /// # Errors
+    /// A count that no task takes; an x without a value.
+    pub fn precision(
+        &self,
+        count: usize,
+        f: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<Position>, FunctionError> {
+        self.positions(count, chebyshev(self.x, count), f)
+    }
+
+    /// So many positions in even steps, the ends included, for the least squares.
+    ///
+    /// # Errors
+    /// A count that no task takes; an x without a value.
+    pub fn even(
+        &self,
+        count: usize,
+        f: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<Position>, FunctionError> {
+        self.positions(count, self.steps(count), f)
+    }
+
+    fn steps(&self, count: usize) -> Vec<f64> {
+        let [from, to] = self.x;
+        let part = |k: usize| k as f64 / count.saturating_sub(1).max(1) as f64;
+        (0..count).map(|k| from + part(k) * (to - from)).collect()
+    }
+
+    fn positions(
+        &self,
+        count: usize,
+        places: Vec<f64>,
+        f: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<Position>, FunctionError> {
+        if count == 0 || count > Task::MOST {
+            return Err(FunctionError::Count(count));
+        }
+        places
+            .into_iter()
+            .map(|x| Ok(self.position(x, defined(f, x)?)))
+            .collect()
+    }
+
+    /// How far a linkage is off the wanted function, followed from the task's first position on its
+    /// branch. None where its lengths make no linkage.
+    ///
+    /// # Errors
+    /// An x without a value.
+    pub fn error_curve(
+        &self,
+        task: &Task,
+        solution: &Solution,
+        count: usize,
+        f: &dyn Fn(f64) -> f64,
+    ) -> Result<Option<ErrorCurve>, FunctionError> {
+        let Ok(linkage) = solution.proportions.four_bar(1.0) else {
+            return Ok(None);
+        };
+        let branch = Branch::new(self, task, solution, linkage);
+        let mut samples = Vec::new();
+        for x in self.steps(count.max(2)) {
+            samples.push(branch.sample(x, defined(f, x)?));
+        }
+        // From the first position outwards, as far as it goes.
+        let start = mapped(self.input, self.x, task.positions()[0].input);
+        let away = |sample: &ErrorSample| (sample.x - start).abs();
+        let home =
+            (0..samples.len()).min_by(|a, b| away(&samples[*a]).total_cmp(&away(&samples[*b])));
+        let home = home.unwrap_or(0);
+        let (before, after) = samples.split_at_mut(home);
+        broken_off(after.iter_mut());
+        let reached = after.first().is_some_and(|first| first.generated.is_some());
+        if reached {
+            broken_off(before.iter_mut().rev());
+        } else {
+            before.iter_mut().for_each(|sample| sample.generated = None);
+        }
+        let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);
+        let peak =
+            (0..samples.len()).max_by(|a, b| size(&samples[*a]).total_cmp(&size(&samples[*b])));
+        let greatest = peak.filter(|k| size(&samples[*k]) >= 0.0).map(|k| {
+            let ends = [k.saturating_sub(1), (k + 1).min(samples.len() - 1)];
+            let ends = ends.map(|k| samples[k].x);
+            branch.peak(samples[k], ends, f)
+        });
+        Ok(Some(ErrorCurve {
+            assembly: branch.assembly,
+            complete: samples.iter().all(|sample| sample.generated.is_some()),
+            greatest,
+            samples,
+        }))
+    }
+}
+
+/// A linkage on the branch of its first position, read as a function.
+struct Branch<'a> {
+    mapping: &'a Mapping,
+    linkage: FourBar,
+    assembly: Assembly,
+    /// Added to the input's angle for the crank's, and to the rocker's for the output's.
+    shifts: [f64; 2],
+}
+
+impl<'a> Branch<'a> {
+    fn new(mapping: &'a Mapping, task: &Task, solution: &Solution, linkage: FourBar) -> Self {
+        let frame = task.frame().angle;
+        let mut branch = Self {
+            mapping,
+            linkage,
+            assembly: Assembly::First,
+            shifts: [
+                solution.input_start - frame,
+                frame + PI - solution.output_start,
+            ],
+        };
+        let first = task.positions()[0];
+        let off = |assembly: Assembly| {
+            let output = branch.output(assembly, first.input);
+            output.map_or(f64::INFINITY, |output| {
+                near(output - first.output, 0.0).abs()
+            })
+        };
+        if off(Assembly::Second) < off(Assembly::First) {
+            branch.assembly = Assembly::Second;
+        }
+        branch
+    }
+
+    fn output(&self, assembly: Assembly, input: f64) -> Option<f64> {
+        let pose = self
+            .linkage
+            .pose::<1>(assembly, input + self.shifts[0])
+            .ok()?;
+        Some(pose.rocker.value() + self.shifts[1])
+    }
+
+    fn sample(&self, x: f64, wanted: f64) -> ErrorSample {
+        let mapping = self.mapping;
+        let output = self.output(self.assembly, mapped(mapping.x, mapping.input, x));
+        let generated = output.map(|output| {
+            let output = near(output, mapped(mapping.y, mapping.output, wanted));
+            mapped(mapping.output, mapping.y, output)
+        });
+        ErrorSample {
+            x,
+            wanted,
+            generated,
+        }
+    }
+
+    /// The greatest error next to a sample that has it among the samples.
+    fn peak(&self, top: ErrorSample, ends: [f64; 2], f: &dyn Fn(f64) -> f64) -> ErrorSample {
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);
+        let at = |x: f64| defined(f, x).map_or(top, |wanted| self.sample(x, wanted));
+        let [mut low, mut high] = ends;
+        let mut best = top;
+        for _ in 0..SECTIONS {
+            let [a, b] = [high - golden * (high - low), low + golden * (high - low)].map(at);
+            for sample in [a, b] {
+                if size(&sample) > size(&best) {
+                    best = sample;
+                }
+            }
+            if size(&a) > size(&b) {
+                high = b.x;
+            } else {
+                low = a.x;
+            }
+        }
+        best
+    }
+}
+
+/// Where a linkage does not get, it does not get beyond.
+fn broken_off<'a>(samples: impl Iterator<Item = &'a mut ErrorSample>) {
+    let mut broken = false;
+    for sample in samples {
+        broken |= sample.generated.is_none();
+        if broken {
+            sample.generated = None;
+        }
+    }
+}
+
+fn defined(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, FunctionError> {
+    let y = f(x);
+    if y.is_finite() {
+        Ok(y)
+    } else {
+        Err(FunctionError::Undefined { x })
+    }
+}
+
+/// Linearly from one pair of values to another.
+fn mapped(from: [f64; 2], to: [f64; 2], value: f64) -> f64 {
+    to[0] + (value - from[0]) / (from[1] - from[0]) * (to[1] - to[0])
+}
+
+/// A function given by rows (x, y), straight between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table(Vec<[f64; 2]>);
+
+impl Table {
+    /// The function of these rows, x growing.
+    ///
+    /// # Errors
+    /// Too few rows; every row at fault.
+    pub fn new(rows: &[[f64; 2]]) -> Result<Self, Vec<FunctionError>> {
+        let grows = |k: usize| k == 0 || rows[k - 1][0] < rows[k][0];
+        let sound = |k: usize| rows[k].iter().all(|value| value.is_finite()) && grows(k);
+        let mut errors: Vec<FunctionError> = (0..rows.len())
+            .filter(|k| !sound(*k))
+            .map(FunctionError::Row)
+            .collect();
+        if rows.len() < 2 {
+            errors.push(FunctionError::Rows);
+        }
+        if errors.is_empty() {
+            Ok(Self(rows.to_vec()))
+        } else {
+            Err(errors)
+        }
+    }
+
+    /// From the first x to the last.
+    pub fn interval(&self) -> [f64; 2] {
+        [self.0[0][0], self.0[self.0.len() - 1][0]]
+    }
+
+    /// y at x; beyond the rows the line of the last two goes on.
+    pub fn value(&self, x: f64) -> f64 {
+        let after = self.0.partition_point(|row| row[0] < x);
+        let after = after.clamp(1, self.0.len() - 1);
+        let [a, b] = [self.0[after - 1], self.0[after]];
+        mapped([a[0], b[0]], [a[1], b[1]], x)
+    }
+}

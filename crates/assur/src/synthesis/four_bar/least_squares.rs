@@ -1,0 +1,300 @@
+//! Four to many positions: the best compromise, the least ΣJ over positive lengths.
+//!
+//! ΣJ has several local minima, so the search goes down from many starts and reports where each
+//! ended. It is deterministic, and goes step by step so that it can be shown and stopped.
+
+use std::f64::consts::TAU;
+
+use super::family::near;
+use super::minimiser::Descent;
+use super::objective::{Objective, Point};
+use super::starts;
+use super::{Proportions, Solution, Task};
+
+/// A local minimum of ΣJ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Minimum {
+    /// The linkage.
+    pub solution: Solution,
+    /// ΣJ with the weights of the task, in squares of the frame's length.
+    pub value: f64,
+    /// The bounds that hold it; none of an inner minimum.
+    pub held: Vec<Bound>,
+    /// How many starts ended here.
+    pub reached: usize,
+    /// The way that the first of these took, its start and its end included.
+    pub path: Vec<Proportions>,
+}
+
+/// A length at a bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// z₁ is at the least ratio.
+    CouplerLeast,
+    /// z₁ is at the greatest.
+    CouplerGreatest,
+    /// z₂ is at the least ratio.
+    OutputLeast,
+    /// z₂ is at the greatest.
+    OutputGreatest,
+    /// z₃ is at the least ratio.
+    InputLeast,
+    /// z₃ is at the greatest.
+    InputGreatest,
+}
+
+/// The search after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Starts that have ended.
+    pub ended: usize,
+    /// Starts there are.
+    pub starts: usize,
+    /// Where the present way is.
+    pub proportions: Proportions,
+    /// ΣJ there.
+    pub value: f64,
+    /// The least ΣJ of the ways that have ended, if any has.
+    pub best: Option<f64>,
+    /// True where all ways have ended.
+    pub over: bool,
+}
+
+/// The search, step by step.
+#[derive(Clone, Debug)]
+pub struct Search {
+    task: Task,
+    /// By it a mean of J becomes ΣJ with the weights of the task.
+    weight: f64,
+    ways: Ways,
+}
+
+/// With the starting angles as given, or free.
+#[derive(Clone, Debug)]
+enum Ways {
+    Given(Descents<2>),
+    Free(Descents<4>),
+}
+
+impl Search {
+    /// The search with the angles of the task as they are. It is meant for four positions and
+    /// more: what fewer leave open is told exactly by [`TwoPositions`](super::TwoPositions) and
+    /// [`ThreePositions`](super::ThreePositions).
+    pub fn new(task: &Task) -> Self {
+        Self::with(task, Ways::Given(Descents::new(task, starts::given(task))))
+    }
+
+    /// The search with free starts: φ₂ and φ₃ of the task are told from angles that are sought
+    /// with the lengths. It is meant for six positions and more: see
+    /// [`five_positions`](super::five_positions).
+    pub fn free(task: &Task) -> Self {
+        Self::with(task, Ways::Free(Descents::new(task, starts::free(task))))
+    }
+
+    fn with(task: &Task, ways: Ways) -> Self {
+        let weights = task.positions().iter().map(|position| position.weight);
+        Self {
+            task: task.clone(),
+            weight: weights.sum(),
+            ways,
+        }
+    }
+
+    /// One step down of the present way, unless the search is over.
+    pub fn step(&mut self) -> Progress {
+        match &mut self.ways {
+            Ways::Given(ways) => ways.step(),
+            Ways::Free(ways) => ways.step(),
+        }
+        self.progress()
+    }
+
+    /// What the search has come to.
+    pub fn progress(&self) -> Progress {
+        let mut progress = match &self.ways {
+            Ways::Given(ways) => ways.progress(),
+            Ways::Free(ways) => ways.progress(),
+        };
+        progress.value *= self.weight;
+        progress.best = progress.best.map(|best| best * self.weight);
+        progress
+    }
+
+    /// Goes on to the end.
+    pub fn run(&mut self) -> Vec<Minimum> {
+        while !self.progress().over {
+            self.step();
+        }
+        self.minima()
+    }
+
+    /// The way of the present start, from there to here.
+    pub fn path(&self) -> &[Proportions] {
+        match &self.ways {
+            Ways::Given(ways) => &ways.path,
+            Ways::Free(ways) => &ways.path,
+        }
+    }
+
+    /// The distinct local minima found so far, the least ΣJ first.
+    pub fn minima(&self) -> Vec<Minimum> {
+        match &self.ways {
+            Ways::Given(ways) => ways.minima(&self.task, self.weight),
+            Ways::Free(ways) => ways.minima(&self.task, self.weight),
+        }
+    }
+}
+
+/// Ways down from several starts, one after the other.
+#[derive(Clone, Debug)]
+struct Descents<const N: usize> {
+    objective: Objective,
+    starts: Vec<Point<N>>,
+    ended: usize,
+    now: Descent<N>,
+    path: Vec<Proportions>,
+    found: Vec<Found<N>>,
+}
+
+/// Where ways ended.
+#[derive(Clone, Debug)]
+struct Found<const N: usize> {
+    x: Point<N>,
+    value: f64,
+    reached: usize,
+    path: Vec<Proportions>,
+}
+
+/// Ends of ways closer than this are one.
+const SAME: f64 = 1e-5;
+
+impl<const N: usize> Descents<N> {
+    fn new(task: &Task, starts: Vec<Point<N>>) -> Self {
+        let objective = Objective::new(task);
+        let first = starts.first().copied().unwrap_or([0.0; N]);
+        let now = Descent::new(&objective, first);
+        let path = vec![objective.proportions(&now.x)];
+        Self {
+            objective,
+            starts,
+            ended: 0,
+            now,
+            path,
+            found: Vec::new(),
+        }
+    }
+
+    fn step(&mut self) {
+        if self.ended >= self.starts.len() {
+            return;
+        }
+        let before = self.now.x;
+        self.now.step(&self.objective);
+        if self.now.x != before {
+            self.path.push(self.proportions());
+        }
+        if self.now.over {
+            self.end();
+        }
+    }
+
+    fn proportions(&self) -> Proportions {
+        Proportions {
+            coupler: self.now.here.coupler,
+            output: self.now.x[0].exp(),
+            input: self.now.x[1].exp(),
+        }
+    }
+
+    /// Keeps where the present way ended and takes up the next start.
+    fn end(&mut self) {
+        let (x, value) = (self.now.x, self.now.here.value);
+        let known = self.found.iter_mut().find(|found| same(&found.x, &x));
+        match known {
+            Some(found) => {
+                found.reached += 1;
+                if value < found.value {
+                    (found.x, found.value) = (x, value);
+                }
+            }
+            None => self.found.push(Found {
+                x,
+                value,
+                reached: 1,
+                path: std::mem::take(&mut self.path),
+            }),
+        }
+        self.ended += 1;
+        if let Some(start) = self.starts.get(self.ended) {
+            self.now = Descent::new(&self.objective, *start);
+            self.path = vec![self.proportions()];
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        let values = self.found.iter().map(|found| found.value);
+        Progress {
+            ended: self.ended,
+            starts: self.starts.len(),
+            proportions: self.proportions(),
+            value: self.now.here.value,
+            best: values.reduce(f64::min),
+            over: self.ended >= self.starts.len(),
+        }
+    }
+
+    fn minima(&self, task: &Task, weight: f64) -> Vec<Minimum> {
+        let mut found: Vec<&Found<N>> = self.found.iter().collect();
+        found.sort_by(|a, b| a.value.total_cmp(&b.value));
+        let minimum = |found: &Found<N>| {
+            let proportions = self.objective.proportions(&found.x);
+            let angles = if N == 4 {
+                [found.x[2], found.x[3]].map(|angle| near(angle, 0.0))
+            } else {
+                [0.0; 2]
+            };
+            Minimum {
+                solution: Solution::started(task, proportions, angles),
+                value: found.value * weight,
+                held: held(task, &proportions),
+                reached: found.reached,
+                path: found.path.clone(),
+            }
+        };
+        found.into_iter().map(minimum).collect()
+    }
+}
+
+fn same<const N: usize>(a: &Point<N>, b: &Point<N>) -> bool {
+    (0..N).all(|k| {
+        let off = (a[k] - b[k]).abs();
+        let off = if k < 2 { off } else { off % TAU };
+        off < SAME || k >= 2 && TAU - off < SAME
+    })
+}
+
+fn held(task: &Task, proportions: &Proportions) -> Vec<Bound> {
+    let [least, greatest] = task.ratios();
+    let bounds = [
+        (
+            proportions.coupler,
+            Bound::CouplerLeast,
+            Bound::CouplerGreatest,
+        ),
+        (
+            proportions.output,
+            Bound::OutputLeast,
+            Bound::OutputGreatest,
+        ),
+        (proportions.input, Bound::InputLeast, Bound::InputGreatest),
+    ];
+    let at = |z: f64, bound: f64| (z / bound - 1.0).abs() <= 1e-9;
+    bounds
+        .into_iter()
+        .filter_map(|(z, low, high)| {
+            at(z, least)
+                .then_some(low)
+                .or_else(|| at(z, greatest).then_some(high))
+        })
+        .collect()
+}

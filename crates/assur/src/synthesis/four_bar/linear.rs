@@ -1,0 +1,71 @@
+//! Small systems of linear equations.
+
+/// A pivot this small relative to the largest is none.
+const SINGULAR: f64 = 1e-13;
+
+/// The solution of N equations, by elimination with complete pivoting; none where they are
+/// singular to rounding.
+pub(super) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
+    let mut rows: Vec<Vec<f64>> = matrix
+        .iter()
+        .zip(right)
+        .map(|(row, right)| row.iter().copied().chain([right]).collect())
+        .collect();
+    let columns = eliminate(&mut rows, N, 0.0)?;
+    let mut x = [0.0; N];
+    for (row, column) in rows.iter().zip(columns) {
+        x[column] = row[N];
+    }
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}
+
+/// Two vectors that span what solves R = N − 2 homogeneous equations; none where more does.
+pub(super) fn plane<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[[f64; N]; 2]> {
+    let columns = eliminate(&mut rows, N, SINGULAR)?;
+    let mut free = (0..N).filter(|column| !columns.contains(column));
+    let free = [free.next()?, free.next()?];
+    Some(free.map(|free| {
+        let mut x = [0.0; N];
+        x[free] = 1.0;
+        for (row, column) in rows.iter().zip(&columns) {
+            x[*column] = -row[free];
+        }
+        x
+    }))
+}
+
+/// Gauss and Jordan's elimination over the first `width` columns: the column of the pivot of each
+/// row, where the others then have zeros. None where a pivot is no larger than `least` relative to
+/// the first.
+fn eliminate(rows: &mut [Vec<f64>], width: usize, least: f64) -> Option<Vec<usize>> {
+    let mut columns: Vec<usize> = Vec::new();
+    let mut first = None;
+    for k in 0..rows.len() {
+        let mut pivot = (k, 0, 0.0);
+        for (i, row) in rows.iter().enumerate().skip(k) {
+            for (j, value) in row.iter().take(width).enumerate() {
+                if !columns.contains(&j) && value.abs() > pivot.2 {
+                    pivot = (i, j, value.abs());
+                }
+            }
+        }
+        let (i, j, size) = pivot;
+        if size <= least * *first.get_or_insert(size) {
+            return None;
+        }
+        rows.swap(k, i);
+        let scale = rows[k][j].recip();
+        rows[k].iter_mut().for_each(|value| *value *= scale);
+        let row = rows[k].clone();
+        for (i, other) in rows.iter_mut().enumerate() {
+            if i != k {
+                let factor = other[j];
+                for (value, subtract) in other.iter_mut().zip(&row) {
+                    *value -= factor * subtract;
+                }
+            }
+        }
+        columns.push(j);
+    }
+    Some(columns)
+}

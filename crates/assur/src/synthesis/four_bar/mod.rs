@@ -1,0 +1,138 @@
+//! The four-bar from given positions of its input and its output (Sinchev and Mukhanova).
+//!
+//! l₁e₁ + l₂e₂ + l₃e₃ = l₀e₀ with l₀ the frame, l₁ the coupler, l₂ the output and l₃ the
+//! input; eᵢ points along φᵢ, all from the x-axis. Only the proportions zᵢ = lᵢ/l₀ count. A
+//! position is a pair (φ₂, φ₃); its coupler's angle is unknown and is eliminated exactly: with
+//! the gap r = e₀ − z₂e₂ − z₃e₃ left for the coupler, |z₁e₁ − r|² is least along r, so that
+//!
+//! J = (|r| − z₁)²,  φ₁ = arg r.
+//!
+//! A linkage takes up the positions where ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
+//! |r|² in two positions is linear, Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃) (angles from e₀):
+//!
+//! - two positions leave a curve of linkages ([`TwoPositions`]),
+//! - three one linkage ([`ThreePositions`], Freudenstein's equation),
+//! - five at most three, if the angles are told from starts that may be chosen
+//!   ([`five_positions`]),
+//! - more a compromise, the least ΣJ ([`Search`]).
+//!
+//! In the terms of [`FourBar`]: its l₁, l₂, l₃, l₄ are z₃, z₁, z₂, 1 times l₀, its crank's angle
+//! is φ₃ − φ₀, its rocker's φ₂ − φ₀ + 180° (e₂ runs from C to D), its coupler's φ₁ − φ₀.
+
+mod closure;
+mod family;
+mod five;
+mod function;
+mod least_squares;
+mod linear;
+mod minimiser;
+mod objective;
+mod polynomial;
+mod ranges;
+mod ranking;
+mod starts;
+mod task;
+pub mod theorems;
+mod three;
+mod verdict;
+
+pub use closure::Closure;
+pub use family::{Change, ChangeKind, Family, Line, MemberError, Range, TwoPositions};
+pub use five::{StartsError, five_positions};
+pub use function::{ErrorCurve, ErrorSample, FunctionError, Mapping, Table, chebyshev};
+pub use least_squares::{Bound, Minimum, Progress, Search};
+pub use ranking::{Criterion, Requirement, Requirements, rank};
+pub use task::{Frame, Position, Task, TaskError};
+pub use three::ThreePositions;
+pub use verdict::{Order, Passage, Verdict};
+
+use crate::{Assembly, FourBar, Invalid};
+
+/// The lengths of a four-bar relative to that of its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proportions {
+    /// z₁.
+    pub coupler: f64,
+    /// z₂.
+    pub output: f64,
+    /// z₃.
+    pub input: f64,
+}
+
+impl Proportions {
+    /// Crank, coupler, rocker and frame, in the unit of the frame's length.
+    pub fn lengths(&self, frame: f64) -> [f64; 4] {
+        [self.input, self.coupler, self.output, 1.0].map(|z| z * frame)
+    }
+
+    /// The linkage itself, its frame of this length along the x-axis.
+    ///
+    /// # Errors
+    /// Every reason why these lengths make none.
+    pub fn four_bar(&self, frame: f64) -> Result<FourBar, Vec<Invalid>> {
+        FourBar::new(self.lengths(frame))
+    }
+
+    /// The greatest of the four lengths relative to the least.
+    pub fn size_ratio(&self) -> f64 {
+        let lengths = self.lengths(1.0);
+        let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
+        lengths.into_iter().fold(0.0, f64::max) / least
+    }
+}
+
+/// A linkage that takes up the positions of a task, exactly or as nearly as can be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// z₁, z₂, z₃.
+    pub proportions: Proportions,
+    /// φ₂₀, to be added to every φ₂ of the task; zero where starts are not free.
+    pub output_start: f64,
+    /// φ₃₀, to be added to every φ₃ of the task.
+    pub input_start: f64,
+    /// What is left open at each position.
+    pub closures: Vec<Closure>,
+    /// What the linkage is worth, or why these lengths make none.
+    pub verdict: Result<Verdict, Vec<Invalid>>,
+}
+
+impl Solution {
+    /// What is true of these proportions at the positions of a task.
+    pub fn new(task: &Task, proportions: Proportions) -> Self {
+        Self::started(task, proportions, [0.0; 2])
+    }
+
+    /// The same, φ₂ and φ₃ of the task being told from these starts.
+    pub fn started(task: &Task, proportions: Proportions, [output, input]: [f64; 2]) -> Self {
+        let directions: Vec<_> = task.directions([output, input]).collect();
+        let frame = task.frame().angle;
+        Self {
+            proportions,
+            output_start: output,
+            input_start: input,
+            closures: (directions.iter())
+                .map(|direction| Closure::new(proportions, direction, frame))
+                .collect(),
+            verdict: verdict::verdict(proportions, &directions),
+        }
+    }
+
+    /// ΣJ with the weights of the task, in squares of the frame's length.
+    pub fn defect(&self, task: &Task) -> f64 {
+        let terms = self.closures.iter().zip(task.positions());
+        terms
+            .map(|(closure, position)| position.weight * closure.residual.powi(2))
+            .sum()
+    }
+
+    /// The greatest |residual| of a position, in lengths of the frame.
+    pub fn worst_residual(&self) -> f64 {
+        let residuals = self.closures.iter().map(|closure| closure.residual.abs());
+        residuals.fold(0.0, f64::max)
+    }
+
+    /// The assembly through all positions; none where there is no one.
+    pub fn assembly(&self) -> Option<Assembly> {
+        self.verdict.as_ref().ok()?.assembly
+    }
+}

@@ -1,0 +1,145 @@
+//! ΣJ as a function of the output's and the input's length and, where these are free, of the
+//! starting angles, with its exact first and second derivatives. The coupler is eliminated.
+
+use nalgebra::Complex;
+
+use super::closure::{Direction, dot};
+use super::{Proportions, Task};
+
+/// The unknowns: ln z₂, ln z₃ and then, of four, φ₂₀ and φ₃₀. The logarithms keep lengths positive
+/// and halves as far as doubles.
+pub(super) type Point<const N: usize> = [f64; N];
+
+/// ΣJ of a task.
+#[derive(Clone, Debug)]
+pub(super) struct Objective {
+    /// With the weights, of which the greatest is 1.
+    terms: Vec<(Direction, f64)>,
+    total: f64,
+    ratios: [f64; 2],
+}
+
+/// ΣJ at a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Value<const N: usize> {
+    /// ΣJ relative to the sum of the weights.
+    pub(super) value: f64,
+    /// z₁ where it is least, within the ratios.
+    pub(super) coupler: f64,
+    pub(super) gradient: [f64; N],
+    pub(super) hessian: [[f64; N]; N],
+}
+
+impl Objective {
+    pub(super) fn new(task: &Task) -> Self {
+        let weights = task.positions().iter().map(|position| position.weight);
+        let greatest = weights.clone().fold(0.0, f64::max);
+        let weights = weights.map(|weight| weight / greatest);
+        Self {
+            total: weights.clone().sum(),
+            terms: task.directions([0.0; 2]).zip(weights).collect(),
+            ratios: task.ratios(),
+        }
+    }
+
+    /// Bounds of ln z₂ and ln z₃.
+    pub(super) fn bounds(&self) -> [f64; 2] {
+        self.ratios.map(f64::ln)
+    }
+
+    fn links<const N: usize>(&self, x: &Point<N>) -> [Complex<f64>; 2] {
+        let start = |k: usize| if N == 4 { x[2 + k] } else { 0.0 };
+        [0, 1].map(|k| Complex::from_polar(x[k].exp(), start(k)))
+    }
+
+    /// The weighted mean of |r|, within the ratios, and whether that is the mean itself.
+    fn coupler(&self, gaps: impl Iterator<Item = f64>) -> (f64, bool) {
+        let sum: f64 = gaps.zip(&self.terms).map(|(gap, (_, w))| gap * w).sum();
+        let mean = sum / self.total;
+        let [least, greatest] = self.ratios;
+        let coupler = mean.clamp(least, greatest);
+        (coupler, coupler == mean)
+    }
+
+    /// ΣJ alone, relative to the sum of the weights, with z₁.
+    pub(super) fn value<const N: usize>(&self, x: &Point<N>) -> (f64, f64) {
+        let [w2, w3] = self.links(x);
+        let gap = |(at, _): &(Direction, f64)| (one() - at.output * w2 - at.input * w3).norm();
+        let (coupler, _) = self.coupler(self.terms.iter().map(gap));
+        let open = |term: &(Direction, f64)| term.1 * (gap(term) - coupler).powi(2);
+        (
+            self.terms.iter().map(open).sum::<f64>() / self.total,
+            coupler,
+        )
+    }
+
+    /// ΣJ with its derivatives.
+    ///
+    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. As z₁ is where ∂ΣJ/∂z₁ = 0, its own
+    /// change takes Σw ∂|r| ∂|r|/Σw from the second derivatives; at a bound it does not change.
+    pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
+        let links = self.links(x);
+        let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];
+        let (coupler, free) = self.coupler(self.terms.iter().map(|(at, _)| gap(at).norm()));
+        let mut found = Value {
+            value: 0.0,
+            coupler,
+            gradient: [0.0; N],
+            hessian: [[0.0; N]; N],
+        };
+        let mut mean = [0.0; N];
+        for (at, weight) in &self.terms {
+            let weight = weight / self.total;
+            let r = gap(at);
+            let length = r.norm().max(f64::MIN_POSITIVE);
+            let along = r / length;
+            let links = [at.output * links[0], at.input * links[1]];
+            let turn = Complex::new(0.0, 1.0);
+            // ∂r by ln z is −w, by the angle −iw; once more −w, −iw, +w.
+            let first: [Complex<f64>; N] = std::array::from_fn(|k| match k {
+                0 | 1 => -links[k],
+                _ => -links[k - 2] * turn,
+            });
+            let open = length - coupler;
+            found.value += weight * open * open;
+            let slope: [f64; N] = first.map(|d| dot(along, d));
+            let across: [f64; N] = first.map(|d| (along.conj() * d).im);
+            for i in 0..N {
+                mean[i] += weight * slope[i];
+                found.gradient[i] += 2.0 * weight * open * slope[i];
+                for j in 0..=i {
+                    let second = match (i, j) {
+                        _ if i % 2 != j % 2 => 0.0,
+                        (2.., 2..) => dot(along, links[i % 2]),
+                        (2.., _) => dot(along, -links[i % 2] * turn),
+                        _ => dot(along, -links[i % 2]),
+                    };
+                    let bend = second + across[i] * across[j] / length;
+                    found.hessian[i][j] += 2.0 * weight * (slope[i] * slope[j] + open * bend);
+                }
+            }
+        }
+        for i in 0..N {
+            for j in 0..=i {
+                if free {
+                    found.hessian[i][j] -= 2.0 * mean[i] * mean[j];
+                }
+                found.hessian[j][i] = found.hessian[i][j];
+            }
+        }
+        found
+    }
+
+    /// The proportions at a point.
+    pub(super) fn proportions<const N: usize>(&self, x: &Point<N>) -> Proportions {
+        Proportions {
+            coupler: self.value(x).1,
+            output: x[0].exp(),
+            input: x[1].exp(),
+        }
+    }
+}
+
+fn one() -> Complex<f64> {
+    Complex::new(1.0, 0.0)
+}

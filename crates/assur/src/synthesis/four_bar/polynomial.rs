@@ -1,0 +1,97 @@
+//! Real roots of polynomials of low degree, none of them lost.
+
+use crate::motion::root::root;
+
+/// A value this small relative to the coefficients is a root that is only touched.
+const TOUCHING: f64 = 1e-14;
+
+/// The value of a polynomial, its coefficients ascending.
+fn value(coefficients: &[f64], x: f64) -> f64 {
+    let terms = coefficients.iter().rev();
+    terms.fold(0.0, |sum, coefficient| sum * x + coefficient)
+}
+
+/// All real roots within an interval of size 1, ascending: between two roots of the derivative
+/// there is at most one.
+fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
+    let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
+    if coefficients.len() < 2 || size == 0.0 {
+        return Vec::new();
+    }
+    let derivative: Vec<f64> = (1..coefficients.len())
+        .map(|power| power as f64 * coefficients[power])
+        .collect();
+    let mut ends = vec![from];
+    ends.extend(roots_within(&derivative, [from, to]));
+    ends.push(to);
+    let mut found: Vec<f64> = Vec::new();
+    let mut add = |x: f64| {
+        if found.last().is_none_or(|last| *last < x) {
+            found.push(x);
+        }
+    };
+    for (k, pair) in ends.windows(2).enumerate() {
+        let [low, high] = [pair[0], pair[1]].map(|x| [x, value(coefficients, x)]);
+        if k > 0 && low[1].abs() <= TOUCHING * size || low[1] == 0.0 {
+            add(low[0]);
+        } else if low[1] * high[1] < 0.0 {
+            if let Some(x) = root([low, high], |x| Some(value(coefficients, x))) {
+                add(x);
+            }
+        }
+    }
+    if value(coefficients, to) == 0.0 {
+        add(to);
+    }
+    found
+}
+
+/// All positive roots of a polynomial, its coefficients ascending; those beyond 1 are those of
+/// the reversed polynomial, which keeps them apart however large they are.
+pub(super) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
+    let mut found = roots_within(coefficients, [0.0, 1.0]);
+    let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
+    let beyond = roots_within(&reversed, [0.0, 1.0]).into_iter().rev();
+    found.extend(beyond.filter(|x| *x < 1.0).map(f64::recip));
+    found.retain(|x| *x > 0.0 && x.is_finite());
+    found
+}
+
+/// All real roots t = y/x of a form in (x, y), each as (x, y) with the larger of them ±1;
+/// coefficients ascending in y.
+pub(super) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
+    let flat = roots_within(coefficients, [-1.0, 1.0]).into_iter();
+    let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
+    let steep = roots_within(&reversed, [-1.0, 1.0]).into_iter();
+    let steep = steep.filter(|x| x.abs() < 1.0).map(|x| [x, 1.0]);
+    flat.map(|y| [1.0, y]).chain(steep).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Products of linear factors give their roots back, near and far, double ones too.
+    #[test]
+    fn roots_of_products() {
+        for roots in [
+            [0.25, 0.5, 3.0],
+            [1.0, 40.0, 1e6],
+            [0.5, 0.5, 2.0],
+            [-1.0, 0.125, 8.0],
+        ] {
+            let [a, b, c] = roots;
+            let cubic = [-a * b * c, a * b + b * c + a * c, -(a + b + c), 1.0];
+            let mut expected: Vec<f64> = roots.into_iter().filter(|x| *x > 0.0).collect();
+            expected.dedup();
+            let found = positive_roots(&cubic);
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            for (x, y) in found.iter().zip(&expected) {
+                assert!((x / y - 1.0).abs() < 1e-9, "{found:?}");
+            }
+            assert!(directions(&cubic).len() >= expected.len());
+        }
+        assert!(positive_roots(&[1.0, 0.0, 1.0]).is_empty());
+        assert!(positive_roots(&[0.0; 4]).is_empty());
+    }
+}

@@ -1,0 +1,171 @@
+//! From where to where lengths and coupler angles go over a family, exactly: ends, and the places
+//! between them where a derivative vanishes, as roots of polynomials.
+
+use nalgebra::Complex;
+
+use super::closure::{Direction, cross, dot};
+use super::family::{Family, Range, Shape, near};
+use super::polynomial::positive_roots;
+
+/// The ranges of z₂ and z₃.
+pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
+    match *shape {
+        // z₂ = a + bτ and z₃ = b + a/τ, τ = z₂/z₃.
+        Shape::Directions { a, b, .. } => [[a, b], [b, a]].map(|[rest, scale]| match scale {
+            _ if scale > 0.0 => Range {
+                from: rest.max(0.0),
+                to: None,
+            },
+            _ => Range {
+                from: if scale < 0.0 { 0.0 } else { rest },
+                to: Some(rest),
+            },
+        }),
+        Shape::Sizes { .. } => {
+            [Range {
+                from: 0.0,
+                to: None,
+            }; 2]
+        }
+    }
+}
+
+/// The gap along a family as a polynomial of its place x, times x where it holds −1: by τ = z₂/z₃
+/// r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; by the size a straight line.
+fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
+    let one = Complex::new(1.0, 0.0);
+    match *shape {
+        Shape::Directions { a, b, .. } => [
+            -at.input * a,
+            one - at.output * a - at.input * b,
+            -at.output * b,
+        ],
+        Shape::Sizes { direction } => {
+            let (sin, cos) = direction.sin_cos();
+            [
+                Complex::new(0.0, 0.0),
+                one,
+                -at.output * sin - at.input * cos,
+            ]
+        }
+    }
+}
+
+/// The place x of an end of a family, none at infinity.
+fn ends(shape: &Shape) -> [Option<f64>; 2] {
+    match *shape {
+        Shape::Directions { a, b, .. } if a < 0.0 => [Some(-a / b), None],
+        Shape::Directions { a, b, .. } if b < 0.0 => [Some(0.0), Some(-a / b)],
+        _ => [Some(0.0), None],
+    }
+}
+
+fn between(shape: &Shape, x: f64) -> bool {
+    let [from, to] = ends(shape);
+    from.is_none_or(|from| x > from) && to.is_none_or(|to| x < to)
+}
+
+/// |r|² x² as a polynomial of x.
+fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
+    let [p, q, r] = gap;
+    [
+        dot(p, p),
+        2.0 * dot(p, q),
+        dot(q, q) + 2.0 * dot(p, r),
+        2.0 * dot(q, r),
+        dot(r, r),
+    ]
+}
+
+fn value([p, q, r]: [Complex<f64>; 3], x: f64) -> Complex<f64> {
+    // p is zero where x may be: a family of sizes, or one that ends with the input's length given.
+    q + r * x + if p.norm_sqr() == 0.0 { p } else { p / x }
+}
+
+/// The range of z₁.
+pub(super) fn coupler(family: &Family) -> Range {
+    let shape = &family.shape;
+    let gap = gap(shape, &family.directions()[0]);
+    let [n0, n1, _, n3, n4] = square(gap);
+    let mut from = f64::INFINITY;
+    let mut to = Some(0.0_f64);
+    let mut take = |z: f64| {
+        from = from.min(z);
+        to = to.map(|to| to.max(z));
+    };
+    // d|r|²/dx = 0.
+    let turns = positive_roots(&[-2.0 * n0, -n1, 0.0, n3, 2.0 * n4]);
+    for x in turns.into_iter().filter(|x| between(shape, *x)) {
+        take(value(gap, x).norm());
+    }
+    let [p, q, r] = gap;
+    let mut unbounded = false;
+    for (end, (grows, rest)) in ends(shape).into_iter().zip([(p, q), (r, q)]) {
+        match end {
+            Some(x) if x > 0.0 => take(value(gap, x).norm()),
+            _ if grows.norm_sqr() > 0.0 => unbounded = true,
+            _ => take(rest.norm()),
+        }
+    }
+    Range {
+        from,
+        to: to.filter(|_| !unbounded),
+    }
+}
+
+/// z₂ and z₃ of the members with this z₁.
+pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
+    if !(coupler > 0.0 && coupler.is_finite()) {
+        return Vec::new();
+    }
+    let shape = &family.shape;
+    let mut polynomial = square(gap(shape, &family.directions()[0]));
+    polynomial[2] -= coupler * coupler;
+    let places = positive_roots(&polynomial).into_iter();
+    places
+        .filter(|x| between(shape, *x))
+        .map(|x| match *shape {
+            Shape::Directions { a, b, .. } => [a + b * x, b + a / x],
+            Shape::Sizes { direction } => [x * direction.sin(), x * direction.cos()],
+        })
+        .collect()
+}
+
+/// The range of arg r at a position, continuous along the family. Between two places where r
+/// crosses an axis it stays in a quadrant, where its angle is unambiguous; there it turns back
+/// where r × r′ = 0.
+pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
+    let gap = gap(shape, at);
+    let [p, q, r] = gap;
+    let mut places = vec![];
+    for part in [|z: Complex<f64>| z.re, |z: Complex<f64>| z.im] {
+        places.extend(positive_roots(&[part(p), part(q), part(r)]));
+    }
+    // r = p/x + q + r x: r × r′ x² = (q × p)·(−1) + 2 p × r x + q × r x².
+    places.extend(positive_roots(&[
+        cross(p, q),
+        2.0 * cross(p, r),
+        cross(q, r),
+    ]));
+    places.retain(|x| between(shape, *x));
+    places.sort_by(f64::total_cmp);
+    let [first, last] = ends(shape);
+    let start = match first {
+        Some(x) if x > 0.0 => value(gap, x),
+        _ if p.norm_sqr() > 0.0 => p,
+        _ => q,
+    };
+    let end = match last {
+        Some(x) => value(gap, x),
+        None if r.norm_sqr() > 0.0 => r,
+        None => q,
+    };
+    let mut angle = start.arg();
+    let [mut least, mut greatest] = [angle; 2];
+    let inner = places.into_iter().map(|x| value(gap, x));
+    for next in inner.chain([end]) {
+        angle = near(next.arg(), angle);
+        [least, greatest] = [least.min(angle), greatest.max(angle)];
+    }
+    [least, greatest]
+}

@@ -1,0 +1,129 @@
+//! Which solutions will do, and which is the best.
+
+use super::{Order, Passage, Solution};
+use crate::Grashof;
+
+/// What is asked of a solution besides its positions. What is `false` or none is not asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Requirements {
+    /// It goes through all positions without a break.
+    pub continuous: bool,
+    /// It meets them in the given order.
+    pub in_order: bool,
+    /// Its input turns fully.
+    pub turns: bool,
+    /// It is of this class.
+    pub grashof: Option<Grashof>,
+    /// Its transmission angle is nowhere less between the first and the last position.
+    pub transmission: Option<f64>,
+    /// Its longest link is no longer than this, relative to the shortest.
+    pub size_ratio: Option<f64>,
+}
+
+/// What a solution can fail of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Requirement {
+    /// Its lengths make no linkage.
+    Linkage,
+    /// See [`Requirements::continuous`].
+    Continuous,
+    /// See [`Requirements::in_order`].
+    InOrder,
+    /// See [`Requirements::turns`].
+    Turns,
+    /// See [`Requirements::grashof`].
+    Grashof,
+    /// See [`Requirements::transmission`].
+    Transmission,
+    /// See [`Requirements::size_ratio`].
+    SizeRatio,
+}
+
+impl Requirements {
+    /// What a solution fails of; nothing where it will do.
+    pub fn unmet(&self, solution: &Solution) -> Vec<Requirement> {
+        let Ok(verdict) = &solution.verdict else {
+            return vec![Requirement::Linkage];
+        };
+        let mut unmet = Vec::new();
+        let mut ask = |met: bool, requirement: Requirement| {
+            if !met {
+                unmet.push(requirement);
+            }
+        };
+        let passes = verdict.passage == Passage::Continuous;
+        ask(!self.continuous || passes, Requirement::Continuous);
+        let ordered = passes && verdict.order != Order::Mixed;
+        ask(!self.in_order || ordered, Requirement::InOrder);
+        ask(!self.turns || verdict.turns, Requirement::Turns);
+        let class = self.grashof.is_none_or(|class| class == verdict.grashof);
+        ask(class, Requirement::Grashof);
+        let least = verdict.transmission_between.unwrap_or(0.0);
+        let transmits = self.transmission.is_none_or(|wanted| least >= wanted);
+        ask(transmits, Requirement::Transmission);
+        let size = self
+            .size_ratio
+            .is_none_or(|most| verdict.size_ratio <= most);
+        ask(size, Requirement::SizeRatio);
+        unmet
+    }
+}
+
+/// By what solutions are ranked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Criterion {
+    /// The least worst residual first.
+    Closure,
+    /// The greatest transmission angle between the positions first.
+    Transmission,
+    /// The same over the whole motion.
+    TransmissionOverall,
+    /// The least ratio of lengths first.
+    SizeRatio,
+}
+
+/// Puts solutions in order, the best first: those that fail of fewest requirements, among these by
+/// the criterion; equal ones stay as they were.
+pub fn rank(solutions: &mut [Solution], requirements: &Requirements, criterion: Criterion) {
+    solutions.sort_by_cached_key(|solution| Key {
+        unmet: requirements.unmet(solution).len(),
+        cost: cost(solution, criterion),
+    });
+}
+
+/// Less is better.
+fn cost(solution: &Solution, criterion: Criterion) -> f64 {
+    match (criterion, &solution.verdict) {
+        (Criterion::Closure, _) => solution.worst_residual(),
+        (Criterion::SizeRatio, _) => solution.proportions.size_ratio(),
+        (_, Err(_)) => f64::INFINITY,
+        (Criterion::Transmission, Ok(verdict)) => -verdict.transmission_between.unwrap_or(0.0),
+        (Criterion::TransmissionOverall, Ok(verdict)) => -verdict.transmission,
+    }
+}
+
+struct Key {
+    unmet: usize,
+    cost: f64,
+}
+
+impl Ord for Key {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        let unmet = self.unmet.cmp(&other.unmet);
+        unmet.then(self.cost.total_cmp(&other.cost))
+    }
+}
+
+impl PartialOrd for Key {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Key {}

@@ -1,0 +1,124 @@
+//! Where a search for the least ΣJ starts: exact solutions of some of the positions, what
+//! Freudenstein's equations say of all in the mean, and a grid. The same ones every time.
+
+use std::f64::consts::TAU;
+
+use super::objective::{Objective, Point};
+use super::{Task, ThreePositions, five, linear};
+
+/// Places of the grid along ln z₂ and ln z₃.
+const GRID: usize = 8;
+/// Of three or five positions so many choices are solved exactly.
+const CHOICES: usize = 20;
+/// With free starts: places of the grid along each length and each angle, and how many of them
+/// are gone down from, the lowest.
+const COARSE: [usize; 2] = [3, 8];
+const LOWEST: usize = 32;
+
+/// Starts with the angles as given.
+pub(super) fn given(task: &Task) -> Vec<Point<2>> {
+    let count = task.positions().len();
+    let mut starts: Vec<Point<2>> = freudenstein(task).into_iter().collect();
+    for triple in choices::<3>(count) {
+        if let ThreePositions::One(found) = ThreePositions::of(task, triple) {
+            let z = found.proportions;
+            starts.push([z.output.ln(), z.input.ln()]);
+        }
+    }
+    let bounds = Objective::new(task).bounds();
+    starts.extend(grid(GRID, bounds));
+    starts
+}
+
+/// Starts with free angles.
+pub(super) fn free(task: &Task) -> Vec<Point<4>> {
+    let count = task.positions().len();
+    let mut starts = Vec::new();
+    for five in choices::<5>(count) {
+        for (z, [output, input]) in five::of(task, five).unwrap_or_default() {
+            starts.push([z.output.ln(), z.input.ln(), output, input]);
+        }
+    }
+    let objective = Objective::new(task);
+    let [sizes, turns] = COARSE;
+    let angle = |k: usize| k as f64 * TAU / turns as f64;
+    let mut coarse: Vec<(f64, Point<4>)> = grid(sizes, objective.bounds())
+        .flat_map(|[output, input]| {
+            (0..turns * turns).map(move |k| [output, input, angle(k / turns), angle(k % turns)])
+        })
+        .map(|x| (objective.value(&x).0, x))
+        .collect();
+    coarse.sort_by(|a, b| a.0.total_cmp(&b.0));
+    starts.extend(coarse.into_iter().take(LOWEST).map(|(_, x)| x));
+    starts
+}
+
+/// The middles of equal parts along both logarithms.
+fn grid(places: usize, [from, to]: [f64; 2]) -> impl Iterator<Item = Point<2>> {
+    let at = move |k: usize| from + (k as f64 + 0.5) / places as f64 * (to - from);
+    (0..places * places).map(move |k| [at(k / places), at(k % places)])
+}
+
+/// The least squares of Freudenstein's equations cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, linear
+/// in Z, 1/z₃ and 1/z₂; none unless both lengths are positive.
+pub(super) fn freudenstein(task: &Task) -> Option<Point<2>> {
+    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
+    for (at, position) in task.directions([0.0; 2]).zip(task.positions()) {
+        let row = [1.0, at.output.re, at.input.re];
+        let value = (at.output * at.input.conj()).re;
+        for i in 0..3 {
+            right[i] += position.weight * row[i] * value;
+            for j in 0..3 {
+                matrix[i][j] += position.weight * row[i] * row[j];
+            }
+        }
+    }
+    let [_, v, u] = linear::solve(matrix, right)?;
+    (u > 0.0 && v > 0.0).then(|| [-u.ln(), -v.ln()])
+}
+
+/// Choices of K among so many positions, spread evenly over all of them.
+fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
+    let mut all: Vec<[usize; K]> = Vec::new();
+    if count < K {
+        return all;
+    }
+    // As many as can be counted at no cost; more positions are thinned out first.
+    let thinned: Vec<usize> = if count > 12 {
+        (0..12).map(|k| k * (count - 1) / 11).collect()
+    } else {
+        (0..count).collect()
+    };
+    let mut next: [usize; K] = std::array::from_fn(|k| k);
+    loop {
+        all.push(next.map(|k| thinned[k]));
+        // The last one that can still go on, and those after it behind it.
+        let Some(k) = (0..K).rev().find(|k| next[*k] < thinned.len() - K + k) else {
+            break;
+        };
+        next[k] += 1;
+        for j in k + 1..K {
+            next[j] = next[j - 1] + 1;
+        }
+    }
+    let step = all.len().div_ceil(CHOICES);
+    all.into_iter().step_by(step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::choices;
+
+    #[test]
+    fn choices_are_spread() {
+        assert_eq!(choices::<3>(3), [[0, 1, 2]]);
+        assert_eq!(choices::<3>(4).len(), 4);
+        assert!(choices::<5>(4).is_empty());
+        for count in [8, 12, 64] {
+            let all = choices::<5>(count);
+            assert!(all.len() <= 20 && all.len() > 10);
+            assert!(all.iter().all(|five| five.is_sorted_by(|a, b| a < b)));
+            assert!(all.iter().any(|five| five[4] == count - 1));
+        }
+    }
+}

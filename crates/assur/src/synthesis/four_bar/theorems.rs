@@ -1,0 +1,103 @@
+//! The paper's own method, for given angles of all links: the functional (3), the system (5) of
+//! its minimum, and the conditions and theorems on positive lengths, with the truth beside each.
+//!
+//! Of the printed conditions those that need no more than their sense are evaluated by it: where
+//! the sign before the z₁ term is misprinted, as it ought to be (docs/errata.md).
+
+mod conditions;
+mod system;
+mod truth;
+
+pub use conditions::{
+    Alternative, Condition, ConditionNumber, Theorem, alternative, conditions, theorems,
+};
+pub use system::{PositiveMinimum, System, functional};
+pub use truth::{Truth, truth};
+
+/// The angles of all links in one position, from the x-axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Angles {
+    /// φ₀.
+    pub frame: f64,
+    /// φ₁.
+    pub coupler: f64,
+    /// φ₂.
+    pub output: f64,
+    /// φ₃.
+    pub input: f64,
+}
+
+/// A length that is sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknown {
+    /// z₁.
+    Coupler,
+    /// z₂.
+    Output,
+    /// z₃.
+    Input,
+}
+
+impl Unknown {
+    /// In the order of the paper's numbers.
+    pub const ALL: [Self; 3] = [Self::Coupler, Self::Output, Self::Input];
+}
+
+/// Two unknowns as functions of the third: zᵢ = P + Q z, the paper's (16) and its permutations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Subsystem {
+    /// The one that may be chosen.
+    pub third: Unknown,
+    /// The other two.
+    pub of: [Unknown; 2],
+    /// P of each.
+    pub constant: [f64; 2],
+    /// Q of each.
+    pub slope: [f64; 2],
+}
+
+/// Sines smaller than this are none: links are parallel.
+const PARALLEL: f64 = 1e-12;
+
+impl Angles {
+    fn of(&self, unknown: Unknown) -> f64 {
+        match unknown {
+            Unknown::Coupler => self.coupler,
+            Unknown::Output => self.output,
+            Unknown::Input => self.input,
+        }
+    }
+
+    /// True where every angle is finite.
+    pub fn is_finite(&self) -> bool {
+        let all = [self.frame, self.coupler, self.output, self.input];
+        all.iter().all(|angle| angle.is_finite())
+    }
+
+    /// Two unknowns as functions of the third; none where these two links are parallel (for the
+    /// third z₁, where condition (13) fails).
+    ///
+    /// zᵢ eᵢ + zⱼ eⱼ = e₀ − z e, and a product with eⱼ leaves zᵢ = (e₀ × eⱼ − z e × eⱼ)/(eᵢ × eⱼ).
+    pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {
+        let of = match third {
+            Unknown::Coupler => [Unknown::Output, Unknown::Input],
+            Unknown::Output => [Unknown::Coupler, Unknown::Input],
+            Unknown::Input => [Unknown::Coupler, Unknown::Output],
+        };
+        let [i, j] = of.map(|unknown| self.of(unknown));
+        let across = (j - i).sin();
+        if across.abs() < PARALLEL || !self.is_finite() {
+            return None;
+        }
+        let k = self.of(third);
+        Some(Subsystem {
+            third,
+            of,
+            constant: [
+                (j - self.frame).sin() / across,
+                -(i - self.frame).sin() / across,
+            ],
+            slope: [(k - j).sin() / across, -(k - i).sin() / across],
+        })
+    }
+}

@@ -1,0 +1,139 @@
+//! The functional (3) and the linear system (5) of its minimum.
+
+use super::super::linear;
+use super::Angles;
+
+/// J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|² of one position, z in the order z₁, z₂, z₃.
+pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
+    let turns = [angles.coupler, angles.output, angles.input];
+    let sum = turns.iter().zip(z).fold(
+        [-angles.frame.cos(), -angles.frame.sin()],
+        |[x, y], (angle, z)| [x + z * angle.cos(), y + z * angle.sin()],
+    );
+    sum[0] * sum[0] + sum[1] * sum[1]
+}
+
+/// ∂ΣJ/∂z = 0: `matrix` z = `right`, the sum over all positions of products of the directions. Of
+/// one position it is a Gram matrix of plane vectors: its rank is at most two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct System {
+    /// Σ eᵢ·eⱼ.
+    pub matrix: [[f64; 3]; 3],
+    /// Σ eᵢ·e₀.
+    pub right: [f64; 3],
+    /// The rank of the matrix, and of the matrix with the right-hand side: always the same, so
+    /// that there is a minimum.
+    pub rank: usize,
+    /// How many positions.
+    pub positions: usize,
+}
+
+/// Where ΣJ is least over z ≥ 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PositiveMinimum {
+    /// z₁, z₂, z₃; a zero is a length that ΣJ would rather have negative, and then no z > 0 has the
+    /// least ΣJ.
+    pub z: [f64; 3],
+    /// ΣJ there.
+    pub value: f64,
+}
+
+/// Of what is left of a matrix so much is nothing, relative to its size.
+const NOTHING: f64 = 1e-12;
+
+impl System {
+    /// The system of these positions; none where there is no position or an angle is not finite.
+    pub fn new(positions: &[Angles]) -> Option<Self> {
+        if positions.is_empty() || !positions.iter().all(Angles::is_finite) {
+            return None;
+        }
+        let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
+        for angles in positions {
+            let turns = [angles.coupler, angles.output, angles.input];
+            for i in 0..3 {
+                right[i] += (turns[i] - angles.frame).cos();
+                for j in 0..3 {
+                    matrix[i][j] += (turns[i] - turns[j]).cos();
+                }
+            }
+        }
+        Some(Self {
+            matrix,
+            right,
+            rank: rank(matrix),
+            positions: positions.len(),
+        })
+    }
+
+    /// ΣJ.
+    pub fn value(&self, z: [f64; 3]) -> f64 {
+        let mut value = self.positions as f64;
+        for i in 0..3 {
+            value -= 2.0 * self.right[i] * z[i];
+            for j in 0..3 {
+                value += self.matrix[i][j] * z[i] * z[j];
+            }
+        }
+        value.max(0.0)
+    }
+
+    /// z₁, z₂, z₃ of the one minimum over all real numbers; none where the rank is less than three
+    /// and there are many.
+    pub fn minimum(&self) -> Option<[f64; 3]> {
+        (self.rank == 3)
+            .then(|| linear::solve(self.matrix, self.right))
+            .flatten()
+    }
+
+    /// The least over z ≥ 0: the best of the minima with some of the lengths zero, of which there
+    /// are eight.
+    pub fn positive_minimum(&self) -> PositiveMinimum {
+        let mut best = PositiveMinimum {
+            z: [0.0; 3],
+            value: self.value([0.0; 3]),
+        };
+        for kept in 1..8_usize {
+            let keep = [0, 1, 2].map(|k| kept >> k & 1 == 1);
+            let (mut matrix, mut right) = (self.matrix, self.right);
+            for i in 0..3 {
+                for j in 0..3 {
+                    if !(keep[i] && keep[j]) {
+                        matrix[i][j] = if i == j { 1.0 } else { 0.0 };
+                    }
+                }
+                if !keep[i] {
+                    right[i] = 0.0;
+                }
+            }
+            let full = rank(matrix) == 3;
+            let Some(z) = full.then(|| linear::solve(matrix, right)).flatten() else {
+                continue;
+            };
+            let value = self.value(z);
+            if z.iter().all(|z| *z >= 0.0) && value < best.value {
+                best = PositiveMinimum { z, value };
+            }
+        }
+        best
+    }
+}
+
+/// The rank of a symmetric matrix without negative eigenvalues, by what its largest diagonal
+/// elements leave of it.
+fn rank(mut matrix: [[f64; 3]; 3]) -> usize {
+    let size = (0..3).map(|k| matrix[k][k]).fold(0.0, f64::max);
+    for rank in 0..3 {
+        let pivot = (0..3).max_by(|a, b| matrix[*a][*a].total_cmp(&matrix[*b][*b]));
+        let pivot = pivot.unwrap_or(0);
+        let (row, value) = (matrix[pivot], matrix[pivot][pivot]);
+        if value <= NOTHING * size {
+            return rank;
+        }
+        for i in 0..3 {
+            for j in 0..3 {
+                matrix[i][j] -= row[i] * row[j] / value;
+            }
+        }
+    }
+    3
+}

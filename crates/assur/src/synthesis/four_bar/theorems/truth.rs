@@ -1,0 +1,90 @@
+//! The truth about one position: for which z₁ all lengths are positive.
+
+use super::{Angles, PARALLEL, Unknown};
+
+/// For which z₁ > 0 there are z₂ > 0 and z₃ > 0 that close the loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Truth {
+    /// For every one between these, ends excluded; `to` is none where there is no greatest.
+    Between {
+        /// The least, or zero.
+        from: f64,
+        /// The greatest.
+        to: Option<f64>,
+    },
+    /// For none.
+    None,
+    /// Input and output are parallel, condition (13) fails: for this one z₁ alone, or for none.
+    Parallel {
+        /// z₁.
+        coupler: Option<f64>,
+    },
+    /// All links but the frame's are parallel to it: for every z₁ there are lengths, or for none.
+    InLine {
+        /// Whether there are lengths.
+        closes: bool,
+    },
+}
+
+impl Truth {
+    /// True where positive lengths close the loop.
+    pub fn holds(&self) -> bool {
+        match *self {
+            Self::Between { .. } => true,
+            Self::None => false,
+            Self::Parallel { coupler } => coupler.is_some(),
+            Self::InLine { closes } => closes,
+        }
+    }
+}
+
+/// The exact criterion: P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 each leave a ray of z₁ or none, and both
+/// with z₁ > 0 an interval. None where an angle is not finite.
+pub fn truth(angles: &Angles) -> Option<Truth> {
+    if !angles.is_finite() {
+        return None;
+    }
+    let Some(by) = angles.subsystem(Unknown::Coupler) else {
+        return Some(parallel(angles));
+    };
+    let (mut from, mut to) = (0.0_f64, None::<f64>);
+    for (constant, slope) in by.constant.into_iter().zip(by.slope) {
+        let limit = -constant / slope;
+        if slope > 0.0 && limit.is_finite() {
+            from = from.max(limit);
+        } else if slope < 0.0 && limit.is_finite() {
+            to = Some(to.map_or(limit, |to| to.min(limit)));
+        } else if constant <= 0.0 {
+            return Some(Truth::None);
+        }
+    }
+    Some(if to.is_none_or(|to| from < to) {
+        Truth::Between { from, to }
+    } else {
+        Truth::None
+    })
+}
+
+/// With e₃ = ±e₂ the product with e₂ leaves e₀ × e₂ = z₁ e₁ × e₂; then ±z₃ and z₂ make up the rest
+/// along e₂: any amount where they are opposite, a positive one where they are not.
+fn parallel(angles: &Angles) -> Truth {
+    let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
+        let (sin, cos) = (angles.output - angle).sin_cos();
+        [sin, cos]
+    });
+    let opposite = (angles.input - angles.output).cos() < 0.0;
+    if coupler[0].abs() < PARALLEL {
+        // The coupler is parallel as well; then so is the frame, or nothing closes.
+        let in_line = frame[0].abs() < PARALLEL;
+        let along = opposite || frame[1] > 0.0 || coupler[1] < 0.0;
+        return Truth::InLine {
+            closes: in_line && along,
+        };
+    }
+    let z = frame[0] / coupler[0];
+    let rest = frame[1] - z * coupler[1];
+    let closes = z > 0.0 && (opposite || rest > 0.0);
+    Truth::Parallel {
+        coupler: closes.then_some(z),
+    }
+}

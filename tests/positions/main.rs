@@ -1,0 +1,6 @@
+//! The four-bar from given positions.
+#![cfg(not(target_family = "wasm"))]
+
+mod draw;
+mod example;
+mod recovered;
