@@ -96,7 +96,7 @@ id: string,
 step: number, };
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
-export type Document = { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument };
+export type Document = { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type MixerDocument = { 
 /**
  * Crank AB.
@@ -324,11 +324,58 @@ link: string,
  */
 at: [number, number], };
 export type SchemeDocument = LinkageDocument;
+export type SynthesisDocument = { 
+/**
+ * l₀.
+ */
+frame: number, 
+/**
+ * φ₀.
+ */
+phi0_deg: number, 
+/**
+ * The positions, in their order.
+ */
+positions: Array<PositionDocument>, 
+/**
+ * Whether φ₂ and φ₃ are told from starts that may be chosen.
+ */
+free: boolean, 
+/**
+ * Which member of a family, between 0 and 1.
+ */
+member: number, 
+/**
+ * Which of several solutions, from 1.
+ */
+solution: number, 
+/**
+ * Lengths l₁, l₂, l₃ that are shown instead of a solution.
+ */
+trial?: [number, number, number] | null, };
+export type PositionDocument = { 
+/**
+ * φ₂, from the joint with the coupler to the fixed pivot.
+ */
+output_deg: number, 
+/**
+ * φ₃, from the fixed pivot to the joint with the coupler.
+ */
+input_deg: number, 
+/**
+ * What it counts where not all can be met.
+ */
+weight: number, 
+/**
+ * φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
+ * that is shown.
+ */
+coupler_deg?: number | null, };
 export type Preset = { 
 /**
  * Its name.
  */
-id: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument });
+id: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type Shelf = { 
 /**
  * Its name.

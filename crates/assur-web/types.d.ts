@@ -1,6 +1,6 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { LinkageDocument } from "assur/types/file.js";
-export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary };
+export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionSummary = { 
 /**
@@ -55,6 +55,123 @@ moves: null,
  * Nothing is dragged.
  */
 handles: never[], bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type SynthesisSummary = { 
+/**
+ * What there is to choose from.
+ */
+from: "family" | "exact" | "found" | "trial", 
+/**
+ * Those that are told apart by a number.
+ */
+solutions: Array<SolutionSummary>, 
+/**
+ * Which of them is drawn, from 1.
+ */
+number: number | null, drawn: SolutionSummary, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
+/**
+ * What is drawn, as a linkage for the simulator.
+ */
+linkage: LinkageDocument, 
+/**
+ * What the input is: `angle` or `length`.
+ */
+moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type SolutionSummary = { 
+/**
+ * l₁, l₂, l₃.
+ */
+lengths: [number, number, number], 
+/**
+ * φ₂₀ and φ₃₀, radians.
+ */
+starts: [number, number], 
+/**
+ * The greatest length left open at the coupler in a position.
+ */
+gap: number, 
+/**
+ * ΣJ, in squares of the unit of lengths.
+ */
+sum: number, 
+/**
+ * Whether a length is at the end of what is searched.
+ */
+at_bound: boolean, verdict: VerdictSummary | null, };
+export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
+/**
+ * Radians.
+ */
+transmission: number, transmission_between: number | null, size_ratio: number, };
+export type FamilySummary = { 
+/**
+ * Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+ */
+lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
+/**
+ * Between which angles the coupler is in each position, radians.
+ */
+couplers: [[number, number], [number, number]], curve: FamilyCurve, 
+/**
+ * The classes of its members, each once.
+ */
+classes: Array<string>, 
+/**
+ * l₁, l₂, l₃ where the class changes.
+ */
+changes: Array<[number, number, number]>, };
+export type FamilyCurve = { 
+/**
+ * Where they are in the family, between 0 and 1.
+ */
+members: Array<number>, l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
+export type FoundSummary = { 
+/**
+ * From how many starts it went.
+ */
+starts: number, 
+/**
+ * How many of them ended in the best.
+ */
+best: number, 
+/**
+ * l₂ and l₃ along the way to each of the solutions.
+ */
+paths: Array<Array<[number, number]>>, };
+export type WantedSummary = { 
+/**
+ * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.
+ */
+output: number, input: number, coupler: number, 
+/**
+ * By how much the contour is open at the coupler.
+ */
+error: number, 
+/**
+ * The main equation: its left side, Z, e₀·e₂/z₃ and e₀·e₃/z₂.
+ */
+equation: [number, number, number, number], 
+/**
+ * φ₁ at which the conditions are evaluated.
+ */
+at: number, conditions: Array<ConditionSummary>, 
+/**
+ * Between which l₁ all lengths are positive: null where there are none, and where there is
+ * no greatest.
+ */
+interval: [number, number | null] | null, };
+export type ConditionSummary = { 
+/**
+ * Its number in the paper.
+ */
+number: string, 
+/**
+ * The length that it is about.
+ */
+about: string | null, value: number | null, holds: boolean, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type GroupSummary = { term: string, role: string, };

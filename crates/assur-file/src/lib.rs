@@ -18,6 +18,7 @@ pub use kinds::linkage::{
     PointDocument, SlideDocument, TracerDocument, dimension_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, SynthesisProblem};
 pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::LinkageProblem;
+use crate::{LinkageProblem, SynthesisProblem};
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -55,6 +55,9 @@ pub enum Problem {
     /// What is wrong with a linkage.
     #[serde(untagged)]
     Linkage(LinkageProblem),
+    /// What is wrong with what is wanted of a linkage.
+    #[serde(untagged)]
+    Synthesis(SynthesisProblem),
 }
 
 impl From<LinkageProblem> for Problem {

@@ -11,6 +11,7 @@ use crate::kinds::linkage::{
 };
 use crate::kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 use crate::kinds::scheme::SchemeDocument;
+use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
 use crate::view::{Axes, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LinkageDocument, Preset, Shelf, View};
 
@@ -35,6 +36,8 @@ fn the_scripts_know_what_is_saved() {
         DriverDocument::decl(&config),
         TracerDocument::decl(&config),
         SchemeDocument::decl(&config),
+        SynthesisDocument::decl(&config),
+        PositionDocument::decl(&config),
         Preset::decl(&config),
         Shelf::decl(&config),
         Group::decl(&config),

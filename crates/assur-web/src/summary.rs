@@ -342,7 +342,7 @@ fn between(swing: Swing) -> Option<Between> {
     }
 }
 
-fn grashof(class: Grashof) -> &'static str {
+pub(crate) fn grashof(class: Grashof) -> &'static str {
     match class {
         Grashof::CrankRocker => "crank_rocker",
         Grashof::RockerCrank => "rocker_crank",

@@ -12,6 +12,10 @@ use crate::equations::EquationSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::SchemeSummary;
+use crate::kinds::synthesis::summary::{
+    ConditionSummary, FamilyCurve, FamilySummary, FoundSummary, SolutionSummary, SynthesisSummary,
+    VerdictSummary, WantedSummary,
+};
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
     Between, CountsSummary, CycleSummary, DeadPointSummary, FourBarSummary, GroupSummary,
@@ -30,6 +34,14 @@ fn the_scripts_know_what_crosses_the_border() {
         DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
         SchemeSummary::decl(&config),
+        SynthesisSummary::decl(&config),
+        SolutionSummary::decl(&config),
+        VerdictSummary::decl(&config),
+        FamilySummary::decl(&config),
+        FamilyCurve::decl(&config),
+        FoundSummary::decl(&config),
+        WantedSummary::decl(&config),
+        ConditionSummary::decl(&config),
         CountsSummary::decl(&config),
         CycleSummary::decl(&config),
         GroupSummary::decl(&config),
@@ -60,7 +72,7 @@ fn the_scripts_know_what_crosses_the_border() {
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
                  import { LinkageDocument } from \"assur/types/file.js\";\n\
-                 export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary };\n";
+                 export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))
         .concat();

@@ -4,6 +4,7 @@
 pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod scheme;
+pub(crate) mod synthesis;
 
 use assur::mechanism::Quantity;
 use assur::motion::Motion;
@@ -15,6 +16,7 @@ use crate::state::within;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
 use scheme::SchemeDocument;
+use synthesis::SynthesisDocument;
 
 /// What the document of every kind can be asked.
 pub trait Kind {
@@ -45,6 +47,29 @@ pub struct Moved {
     pub motion: Motion,
     /// Quantities of one kind.
     pub plotted: Vec<Quantity>,
+}
+
+impl Moved {
+    /// A linkage in its motion, with the quantities that a choice of the page names.
+    ///
+    /// # Errors
+    /// Why it does not move; a choice of which there is nothing.
+    pub fn new(document: LinkageDocument, plot: &str) -> Result<Self, Vec<Problem>> {
+        let motion = document.motion()?;
+        Self::over(document, motion, plot)
+    }
+
+    fn over(document: LinkageDocument, motion: Motion, plot: &str) -> Result<Self, Vec<Problem>> {
+        let Some(plotted) = document.plotted(motion.mechanism(), plot) else {
+            let field = "plot".into();
+            return Err(vec![Problem::UnknownChoice { field }]);
+        };
+        Ok(Self {
+            document,
+            motion,
+            plotted,
+        })
+    }
 }
 
 /// Makes the document of a state from the list of kinds.
@@ -90,6 +115,8 @@ kinds! {
     "mixer" => Mixer(MixerDocument),
     /// A linkage drawn still.
     "scheme" => Scheme(SchemeDocument),
+    /// A four-bar for given positions.
+    "synthesis" => Synthesis(SynthesisDocument),
 }
 
 impl Document {
@@ -111,17 +138,6 @@ impl Document {
     /// # Errors
     /// Every problem for which it does not move; a choice of which there is nothing.
     pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
-        let document = self.linkage()?;
-        let motion = self.kind().motion()?;
-        let plotted = document.plotted(motion.mechanism(), plot);
-        let Some(plotted) = plotted else {
-            let field = "plot".into();
-            return Err(vec![Problem::UnknownChoice { field }]);
-        };
-        Ok(Moved {
-            document,
-            motion,
-            plotted,
-        })
+        Moved::over(self.linkage()?, self.kind().motion()?, plot)
     }
 }

@@ -4,6 +4,7 @@
 pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod scheme;
+pub(crate) mod synthesis;
 
 pub(crate) use linkage::Redrawn;
 
@@ -19,6 +20,7 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
     Ok(match &state.document {
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
+        Document::Synthesis(document) => Box::new(synthesis::Synthesis::new(state, document)?),
         Document::Scheme(_) => Box::new(scheme::Scheme::new(state)?),
     })
 }

@@ -20,6 +20,8 @@
 //! is φ₃ − φ₀, its rocker's φ₂ − φ₀ + 180° (e₂ runs from C to D), its coupler's φ₁ − φ₀.
 
 mod closure;
+mod draft;
+mod equation;
 mod family;
 mod five;
 mod function;
@@ -27,6 +29,7 @@ mod least_squares;
 mod linear;
 mod minimiser;
 mod objective;
+mod options;
 mod polynomial;
 mod ranges;
 mod ranking;
@@ -37,10 +40,13 @@ mod three;
 mod verdict;
 
 pub use closure::Closure;
+pub use draft::Undrawn;
+pub use equation::MainEquation;
 pub use family::{Change, ChangeKind, Family, Line, MemberError, Range, TwoPositions};
 pub use five::{StartsError, five_positions};
 pub use function::{ErrorCurve, ErrorSample, FunctionError, Mapping, Table, chebyshev};
 pub use least_squares::{Bound, Minimum, Progress, Search};
+pub use options::{NoOptions, Options};
 pub use ranking::{Criterion, Requirement, Requirements, rank};
 pub use task::{Frame, Position, Task, TaskError};
 pub use three::ThreePositions;

@@ -75,7 +75,8 @@ impl Task {
     /// Between these the lengths of coupler, output and input are sought relative to the
     /// frame's, where nothing else is said.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
-    const LENGTH: [f64; 2] = [1e-9, 1e9];
+    /// The least and the greatest length of a frame.
+    pub const LENGTH: [f64; 2] = [1e-9, 1e9];
     const SAME: f64 = 1e-12;
 
     /// The task of taking up these positions. `ratios` are the least and the greatest z that

@@ -1,0 +1,289 @@
+//! Positions for which a four-bar is sought, as they are saved.
+
+use assur::motion::Motion;
+use assur::synthesis::four_bar::{
+    Frame, NoOptions, Options, Position, Proportions, Solution, Task, TaskError, Undrawn,
+};
+use serde::{Deserialize, Serialize};
+
+use super::Kind;
+use crate::{Field, LinkageDocument, Problem};
+
+/// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
+/// the x-axis, lengths in any one unit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct SynthesisDocument {
+    /// l₀.
+    pub frame: f64,
+    /// φ₀.
+    #[serde(default)]
+    pub phi0_deg: f64,
+    /// The positions, in their order.
+    pub positions: Vec<PositionDocument>,
+    /// Whether φ₂ and φ₃ are told from starts that may be chosen.
+    #[serde(default)]
+    pub free: bool,
+    /// Which member of a family, between 0 and 1.
+    #[serde(default = "middle")]
+    pub member: f64,
+    /// Which of several solutions, from 1.
+    #[serde(default = "first")]
+    pub solution: usize,
+    /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub trial: Option<[f64; 3]>,
+}
+
+/// A position of output and input that belong together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct PositionDocument {
+    /// φ₂, from the joint with the coupler to the fixed pivot.
+    pub output_deg: f64,
+    /// φ₃, from the fixed pivot to the joint with the coupler.
+    pub input_deg: f64,
+    /// What it counts where not all can be met.
+    #[serde(default = "one")]
+    pub weight: f64,
+    /// φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
+    /// that is shown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub coupler_deg: Option<f64>,
+}
+
+fn middle() -> f64 {
+    0.5
+}
+
+fn first() -> usize {
+    1
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// What can be wrong with what is wanted; serialised as [`Problem`] is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum SynthesisProblem {
+    /// There are too few positions to choose lengths by.
+    TooFewPositions { least: usize, count: usize },
+    /// There are too many.
+    TooManyPositions { most: usize, count: usize },
+    /// Two positions, by their numbers, are the same.
+    EqualPositions { one: usize, other: usize },
+    /// Any lengths will do.
+    AnyLengths,
+    /// No positive lengths take up both positions.
+    NoFamily,
+    /// No positive lengths take up the positions exactly.
+    NoSolution,
+}
+
+impl From<SynthesisProblem> for Problem {
+    fn from(problem: SynthesisProblem) -> Self {
+        Self::Synthesis(problem)
+    }
+}
+
+/// What a document comes to.
+#[derive(Clone, Debug)]
+pub struct Synthesis {
+    /// What is asked for.
+    pub task: Task,
+    /// What there is to choose from.
+    pub options: Options,
+    /// Which of the solutions is shown, from 0; none of a family, and where lengths are tried.
+    pub number: Option<usize>,
+    /// What is shown.
+    pub shown: Solution,
+}
+
+impl SynthesisDocument {
+    /// What is asked for.
+    ///
+    /// # Errors
+    /// Every reason why it cannot be.
+    pub fn task(&self) -> Result<Task, Vec<Problem>> {
+        let frame = Frame {
+            length: self.frame,
+            angle: self.phi0_deg.to_radians(),
+        };
+        let positions = self.positions.iter().map(|position| Position {
+            output: position.output_deg.to_radians(),
+            input: position.input_deg.to_radians(),
+            weight: position.weight,
+        });
+        let positions: Vec<Position> = positions.collect();
+        let couplers = self.positions.iter().map(|position| position.coupler_deg);
+        let couplers = couplers.enumerate().filter_map(|(k, angle)| {
+            let wrong = angle.is_some_and(|angle| !angle.is_finite());
+            wrong.then(|| Problem::NotANumber {
+                field: format!("positions[{k}].coupler_deg").into(),
+            })
+        });
+        let mut problems: Vec<Problem> = couplers.collect();
+        match Task::new(frame, &positions, Task::RATIOS) {
+            Ok(task) if problems.is_empty() => Ok(task),
+            made => {
+                let faults = made.err().into_iter().flatten();
+                problems.extend(faults.map(|fault| self.problem(fault)));
+                Err(problems)
+            }
+        }
+    }
+
+    fn problem(&self, fault: TaskError) -> Problem {
+        let part = |k: usize, name: &str| Field::from(format!("positions[{k}].{name}"));
+        let number = |field: Field| Problem::NotANumber { field };
+        let positive = |field: Field, value: f64| match value.is_finite() {
+            true => Problem::NotPositive { field, value },
+            false => Problem::NotANumber { field },
+        };
+        match fault {
+            TaskError::FrameLength if self.frame > 0.0 => Problem::OutOfRange {
+                field: "frame".into(),
+                value: self.frame,
+                min: Task::LENGTH[0],
+                max: Task::LENGTH[1],
+            },
+            TaskError::FrameLength => positive("frame".into(), self.frame),
+            TaskError::FrameAngle => number("phi0_deg".into()),
+            TaskError::NoPosition => {
+                SynthesisProblem::TooFewPositions { least: 2, count: 0 }.into()
+            }
+            TaskError::TooMany { count } => SynthesisProblem::TooManyPositions {
+                most: Task::MOST,
+                count,
+            }
+            .into(),
+            TaskError::Output(k) => number(part(k, "output_deg")),
+            TaskError::Input(k) => number(part(k, "input_deg")),
+            TaskError::Weight(k) => positive(part(k, "weight"), self.positions[k].weight),
+            TaskError::Equal([one, other]) => SynthesisProblem::EqualPositions {
+                one: one + 1,
+                other: other + 1,
+            }
+            .into(),
+            TaskError::Ratios => Problem::UnknownChoice {
+                field: "ratios".into(),
+            },
+        }
+    }
+
+    /// The task with what takes up its positions and what is shown of it.
+    ///
+    /// # Errors
+    /// Every problem for which there is nothing to show.
+    pub fn synthesis(&self) -> Result<Synthesis, Vec<Problem>> {
+        let task = self.task()?;
+        let options = Options::new(&task, self.free);
+        let options = options.map_err(|none| vec![self.none(none).into()])?;
+        let (number, shown) = self
+            .shown(&task, &options)
+            .map_err(|problem| vec![problem])?;
+        Ok(Synthesis {
+            task,
+            options,
+            number,
+            shown,
+        })
+    }
+
+    fn none(&self, none: NoOptions) -> SynthesisProblem {
+        match none {
+            NoOptions::TooFew { least } => SynthesisProblem::TooFewPositions {
+                least,
+                count: self.positions.len(),
+            },
+            NoOptions::Any => SynthesisProblem::AnyLengths,
+            NoOptions::NoFamily(_) => SynthesisProblem::NoFamily,
+            NoOptions::NoSolution => SynthesisProblem::NoSolution,
+        }
+    }
+
+    fn shown(&self, task: &Task, options: &Options) -> Result<(Option<usize>, Solution), Problem> {
+        if let Some([coupler, output, input]) = self.trial {
+            let proportions = Proportions {
+                coupler: coupler / self.frame,
+                output: output / self.frame,
+                input: input / self.frame,
+            };
+            return Ok((None, Solution::new(task, proportions)));
+        }
+        if let Options::Family(family) = options {
+            let out = Problem::OutOfRange {
+                field: "member".into(),
+                value: self.member,
+                min: 0.0,
+                max: 1.0,
+            };
+            return Ok((None, family.member(self.member).ok_or(out)?));
+        }
+        let solutions = options.solutions();
+        // With other positions there may be fewer: the best one then.
+        let number = self.solution.clamp(1, solutions.len().max(1)) - 1;
+        let solution = solutions.get(number).ok_or(SynthesisProblem::NoSolution)?;
+        Ok((Some(number), (*solution).clone()))
+    }
+}
+
+impl Synthesis {
+    /// What is shown, as a linkage of the simulator: the rocker's angle is φ₂ + 180°.
+    ///
+    /// # Errors
+    /// Why it cannot be drawn.
+    pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        let draft = self
+            .shown
+            .draft(&self.task)
+            .map_err(|undrawn| match undrawn {
+                Undrawn::Lengths(faults) => faults.into_iter().map(Problem::from).collect(),
+                Undrawn::Unsolved(unsolved) => vec![Problem::from(unsolved)],
+            })?;
+        let mut document = LinkageDocument::new(&draft);
+        document.plots = vec!["rocker.angle".to_owned()];
+        document.traces = ["B", "C"].map(str::to_owned).to_vec();
+        Ok(document)
+    }
+
+    /// The same with the angles of the paper: the rocker's is φ₂.
+    ///
+    /// # Errors
+    /// As of [`Self::linkage`].
+    pub fn drawn(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        let mut document = self.linkage()?;
+        for link in document
+            .links
+            .iter_mut()
+            .filter(|link| link.name == "rocker")
+        {
+            link.points.reverse();
+        }
+        Ok(document)
+    }
+}
+
+impl Kind for SynthesisDocument {
+    fn origin(&self) -> Option<&str> {
+        None
+    }
+
+    fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
+        self.synthesis()?.drawn()
+    }
+
+    fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.linkage()?.motion()
+    }
+}

@@ -1,0 +1,251 @@
+//! A four-bar for given positions on the page: what is wanted, drawn under one of those that do it.
+
+pub(crate) mod summary;
+
+use std::f64::consts::PI;
+
+use assur::mechanism::Quantity;
+use assur::synthesis::four_bar::{Options, Task};
+use assur::{Point, Vector};
+use assur_draw::{Annotations, GivenPosition, List, Role};
+use assur_file::{
+    LinkageDocument, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
+};
+use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
+
+use crate::capabilities::{Capabilities, Edited, unknown};
+use crate::change::Change;
+use crate::convert::to_js;
+use crate::handle::{Handle, HandlePlace};
+use crate::moving::Moving;
+use summary::SynthesisSummary;
+
+/// How far off their pivots directions are taken hold of, relative to the frame.
+const REACH: f64 = 0.62;
+
+/// A dragged direction goes by this, degrees: what a hand can mean.
+const STEP_DEG: f64 = 0.1;
+
+/// The links and their colours.
+const ROLES: [(&str, Role); 3] = [
+    ("crank", Role::Crank),
+    ("coupler", Role::Coupler),
+    ("rocker", Role::Rocker),
+];
+
+/// A synthesis with all that is drawn of it.
+pub(crate) struct Synthesis {
+    document: SynthesisDocument,
+    solved: assur_file::Synthesis,
+    /// What is shown, as the simulator takes it.
+    linkage: LinkageDocument,
+    moving: Moving,
+}
+
+/// A direction that can be dragged: of which position, from 0, and of which link.
+#[derive(Clone, Copy)]
+enum Direction {
+    Output(usize),
+    Input(usize),
+}
+
+impl Direction {
+    /// Those of a task, and where their pivots are and they are taken hold of.
+    fn all(task: &Task) -> impl Iterator<Item = (Self, [Point; 2])> + '_ {
+        let frame = task.frame();
+        let along = move |angle: f64| Vector::new(angle.cos(), angle.sin()) * frame.length;
+        let [a, d] = [Point::origin(), Point::origin() + along(frame.angle)];
+        let positions = task.positions().iter().enumerate();
+        positions.flat_map(move |(k, position)| {
+            let input = [a, a + along(position.input) * REACH];
+            let output = [d, d - along(position.output) * REACH];
+            [(Self::Input(k), input), (Self::Output(k), output)]
+        })
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Output(k) => format!("output{}", k + 1),
+            Self::Input(k) => format!("input{}", k + 1),
+        }
+    }
+
+    fn role(self) -> Role {
+        match self {
+            Self::Output(_) => Role::Rocker,
+            Self::Input(_) => Role::Crank,
+        }
+    }
+}
+
+impl Synthesis {
+    pub(crate) fn new(state: &State, document: &SynthesisDocument) -> Result<Self, Vec<Problem>> {
+        state.check()?;
+        let solved = document.synthesis()?;
+        let moved = Moved::new(solved.drawn()?, &state.view.plot)?;
+        let task = &solved.task;
+        let annotations = Annotations {
+            roles: ROLES.map(|(link, role)| (link.to_owned(), role)).to_vec(),
+            given: given(&solved),
+            ..Annotations::default()
+        };
+        let quantities = Quantity::all(moved.motion.mechanism());
+        let explain =
+            |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
+        let handles = Direction::all(task).map(|(direction, [_, tip])| Handle {
+            name: direction.name(),
+            role: direction.role().name(),
+            at: HandlePlace::Fixed(tip),
+        });
+        let moving = Moving::new(
+            &state.view,
+            moved,
+            annotations,
+            quantities,
+            Box::new(explain),
+        )?;
+        let moving = moving.held_by(handles);
+        Ok(Self {
+            document: document.clone(),
+            linkage: solved.linkage()?,
+            moving,
+            solved,
+        })
+    }
+}
+
+/// The given positions as they are drawn: what is shown in each of them, with what it leaves open
+/// at the coupler.
+fn given(solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
+    let (task, shown) = (&solved.task, &solved.shown);
+    let length = task.frame().length;
+    let along = |angle: f64, z: f64| Vector::new(angle.cos(), angle.sin()) * (z * length);
+    let [a, d] = [
+        Point::origin(),
+        Point::origin() + along(task.frame().angle, 1.0),
+    ];
+    let mut all: Vec<GivenPosition> = Vec::new();
+    for ((k, position), closure) in task.positions().iter().enumerate().zip(&shown.closures) {
+        let z = shown.proportions;
+        let b = a + along(position.input + shown.input_start, z.input);
+        let c = d - along(position.output + shown.output_start, z.output);
+        let end = b + along(closure.coupler, z.coupler);
+        all.push(GivenPosition {
+            number: (k + 1).to_string(),
+            directions: Vec::new(),
+            links: vec![
+                ([a, b], Role::Crank),
+                ([b, end], Role::Coupler),
+                ([d, c], Role::Rocker),
+            ],
+        });
+    }
+    for (direction, ends) in Direction::all(task) {
+        let (Direction::Output(k) | Direction::Input(k)) = direction;
+        all[k].directions.push((ends, direction.role()));
+    }
+    all
+}
+
+impl Capabilities for Synthesis {
+    fn summary(&self) -> JsValue {
+        to_js(&SynthesisSummary::new(
+            &self.document,
+            &self.solved,
+            &self.linkage,
+            &self.moving,
+        ))
+    }
+
+    fn labels(&self) -> &[String] {
+        self.moving.figure().names()
+    }
+
+    fn scene(&self) -> &List {
+        self.moving.figure().rigid()
+    }
+
+    fn moving(&self) -> Option<&Moving> {
+        Some(&self.moving)
+    }
+
+    fn edited(&self) -> Option<&dyn Edited> {
+        Some(self)
+    }
+}
+
+/// The positions, where one of them is another.
+#[derive(Serialize)]
+struct Positions {
+    positions: Vec<PositionDocument>,
+}
+
+/// The member of the family, where it is another.
+#[derive(Serialize)]
+struct Member {
+    member: f64,
+    trial: Option<[f64; 3]>,
+}
+
+impl Edited for Synthesis {
+    fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
+        let mechanism = self.moving.mechanism();
+        if let Some(driven) = mechanism.point(point) {
+            let to = self.moving.driven_to(driven, input, to);
+            return to.unwrap_or_else(|| Err(unknown(point))).map(Change::input);
+        }
+        let mut directions = Direction::all(&self.solved.task);
+        let found = directions.find(|(direction, _)| direction.name() == point);
+        let finite = to.coords.iter().all(|x| x.is_finite());
+        let (direction, [pivot, _]) = found.filter(|_| finite).ok_or_else(|| unknown(point))?;
+        let along = to - pivot;
+        let angle = along.y.atan2(along.x);
+        let mut positions = self.document.positions.clone();
+        match direction {
+            Direction::Input(k) => positions[k].input_deg = degrees(angle),
+            Direction::Output(k) => positions[k].output_deg = degrees(angle + PI),
+        }
+        Ok(Change::document(&Positions { positions }))
+    }
+
+    fn trace(&self, _input: f64, _at: Point) -> Result<Change, Problem> {
+        Err(unknown("tracer"))
+    }
+
+    /// The output's length of a member of the family is its only dimension.
+    fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
+        let Options::Family(family) = &self.solved.options else {
+            return Err(vec![unknown(field)]);
+        };
+        if field != "output" {
+            return Err(vec![unknown(field)]);
+        }
+        let length = self.solved.task.frame().length;
+        let range = family.output_range();
+        let found = family.with_output(value / length).ok();
+        let member = found.and_then(|found| family.at(found.proportions));
+        let member = member.ok_or_else(|| {
+            vec![Problem::OutOfRange {
+                field: "output".into(),
+                value,
+                min: range.from * length,
+                max: range.to.unwrap_or(f64::INFINITY) * length,
+            }]
+        })?;
+        Ok(Change::document(&Member {
+            member,
+            trial: None,
+        }))
+    }
+
+    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
+        Err(vec![unknown("assembly")])
+    }
+}
+
+/// An angle that a hand can mean, from 0° to 360°.
+fn degrees(angle: f64) -> f64 {
+    let steps = (angle.to_degrees().rem_euclid(360.0) / STEP_DEG).round();
+    (steps / STEP_DEG.recip()).rem_euclid(360.0)
+}

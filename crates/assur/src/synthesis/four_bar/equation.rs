@@ -1,0 +1,45 @@
+//! The main equation, which the coupler's angle is eliminated from.
+
+use super::closure::dot;
+use super::{Solution, Task};
+
+/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃), the paper's
+/// (12) with 1/z₂ and 1/z₃ and the sign of Z as they ought to be: docs/errata.md.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MainEquation {
+    /// e₂·e₃ = cos(φ₂ − φ₃).
+    pub left: f64,
+    /// Z.
+    pub constant: f64,
+    /// e₀·e₂/z₃.
+    pub by_input: f64,
+    /// e₀·e₃/z₂.
+    pub by_output: f64,
+}
+
+impl MainEquation {
+    /// The right side.
+    pub fn right(&self) -> f64 {
+        self.constant + self.by_input + self.by_output
+    }
+}
+
+impl Solution {
+    /// The main equation of each position of a task with the lengths of the solution. The sides
+    /// are equal where the contour closes.
+    pub fn main_equations(&self, task: &Task) -> Vec<MainEquation> {
+        let [z1, z2, z3] = [
+            self.proportions.coupler,
+            self.proportions.output,
+            self.proportions.input,
+        ];
+        let directions = task.directions([self.output_start, self.input_start]);
+        let equation = directions.map(|at| MainEquation {
+            left: dot(at.output, at.input),
+            constant: (z1 * z1 - z2 * z2 - z3 * z3 - 1.0) / (2.0 * z2 * z3),
+            by_input: at.output.re / z3,
+            by_output: at.input.re / z2,
+        });
+        equation.collect()
+    }
+}
