@@ -92,7 +92,7 @@ export class Engine {
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
     return this.catalogue.find((preset) => {
-      const { tracers, ...dimensions } = preset.document;
+      const { tracers, ...dimensions } = /** @type {{ tracers?: unknown }} */ (preset.document);
       return preset.kind === kind && contains(document, dimensions);
     });
   }

@@ -342,9 +342,10 @@ positions: Array<PositionDocument>,
  */
 free: boolean, 
 /**
- * Which member of a family, between 0 and 1.
+ * Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where
+ * the family does not go so far, its nearest end is meant.
  */
-member: number, 
+member?: [number, number] | null, 
 /**
  * Which of several solutions, from 1.
  */

@@ -6,7 +6,11 @@ export type MotionSummary = {
 /**
  * What the input is: `angle` or `length`.
  */
-moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+moves: "angle" | "length", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -19,7 +23,11 @@ drivers: Array<string>,
 /**
  * What the input is: `angle` or `length`.
  */
-moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+moves: "angle" | "length", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -41,7 +49,11 @@ free_direction: number,
 /**
  * What the input is: `angle` or `length`.
  */
-moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+moves: "angle" | "length", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -75,7 +87,11 @@ linkage: LinkageDocument,
 /**
  * What the input is: `angle` or `length`.
  */
-moves: "angle" | "length", cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+moves: "angle" | "length", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -123,11 +139,7 @@ classes: Array<string>,
  * l₁, l₂, l₃ where the class changes.
  */
 changes: Array<[number, number, number]>, };
-export type FamilyCurve = { 
-/**
- * Where they are in the family, between 0 and 1.
- */
-members: Array<number>, l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
+export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FoundSummary = { 
 /**
  * From how many starts it went.

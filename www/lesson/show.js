@@ -61,7 +61,7 @@ function edits({ set = {}, drive }, document, engine) {
 function looked({ play = false, overlays = ["traces"], at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
-  const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle) : null;
+  const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
   // The plots are those that the words are about.
   return { ...shown, plot: "angles", axes: "analogues", ...place, playing: play };

@@ -76,7 +76,8 @@ export class MechanismPointer {
 
   /** @param {{ state: State }} snapshot */
   render({ state }) {
-    const full = (state.document.tracers ?? []).length >= TRACERS.most;
+    const { tracers = [] } = /** @type {{ tracers?: readonly unknown[] }} */ (state.document);
+    const full = tracers.length >= TRACERS.most;
     if (this.#trace.disabled !== full) this.#trace.disabled = full;
   }
 

@@ -1,6 +1,7 @@
 // The input of the motion as readers meet it: the angle of a crank in degrees, or how far a slide has come. The engine has
 // radians, or the unit of the lengths.
 import { degrees, radians } from "assur/core/angles.js";
+import { subscript } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -9,10 +10,10 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  */
 
-/** What moves: the place of its input in the view and its symbols with those of its rates. */
+/** What moves: the place of its input in the view and its letter with those of its rates. An angle has the number of its link. */
 const SORTS = Object.freeze({
-  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ₁", rates: Object.freeze(["ω₁", "ε₁"]) }),
-  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v₁", "a₁"]) }),
+  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
+  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
 });
 
 /** At speed 1 a crank turns once, and a slide goes there and back, in so many seconds. */
@@ -28,16 +29,19 @@ export class Coordinate {
   #turns;
   #cycle;
   #sort;
+  #number;
 
   /**
    * @param {"angle" | "length"} moves
    * @param {Cycle} cycle where the input goes, in the engine's unit
+   * @param {string} [number] by which it is called
    */
-  constructor(moves, cycle) {
+  constructor(moves, cycle, number = "1") {
     this.moves = moves;
     this.#turns = moves === "angle";
     this.#cycle = cycle;
     this.#sort = SORTS[moves];
+    this.#number = subscript(number);
   }
 
   /** The field of the view that holds it. */
@@ -46,12 +50,12 @@ export class Coordinate {
   }
 
   get symbol() {
-    return this.#sort.symbol;
+    return this.#sort.symbol + (this.#turns ? this.#number : "");
   }
 
   /** The symbols of its velocity and its acceleration. */
   get rates() {
-    return this.#sort.rates;
+    return this.#sort.rates.map((letter) => letter + this.#number);
   }
 
   /** The ends of its axis, as readers count. */

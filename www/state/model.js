@@ -68,7 +68,7 @@ import { DRAWN } from "assur/state/state.js";
  */
 
 /** What does not move has an input that nobody sees. */
-const STILL = Object.freeze({ moves: /** @type {const} */ ("angle"), cycle: { start: 0, end: 2 * Math.PI, full: true, arcs: [] }, home: 0 });
+const STILL = Object.freeze({ moves: /** @type {const} */ ("angle"), input: "1", cycle: { start: 0, end: 2 * Math.PI, full: true, arcs: [] }, home: 0 });
 
 const TRAPPED = Object.freeze({ code: "trapped" });
 
@@ -216,8 +216,8 @@ export class Model {
   }
 
   #counted() {
-    const { moves, cycle } = this.summary.moves ? this.summary : STILL;
-    return new Coordinate(moves, cycle);
+    const { moves, cycle, input } = this.summary.moves ? this.summary : STILL;
+    return new Coordinate(moves, cycle, input);
   }
 
   /** @param {State} state */

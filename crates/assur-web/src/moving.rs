@@ -179,6 +179,14 @@ impl Moving {
         &self.numbers
     }
 
+    /// The number by which the input is called.
+    pub(crate) fn input_number(&self) -> &str {
+        let driver = self.document.drivers.first();
+        let link = driver.and_then(|driver| driver.crank.as_ref());
+        let number = link.and_then(|link| self.numbers.get(link));
+        number.map_or("1", String::as_str)
+    }
+
     pub(crate) fn plotted(&self) -> &[Quantity] {
         &self.plotted
     }

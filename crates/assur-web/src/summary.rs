@@ -34,6 +34,8 @@ pub(crate) struct MotionSummary<'a> {
     /// What the input is: `angle` or `length`.
     #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
     moves: &'static str,
+    /// The number by which it is called.
+    input: &'a str,
     #[serde(flatten)]
     structure: StructureSummary<'a>,
     cycle: CycleSummary,
@@ -242,6 +244,7 @@ impl<'a> MotionSummary<'a> {
         });
         Self {
             moves: if mechanism.turns() { "angle" } else { "length" },
+            input: moving.input_number(),
             cycle: CycleSummary::new(motion.cycle()),
             structure: StructureSummary::new(mechanism, figure),
             home: motion.home(),

@@ -2,7 +2,8 @@
 
 use assur::motion::Motion;
 use assur::synthesis::four_bar::{
-    Frame, NoOptions, Options, Position, Proportions, Solution, Task, TaskError, Undrawn,
+    Family, Frame, MemberError, NoOptions, Options, Position, Proportions, Solution, Task,
+    TaskError, Undrawn,
 };
 use serde::{Deserialize, Serialize};
 
@@ -25,9 +26,11 @@ pub struct SynthesisDocument {
     /// Whether φ₂ and φ₃ are told from starts that may be chosen.
     #[serde(default)]
     pub free: bool,
-    /// Which member of a family, between 0 and 1.
-    #[serde(default = "middle")]
-    pub member: f64,
+    /// Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where
+    /// the family does not go so far, its nearest end is meant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub member: Option<[f64; 2]>,
     /// Which of several solutions, from 1.
     #[serde(default = "first")]
     pub solution: usize,
@@ -54,10 +57,6 @@ pub struct PositionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub coupler_deg: Option<f64>,
-}
-
-fn middle() -> f64 {
-    0.5
 }
 
 fn first() -> usize {
@@ -95,6 +94,9 @@ impl From<SynthesisProblem> for Problem {
         Self::Synthesis(problem)
     }
 }
+
+/// How far off the ends of what is searched a family is shown, relative to all of it.
+const ENDS: f64 = 1e-3;
 
 /// What a document comes to.
 #[derive(Clone, Debug)]
@@ -222,19 +224,46 @@ impl SynthesisDocument {
             return Ok((None, Solution::new(task, proportions)));
         }
         if let Options::Family(family) = options {
-            let out = Problem::OutOfRange {
-                field: "member".into(),
-                value: self.member,
-                min: 0.0,
-                max: 1.0,
-            };
-            return Ok((None, family.member(self.member).ok_or(out)?));
+            return Ok((None, self.member(family)?));
         }
         let solutions = options.solutions();
         // With other positions there may be fewer: the best one then.
         let number = self.solution.clamp(1, solutions.len().max(1)) - 1;
         let solution = solutions.get(number).ok_or(SynthesisProblem::NoSolution)?;
         Ok((Some(number), (*solution).clone()))
+    }
+}
+
+impl SynthesisDocument {
+    /// The member of a family that is meant.
+    fn member(&self, family: &Family) -> Result<Solution, Problem> {
+        let number = |field: &str| Problem::NotANumber {
+            field: field.to_owned().into(),
+        };
+        let [from, to] = family.stretch().unwrap_or([0.0, 1.0]);
+        let part = |share: f64| family.member(from + share * (to - from));
+        let Some(wanted) = self.member else {
+            return part(0.5).ok_or(SynthesisProblem::NoFamily.into());
+        };
+        if !wanted
+            .iter()
+            .all(|length| *length > 0.0 && length.is_finite())
+        {
+            return Err(number("member"));
+        }
+        let [output, input] = wanted.map(|length| length / self.frame);
+        let found = family.with_output(output);
+        let found = match found {
+            Err(MemberError::Same(_)) => family.with_input(input),
+            found => found,
+        };
+        let off = |solution: &Solution| (solution.proportions.output / output).ln().abs();
+        let ends = [ENDS, 1.0 - ENDS].map(part).into_iter().flatten();
+        let nearest = || ends.min_by(|one, other| off(one).total_cmp(&off(other)));
+        found
+            .ok()
+            .or_else(nearest)
+            .ok_or(SynthesisProblem::NoFamily.into())
     }
 }
 

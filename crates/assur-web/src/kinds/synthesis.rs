@@ -34,6 +34,9 @@ const ROLES: [(&str, Role); 3] = [
     ("rocker", Role::Rocker),
 ];
 
+/// The numbers of their angles in the paper.
+const NUMBERS: [(&str, &str); 3] = [("crank", "3"), ("coupler", "1"), ("rocker", "2")];
+
 /// A synthesis with all that is drawn of it.
 pub(crate) struct Synthesis {
     document: SynthesisDocument,
@@ -87,6 +90,10 @@ impl Synthesis {
         let task = &solved.task;
         let annotations = Annotations {
             roles: ROLES.map(|(link, role)| (link.to_owned(), role)).to_vec(),
+            numbers: NUMBERS
+                .map(|both| (both.0.to_owned(), both.1.to_owned()))
+                .to_vec(),
+            input: Some("φ₃".to_owned()),
             given: given(&solved),
             ..Annotations::default()
         };
@@ -184,7 +191,7 @@ struct Positions {
 /// The member of the family, where it is another.
 #[derive(Serialize)]
 struct Member {
-    member: f64,
+    member: [f64; 2],
     trial: Option<[f64; 3]>,
 }
 
@@ -223,16 +230,15 @@ impl Edited for Synthesis {
         }
         let length = self.solved.task.frame().length;
         let range = family.output_range();
-        let found = family.with_output(value / length).ok();
-        let member = found.and_then(|found| family.at(found.proportions));
-        let member = member.ok_or_else(|| {
+        let found = family.with_output(value / length).map_err(|_| {
             vec![Problem::OutOfRange {
                 field: "output".into(),
                 value,
                 min: range.from * length,
-                max: range.to.unwrap_or(f64::INFINITY) * length,
+                max: range.to.map_or(f64::MAX, |to| to * length),
             }]
         })?;
+        let member = [value, found.proportions.input * length];
         Ok(Change::document(&Member {
             member,
             trial: None,

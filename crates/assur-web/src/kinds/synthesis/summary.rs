@@ -1,5 +1,7 @@
 //! What the page shows of a synthesis beyond the motion of the linkage that is drawn.
 
+use std::f64::consts::TAU;
+
 use assur::synthesis::four_bar::theorems::{Angles, ConditionNumber, Truth, conditions, truth};
 use assur::synthesis::four_bar::{
     ChangeKind, Family, Minimum, Options, Order, Passage, Proportions, Range, Solution, Task,
@@ -90,8 +92,6 @@ pub(crate) struct FamilySummary {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {
-    /// Where they are in the family, between 0 and 1.
-    members: Vec<f64>,
     l2: Vec<f64>,
     l3: Vec<f64>,
     #[cfg_attr(
@@ -243,18 +243,16 @@ impl FamilySummary {
         let stretch = family.stretch().unwrap_or([0.0, 1.0]);
         let members = family.sample(stretch, MEMBERS);
         let mut curve = FamilyCurve {
-            members: Vec::new(),
             l2: Vec::new(),
             l3: Vec::new(),
             verdicts: Vec::new(),
         };
         let mut classes: Vec<&'static str> = Vec::new();
         for member in &members {
-            let (Some(at), Ok(verdict)) = (family.at(member.proportions), &member.verdict) else {
+            let Ok(verdict) = &member.verdict else {
                 continue;
             };
             let [_, l2, l3] = lengths(task, member.proportions);
-            curve.members.push(at);
             curve.l2.push(l2);
             curve.l3.push(l3);
             curve.verdicts.push(match (verdict.passage, verdict.order) {
@@ -276,7 +274,10 @@ impl FamilySummary {
                 range(family.output_range()),
                 range(family.input_range()),
             ],
-            couplers: family.coupler_angles(),
+            couplers: family.coupler_angles().map(|[from, to]| {
+                let turns = TAU * (0.5 * (from + to) / TAU).round();
+                [from - turns, to - turns]
+            }),
             curve,
             classes,
             changes: changes

@@ -1,0 +1,90 @@
+// What there is to choose from: the family of two positions, a curve to slide along; of more the solutions in the same plane.
+import { NumberRow } from "assur/controls/number-row.js";
+import { degrees } from "assur/core/angles.js";
+import { make } from "assur/core/dom.js";
+import { FamilyMap, LOOKS } from "assur/kinds/synthesis/map.js";
+import { section } from "assur/kinds/synthesis/section.js";
+import { change, inputNow } from "assur/state/change.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** The lengths as readers meet them. */
+const LENGTHS = Object.freeze([
+  { symbol: "l₁", key: "map.coupler", role: "coupler" },
+  { symbol: "l₂", key: "map.output", role: "rocker" },
+  { symbol: "l₃", key: "map.input", role: "crank" },
+]);
+
+/** What the parts of the curve are called. */
+const PARTS = Object.freeze({ turns: "map.turns", rocks: "map.rocks", disorder: "map.disorder", branch: "map.branch" });
+
+export class FamilyView {
+  #theme;
+  #map;
+  #row;
+  #ranges = make("tbody");
+  #table = make("table", { class: "solutions" }, [this.#ranges]);
+  #legend = make("p", { class: "legend" });
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    const { store, drafts, theme, engine } = page;
+    this.#theme = theme;
+    this.#map = new FamilyMap(theme, (member) => {
+      drafts.drop("output");
+      store.update((state) => edited(state, "synthesis", () => ({ member, trial: null })));
+    });
+    const kind = { field: "output", symbol: "l₂", role: "rocker", slider: { min: 0.1, max: 20, step: 0.01 } };
+    this.#row = new NumberRow(kind, drafts, (value) => change(() => engine.setDimension("output", value, inputNow(page)), "output", page));
+    section("map.heading", "family", [this.#map.element, this.#legend, this.#row.element, this.#table]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { summary, words, problems } = snapshot;
+    const wrong = problems.some(({ field }) => field === "output");
+    const shown = [summary, words, wrong, this.#theme.revision];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#map.show(snapshot);
+    const { family, drawn } = summary;
+    this.#row.element.hidden = this.#table.hidden = this.#legend.hidden = !family;
+    if (!family) return;
+    this.#row.show(drawn.lengths[1], words, wrong);
+    const parts = /** @type {(keyof typeof PARTS)[]} */ (Object.keys(PARTS));
+    this.#legend.replaceChildren(...parts.filter((part) => family.curve.verdicts.includes(part)).map((part) => entry(part, words)));
+    const long = (/** @type {number | null} */ end) => (end === null ? words.text("map.without_end") : words.numbers.short(end));
+    const turned = (/** @type {number} */ end) => `${words.numbers.upTo(degrees(end), 3)}°`;
+    this.#ranges.replaceChildren(
+      ...LENGTHS.map(({ symbol, key, role }, i) => range(symbol, words.text(key), role, family.lengths[i].map(long))),
+      ...family.couplers.map((ends, k) => range("φ₁", words.text("positions.number", { n: String(k + 1) }), "coupler", ends.map(turned))),
+    );
+  }
+}
+
+/**
+ * @param {string} symbol
+ * @param {string} name
+ * @param {string} role
+ * @param {readonly string[]} ends
+ */
+function range(symbol, name, role, ends) {
+  const head = make("th", { scope: "row" }, [make("b", {}, [symbol]), ` ${name}`]);
+  return make("tr", { style: `--accent: var(--role-${role})` }, [head, make("td", {}, [ends.join(" … ")])]);
+}
+
+/**
+ * @param {keyof typeof PARTS} part
+ * @param {Words} words
+ */
+function entry(part, words) {
+  const { role, dash } = LOOKS[part];
+  const look = dash.length > 0 ? "dashed" : "solid";
+  return make("span", {}, [make("i", { class: `line ${look}`, style: `--accent: var(--role-${role})`, "aria-hidden": "true" }), words.text(PARTS[part])]);
+}

@@ -1,0 +1,10 @@
+// What the page shows of a synthesis only. Loaded with the first.
+import { ConditionsView } from "assur/kinds/synthesis/conditions.js";
+import { FamilyView } from "assur/kinds/synthesis/family.js";
+import { PositionsView } from "assur/kinds/synthesis/positions.js";
+import { SolutionsView } from "assur/kinds/synthesis/solutions.js";
+import { synthesisStatus } from "assur/kinds/synthesis/status.js";
+import "assur/kinds/synthesis/style.js";
+
+/** @type {import("assur/app/views.js").Make} */
+export const views = (page) => [new PositionsView(page), new FamilyView(page), new SolutionsView(page), new ConditionsView(), synthesisStatus()];

@@ -1,0 +1,105 @@
+// What is wanted: the frame, and the positions of output and input that the linkage is to pass through.
+import { CardList } from "assur/controls/card-list.js";
+import { NumberRow } from "assur/controls/number-row.js";
+import { make } from "assur/core/dom.js";
+import { section } from "assur/kinds/synthesis/section.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"synthesis">} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["synthesis"]} Document
+ * @typedef {Document["positions"][number]} Position
+ */
+
+/** How many positions there may be on the page; more are solved, but cannot be told apart in a drawing. */
+const MOST = 12;
+
+/** The range of a direction's slider, degrees. */
+const TURN = Object.freeze({ min: 0, max: 360, step: 0.5 });
+
+/** Where another position is put, from the last one: degrees. */
+const NEXT = Object.freeze({ output_deg: 20, input_deg: 30 });
+
+/** @type {readonly (import("assur/controls/number-row.js").RowKind & { field: "frame" | "phi0_deg" })[]} */
+const FRAME = Object.freeze([
+  { field: "frame", symbol: "l₀", role: "secondary", slider: { min: 1, max: 20, step: 0.1 } },
+  { field: "phi0_deg", symbol: "φ₀", role: "secondary", unit: "°" },
+]);
+
+/** Of a position what is given, and how it is drawn. */
+const PARTS = Object.freeze(/** @type {const} */ ([
+  { part: "output_deg", symbol: "φ₂", role: "rocker", slider: TURN, unit: "°" },
+  { part: "input_deg", symbol: "φ₃", role: "crank", slider: TURN, unit: "°" },
+  { part: "weight", symbol: "w", role: "secondary" },
+]));
+
+/** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>} */
+const POSITIONS = Object.freeze({
+  kind: "synthesis", name: "positions", first: 1, least: 2, most: MOST, written: String,
+  words: { add: "positions.add", remove: "positions.remove" }, build: card, another,
+});
+
+export class PositionsView {
+  /** @type {{ row: NumberRow, field: "frame" | "phi0_deg" }[]} */
+  #frame;
+  #list;
+  #free = make("input", { id: "free", type: "checkbox" });
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    const { store, drafts } = page;
+    const edit = (/** @type {Partial<Document>} */ change) => store.update((state) => edited(state, "synthesis", () => change));
+    this.#frame = FRAME.map((kind) => ({ field: kind.field, row: new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value })) }));
+    this.#list = new CardList(POSITIONS, page);
+    this.#free.addEventListener("change", () => edit({ free: this.#free.checked }));
+    section("positions.frame", "frame", this.#frame.map(({ row }) => row.element));
+    section("positions.heading", "positions", [
+      this.#list.cards, this.#list.add,
+      make("label", { class: "check" }, [this.#free, " ", make("span", { "data-t": "positions.free" })]),
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, problems, words, summary } = snapshot;
+    const wrong = new Set(problems.map(({ field }) => field));
+    const shown = [state.document, words, summary, ...wrong];
+    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    for (const { row, field } of this.#frame) row.show(state.document[field], words, wrong.has(field));
+    this.#list.show(snapshot, wrong);
+    this.#free.checked = state.document.free;
+  }
+}
+
+/** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>["build"]} */
+function card(index, put, drafts, remove) {
+  const n = String(index + POSITIONS.first);
+  const rows = PARTS.map(({ part, ...look }) => {
+    const kind = { ...look, n, field: `positions[${index}].${part}`, id: `${part.replace("_deg", "")}-${n}`, key: `positions.${part}` };
+    return { part, row: new NumberRow(kind, drafts, (value) => put({ [part]: value })) };
+  });
+  const head = make("div", { class: "row choosing" }, [make("b", { class: "name", "data-t": "positions.number", "data-n": n }), remove]);
+  return {
+    lines: [head, ...rows.map(({ row }) => row.element)],
+    show(position, { words, state }, wrong) {
+      // With as many positions as there are lengths to choose, each is met whatever its weight.
+      const weighed = state.document.positions.length > 3;
+      for (const { part, row } of rows) {
+        row.element.hidden = part === "weight" && !weighed;
+        row.show(position[part], words, wrong.has(row.field));
+      }
+    },
+  };
+}
+
+/**
+ * @param {Snapshot} snapshot
+ * @returns {Position} farther than the last one
+ */
+function another({ state: { document: { positions } } }) {
+  const { output_deg, input_deg } = positions[positions.length - 1];
+  return { output_deg: (output_deg + NEXT.output_deg) % 360, input_deg: (input_deg + NEXT.input_deg) % 360, weight: 1 };
+}

@@ -1,0 +1,142 @@
+// The solutions, each with its verdict: one of them is drawn, it can go on to the simulator, and all of them into a file.
+import { degrees } from "assur/core/angles.js";
+import { make, write } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
+import { section } from "assur/kinds/synthesis/section.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
+ * @typedef {import("assur/types/web.js").SolutionSummary} Solution
+ * @typedef {import("assur/types/web.js").WantedSummary} Wanted
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** What is said of where the solutions come from. */
+const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
+
+/** The columns of the file: lengths, starts, how far off it is, the verdict. */
+const COLUMNS = Object.freeze([
+  "l1", "l2", "l3", "phi20_deg", "phi30_deg", "gap", "sum", "at_bound",
+  "passage", "order", "grashof", "input_turns", "transmission_deg", "size_ratio",
+]);
+
+export class SolutionsView {
+  #page;
+  #said = make("p", { id: "synthesis-said" });
+  #body = make("tbody");
+  #equation = make("div");
+  /** @type {Snapshot["summary"] | null} */
+  #summary = null;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    const send = make("button", { id: "synthesis-send", class: "control add", type: "button", "data-t": "solutions.send" });
+    send.addEventListener("click", () => this.#send());
+    const save = make("button", { id: "synthesis-csv", class: "control add", type: "button", "data-t": "solutions.csv" });
+    save.addEventListener("click", () => this.#save());
+    const table = make("table", { class: "solutions", "data-t-label": "solutions.heading" }, [this.#body]);
+    const equation = make("details", { id: "main-equation", "data-field": "main-equation" }, [make("summary", { "data-t": "solutions.equation" }), this.#equation]);
+    section("solutions.heading", "solutions", [this.#said, table, send, save]);
+    section("solutions.equation_heading", "equation", [equation]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ summary, words }) {
+    const shown = [summary, words];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#summary = summary;
+    const { from, found, number, wanted } = summary;
+    const { best = 0, starts = 0 } = found ?? {};
+    write(this.#said, words.text(FROM[from], { best: words.numbers.exact(best), starts: words.numbers.exact(starts) }));
+    const focused = this.#body.contains(document.activeElement) ? document.activeElement?.id : undefined;
+    this.#body.replaceChildren(...listed(summary).map((solution, i) => this.#row(solution, i + 1, from === "trial" ? 0 : (number ?? 1), words)));
+    if (focused) document.getElementById(focused)?.focus();
+    this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, words)));
+  }
+
+  /**
+   * @param {Solution} solution
+   * @param {number} n
+   * @param {number} chosen
+   * @param {Words} words
+   */
+  #row(solution, n, chosen, words) {
+    const { numbers } = words;
+    const box = make("input", { id: `solution-${n}`, type: "radio", name: "solution" });
+    box.checked = n === chosen;
+    box.addEventListener("change", () => this.#page.store.update((state) => edited(state, "synthesis", () => ({ solution: n, trial: null }))));
+    const lengths = solution.lengths.map((length, i) => `l${"₁₂₃"[i]} = ${numbers.short(length)}`).join("; ");
+    const turned = solution.starts.some((start) => start !== 0) ? solution.starts.map((start, i) => `φ${"₂₃"[i]}₀ = ${angle(start, words)}`) : [];
+    const label = make("label", { for: box.id }, [box, ` ${[lengths, ...turned].join("; ")}`]);
+    return make("tr", {}, [make("td", {}, [label, make("small", {}, [verdict(solution, words)])])]);
+  }
+
+  #send() {
+    const summary = this.#summary;
+    if (summary) this.#page.choose("linkage", summary.linkage);
+  }
+
+  #save() {
+    if (!this.#summary) return;
+    const lines = listed(this.#summary).map(({ lengths, starts, gap, sum, at_bound: bound, verdict: one }) => [
+      ...lengths, ...starts.map(degrees), gap, sum, bound,
+      ...(one ? [one.passage, one.order, one.grashof, one.turns, degrees(one.transmission), one.size_ratio] : []),
+    ]);
+    download(new Blob([COLUMNS, ...lines].map((cells) => `${cells.join(",")}\n`), { type: "text/csv" }), "solutions.csv");
+  }
+}
+
+/**
+ * @param {Snapshot["summary"]} summary
+ * @returns {readonly Solution[]} the solutions; of a family the member that is drawn
+ */
+function listed({ solutions, drawn }) {
+  return solutions.length > 0 ? solutions : [drawn];
+}
+
+/**
+ * @param {Solution} solution
+ * @param {Words} words
+ */
+function verdict({ verdict: one, gap, at_bound: bound }, words) {
+  const open = `${words.text("verdict.gap")} ${words.numbers.upTo(gap, 4)}`;
+  if (!one) return `${words.text("verdict.none")}; ${open}`;
+  return [
+    words.text(`grashof.${one.grashof}`),
+    `${words.text("verdict.passage")} ${words.text(`verdict.${one.passage}`)}`,
+    `${words.text("verdict.order")} ${words.text(`verdict.${one.order}`)}`,
+    `μ ≥ ${angle(one.transmission, words)}`,
+    ...(bound ? [words.text("verdict.at_bound")] : []),
+    open,
+  ].join("; ");
+}
+
+/**
+ * The main equation of a position, step by step with its numbers.
+ * @param {number} k
+ * @param {Wanted} wanted
+ * @param {Words} words
+ */
+function mainEquation(k, { output, input, equation: [left, constant, byInput, byOutput] }, words) {
+  const said = (/** @type {number} */ value) => words.numbers.fixed(value, 5);
+  const lines = [
+    `${words.text("positions.number", { n: String(k) })}: φ₂ = ${angle(output, words)}, φ₃ = ${angle(input, words)}`,
+    "e₂·e₃ = Z + e₀·e₂ / z₃ + e₀·e₃ / z₂",
+    `${said(left)} = ${said(constant)} + (${said(byInput)}) + (${said(byOutput)})`,
+    `${said(left)} = ${said(constant + byInput + byOutput)}`,
+  ];
+  return make("p", {}, lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
+}
+
+/**
+ * @param {number} value radians
+ * @param {Words} words
+ */
+function angle(value, words) {
+  return `${words.numbers.upTo(degrees(value), 3)}°`;
+}

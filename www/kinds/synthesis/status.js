@@ -1,0 +1,34 @@
+// The status line of a synthesis: the verdict of the linkage that is drawn.
+import { StatusLine } from "assur/controls/status.js";
+import { degrees } from "assur/core/angles.js";
+
+/**
+ * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
+ * @typedef {import("assur/types/web.js").SynthesisSummary["drawn"]} Solution
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** @typedef {NonNullable<Solution["verdict"]>} Verdict */
+
+/** @type {Readonly<Record<string, (verdict: Verdict, words: Words, solution: Solution) => import("assur/controls/status.js").Entry>>} */
+const ENTRIES = Object.freeze({
+  grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
+  passage: ({ passage }, words) => ({ text: words.text(`verdict.${passage}`) }),
+  order: ({ order }, words) => ({ text: words.text(`verdict.${order}`) }),
+  transmission: ({ transmission }, words) => ({ text: `${words.numbers.upTo(degrees(transmission), 2)}°`, value: degrees(transmission) }),
+  ratio: ({ size_ratio: ratio }, words) => ({ text: words.numbers.upTo(ratio, 2), value: ratio }),
+  gap: (_, words, { gap }) => ({ text: words.numbers.upTo(gap, 4), value: gap }),
+});
+
+const TITLES = Object.freeze({
+  grashof: "status.grashof", passage: "verdict.passage", order: "verdict.order", transmission: "status.transmission", ratio: "verdict.ratio", gap: "verdict.gap",
+});
+
+/** @returns {StatusLine<Snapshot>} */
+export function synthesisStatus() {
+  return new StatusLine("synthesis", Object.entries(ENTRIES).map(([name, say]) => ({
+    name: `synthesis-${name}`,
+    title: TITLES[/** @type {keyof typeof TITLES} */ (name)],
+    say: ({ summary: { drawn }, words }) => drawn.verdict && say(drawn.verdict, words, drawn),
+  })));
+}
