@@ -3,4 +3,5 @@
 
 mod draw;
 mod example;
+mod least;
 mod recovered;
