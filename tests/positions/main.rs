@@ -4,4 +4,6 @@
 mod draw;
 mod example;
 mod least;
+mod motion;
 mod recovered;
+mod theorems;

@@ -1,4 +1,6 @@
-//! Known linkages are found again from the positions that they take up.
+//! Known linkages are found again from the positions that they take up. Draws are not picked: of
+//! linkages with lengths up to ten times the frame's, at random inputs, all are recovered; how many
+//! digits are left is bounded by the worst of them.
 
 use assur::synthesis::four_bar::{Proportions, ThreePositions, TwoPositions, five_positions};
 
@@ -13,93 +15,80 @@ fn off(a: &Proportions, b: &Proportions) -> f64 {
         (a.output, b.output),
         (a.input, b.input),
     ];
-    pairs
-        .iter()
-        .fold(0.0, |most: f64, (a, b)| most.max((a / b - 1.0).abs()))
+    let off = pairs.iter().map(|(a, b)| (a / b - 1.0).abs());
+    off.fold(0.0, f64::max)
 }
 
+/// The family passes through the linkage: by its output, and by its place on the curve.
 #[test]
 fn from_two_positions() {
     let mut dice = Dice::new(2);
-    let mut worst: f64 = 0.0;
     let mut done = 0;
     while done < LINKAGES {
         let z = dice.proportions(10.0);
         let Some(positions) = dice.taken(&z, 2) else {
             continue;
         };
+        done += 1;
         let Some(TwoPositions::Family(family)) = TwoPositions::new(&task(&positions)) else {
             panic!("{z:?} {positions:?}");
         };
         let found = family.with_output(z.output).unwrap();
-        let at = family.at(z);
-        let shown = family.proportions(at.unwrap()).unwrap();
-        worst = worst.max(off(&found.proportions, &z)).max(off(&shown, &z));
-        done += 1;
+        let at = family.at(z).unwrap();
+        let shown = family.member(at).unwrap();
+        for member in [found, shown] {
+            assert!(off(&member.proportions, &z) < 1e-9, "{member:?} {z:?}");
+            let size = member.proportions.size_ratio();
+            assert!(member.worst_residual() < 1e-12 * size, "{member:?}");
+        }
     }
-    println!("two: {worst:e}");
 }
 
 #[test]
 fn from_three_positions() {
     let mut dice = Dice::new(3);
-    let mut worst: f64 = 0.0;
     let mut done = 0;
-    let mut bad = 0;
     while done < LINKAGES {
         let z = dice.proportions(10.0);
         let Some(positions) = dice.taken(&z, 3) else {
             continue;
         };
         done += 1;
-        match ThreePositions::new(&task(&positions)) {
-            Some(ThreePositions::One(found)) => {
-                let o = off(&found.proportions, &z);
-                if o > 1e-8 {
-                    bad += 1
-                }
-                worst = worst.max(o);
-            }
-            other => println!("{z:?} {other:?}"),
-        }
+        let Some(ThreePositions::One(found)) = ThreePositions::new(&task(&positions)) else {
+            panic!("{z:?} {positions:?}");
+        };
+        assert!(off(&found.proportions, &z) < 1e-9, "{found:?} {z:?}");
     }
-    println!("three: {worst:e} {bad}");
 }
 
+/// The linkage is among at most three, each of which closes in all positions; told from any starts.
 #[test]
 fn from_five_positions() {
     let mut dice = Dice::new(5);
-    let mut worst: f64 = 0.0;
-    let mut done = 0;
-    let mut missed = 0;
     let mut counts = [0; 4];
-    let mut open: f64 = 0.0;
+    let mut done = 0;
     while done < LINKAGES {
         let z = dice.proportions(10.0);
         let Some(mut positions) = dice.taken(&z, 5) else {
             continue;
         };
+        done += 1;
         let starts = [dice.angle(), dice.angle()];
         for position in &mut positions {
             position.output -= starts[0];
             position.input -= starts[1];
         }
-        done += 1;
         let found = five_positions(&task(&positions)).unwrap();
         counts[found.len()] += 1;
         for one in &found {
-            open = open.max(one.worst_residual() / one.proportions.size_ratio());
+            let size = one.proportions.size_ratio();
+            assert!(one.worst_residual() < 1e-13 * size, "{one:?}");
         }
-        let least = found
-            .iter()
-            .map(|one| off(&one.proportions, &z))
-            .fold(f64::INFINITY, f64::min);
-        if least > 1e-6 {
-            missed += 1;
-            println!("missed {least:e} {z:?} {}", found.len());
-        } else {
-            worst = worst.max(least)
-        }
+        let near = found.iter().map(|one| off(&one.proportions, &z));
+        let near = near.fold(f64::INFINITY, f64::min);
+        assert!(near < 1e-6, "{near:e} {z:?} {found:?}");
     }
-    println!("five: {worst:e} missed {missed} {counts:?} open {open:e}");
+    // A cubic with one known root has one or three.
+    assert_eq!([counts[0], counts[2]], [0, 0]);
+    assert!(counts[1] > 100 && counts[3] > 1000, "{counts:?}");
 }

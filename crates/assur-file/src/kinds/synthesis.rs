@@ -2,8 +2,8 @@
 
 use assur::motion::Motion;
 use assur::synthesis::four_bar::{
-    Family, Frame, MemberError, NoOptions, Options, Position, Proportions, Solution, Task,
-    TaskError, Undrawn,
+    DraftError, Family, Frame, MemberError, NoOptions, Options, Position, Proportions, Solution,
+    Task, TaskError,
 };
 use serde::{Deserialize, Serialize};
 
@@ -273,13 +273,10 @@ impl Synthesis {
     /// # Errors
     /// Why it cannot be drawn.
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        let draft = self
-            .shown
-            .draft(&self.task)
-            .map_err(|undrawn| match undrawn {
-                Undrawn::Lengths(faults) => faults.into_iter().map(Problem::from).collect(),
-                Undrawn::Unsolved(unsolved) => vec![Problem::from(unsolved)],
-            })?;
+        let draft = self.shown.draft(&self.task).map_err(|error| match error {
+            DraftError::Lengths(faults) => faults.into_iter().map(Problem::from).collect(),
+            DraftError::Position(unsolved) => vec![Problem::from(unsolved)],
+        })?;
         let mut document = LinkageDocument::new(&draft);
         document.plots = vec!["rocker.angle".to_owned()];
         document.traces = ["B", "C"].map(str::to_owned).to_vec();

@@ -5,7 +5,7 @@ pub(crate) mod summary;
 use std::f64::consts::PI;
 
 use assur::mechanism::Quantity;
-use assur::synthesis::four_bar::{Options, Task};
+use assur::synthesis::four_bar::{Drawn, Options, Task};
 use assur::{Point, Vector};
 use assur_draw::{Annotations, GivenPosition, List, Role};
 use assur_file::{
@@ -126,28 +126,17 @@ impl Synthesis {
 /// at the coupler.
 fn given(solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
     let (task, shown) = (&solved.task, &solved.shown);
-    let length = task.frame().length;
-    let along = |angle: f64, z: f64| Vector::new(angle.cos(), angle.sin()) * (z * length);
-    let [a, d] = [
-        Point::origin(),
-        Point::origin() + along(task.frame().angle, 1.0),
-    ];
-    let mut all: Vec<GivenPosition> = Vec::new();
-    for ((k, position), closure) in task.positions().iter().enumerate().zip(&shown.closures) {
-        let z = shown.proportions;
-        let b = a + along(position.input + shown.input_start, z.input);
-        let c = d - along(position.output + shown.output_start, z.output);
-        let end = b + along(closure.coupler, z.coupler);
-        all.push(GivenPosition {
-            number: (k + 1).to_string(),
-            directions: Vec::new(),
-            links: vec![
-                ([a, b], Role::Crank),
-                ([b, end], Role::Coupler),
-                ([d, c], Role::Rocker),
-            ],
-        });
-    }
+    let drawn = (0..task.positions().len()).filter_map(|k| shown.drawn(task, k));
+    let position = |(k, at): (usize, Drawn)| GivenPosition {
+        number: (k + 1).to_string(),
+        directions: Vec::new(),
+        links: vec![
+            ([at.a, at.b], Role::Crank),
+            ([at.b, at.coupler_end], Role::Coupler),
+            ([at.d, at.c], Role::Rocker),
+        ],
+    };
+    let mut all: Vec<GivenPosition> = drawn.enumerate().map(position).collect();
     for (direction, ends) in Direction::all(task) {
         let (Direction::Output(k) | Direction::Input(k)) = direction;
         all[k].directions.push((ends, direction.role()));

@@ -199,11 +199,8 @@ impl<const N: usize> Descents<N> {
     }
 
     fn proportions(&self) -> Proportions {
-        Proportions {
-            coupler: self.now.here.coupler,
-            output: self.now.x[0].exp(),
-            input: self.now.x[1].exp(),
-        }
+        let coupler = self.now.here.coupler;
+        self.objective.with_coupler(&self.now.x, coupler)
     }
 
     /// Keeps where the present way ended and takes up the next start.
@@ -248,6 +245,10 @@ impl<const N: usize> Descents<N> {
         found.sort_by(|a, b| a.value.total_cmp(&b.value));
         let minimum = |found: &Found<N>| {
             let proportions = self.objective.proportions(&found.x);
+            let mut path = found.path.clone();
+            if let Some(end) = path.last_mut() {
+                *end = proportions;
+            }
             let angles = if N == 4 {
                 [found.x[2], found.x[3]].map(|angle| near(angle, 0.0))
             } else {
@@ -258,7 +259,7 @@ impl<const N: usize> Descents<N> {
                 value: found.value * weight,
                 held: held(task, &proportions),
                 reached: found.reached,
-                path: found.path.clone(),
+                path,
             }
         };
         found.into_iter().map(minimum).collect()
@@ -288,13 +289,11 @@ fn held(task: &Task, proportions: &Proportions) -> Vec<Bound> {
         ),
         (proportions.input, Bound::InputLeast, Bound::InputGreatest),
     ];
-    let at = |z: f64, bound: f64| (z / bound - 1.0).abs() <= 1e-9;
     bounds
         .into_iter()
         .filter_map(|(z, low, high)| {
-            at(z, least)
-                .then_some(low)
-                .or_else(|| at(z, greatest).then_some(high))
+            let high = (z == greatest).then_some(high);
+            (z == least).then_some(low).or(high)
         })
         .collect()
 }

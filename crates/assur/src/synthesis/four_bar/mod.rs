@@ -20,7 +20,7 @@
 //! is φ₃ − φ₀, its rocker's φ₂ − φ₀ + 180° (e₂ runs from C to D), its coupler's φ₁ − φ₀.
 
 mod closure;
-mod draft;
+mod drawn;
 mod equation;
 mod family;
 mod five;
@@ -34,13 +34,15 @@ mod polynomial;
 mod ranges;
 mod ranking;
 mod starts;
+mod surface;
 mod task;
 pub mod theorems;
 mod three;
 mod verdict;
+mod weighted_difference;
 
 pub use closure::Closure;
-pub use draft::Undrawn;
+pub use drawn::{DraftError, Drawn};
 pub use equation::MainEquation;
 pub use family::{Change, ChangeKind, Family, Line, MemberError, Range, TwoPositions};
 pub use five::{StartsError, five_positions};
@@ -48,9 +50,11 @@ pub use function::{ErrorCurve, ErrorSample, FunctionError, Mapping, Table, cheby
 pub use least_squares::{Bound, Minimum, Progress, Search};
 pub use options::{NoOptions, Options};
 pub use ranking::{Criterion, Requirement, Requirements, rank};
+pub use surface::Surface;
 pub use task::{Frame, Position, Task, TaskError};
 pub use three::ThreePositions;
 pub use verdict::{Order, Passage, Verdict};
+pub use weighted_difference::weighted_difference;
 
 use crate::{Assembly, FourBar, Invalid};
 

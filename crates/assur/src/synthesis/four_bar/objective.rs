@@ -132,10 +132,21 @@ impl Objective {
 
     /// The proportions at a point.
     pub(super) fn proportions<const N: usize>(&self, x: &Point<N>) -> Proportions {
+        self.with_coupler(x, self.value(x).1)
+    }
+
+    /// The same where z₁ is known; bounds are met exactly.
+    pub(super) fn with_coupler<const N: usize>(&self, x: &Point<N>, coupler: f64) -> Proportions {
+        let [low, high] = self.bounds();
+        let [output, input] = [0, 1].map(|k| match x[k] {
+            at if at <= low => self.ratios[0],
+            at if at >= high => self.ratios[1],
+            at => at.exp(),
+        });
         Proportions {
-            coupler: self.value(x).1,
-            output: x[0].exp(),
-            input: x[1].exp(),
+            coupler,
+            output,
+            input,
         }
     }
 }

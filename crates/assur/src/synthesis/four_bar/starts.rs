@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::objective::{Objective, Point};
-use super::{Task, ThreePositions, five, linear};
+use super::{Task, ThreePositions, five, weighted_difference};
 
 /// Places of the grid along ln z₂ and ln z₃.
 const GRID: usize = 8;
@@ -18,7 +18,8 @@ const LOWEST: usize = 32;
 /// Starts with the angles as given.
 pub(super) fn given(task: &Task) -> Vec<Point<2>> {
     let count = task.positions().len();
-    let mut starts: Vec<Point<2>> = freudenstein(task).into_iter().collect();
+    let linear = weighted_difference(task).into_iter();
+    let mut starts: Vec<Point<2>> = linear.map(|z| [z.output.ln(), z.input.ln()]).collect();
     for triple in choices::<3>(count) {
         if let ThreePositions::One(found) = ThreePositions::of(task, triple) {
             let z = found.proportions;
@@ -57,24 +58,6 @@ pub(super) fn free(task: &Task) -> Vec<Point<4>> {
 fn grid(places: usize, [from, to]: [f64; 2]) -> impl Iterator<Item = Point<2>> {
     let at = move |k: usize| from + (k as f64 + 0.5) / places as f64 * (to - from);
     (0..places * places).map(move |k| [at(k / places), at(k % places)])
-}
-
-/// The least squares of Freudenstein's equations cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, linear
-/// in Z, 1/z₃ and 1/z₂; none unless both lengths are positive.
-pub(super) fn freudenstein(task: &Task) -> Option<Point<2>> {
-    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
-    for (at, position) in task.directions([0.0; 2]).zip(task.positions()) {
-        let row = [1.0, at.output.re, at.input.re];
-        let value = (at.output * at.input.conj()).re;
-        for i in 0..3 {
-            right[i] += position.weight * row[i] * value;
-            for j in 0..3 {
-                matrix[i][j] += position.weight * row[i] * row[j];
-            }
-        }
-    }
-    let [_, v, u] = linear::solve(matrix, right)?;
-    (u > 0.0 && v > 0.0).then(|| [-u.ln(), -v.ln()])
 }
 
 /// Choices of K among so many positions, spread evenly over all of them.

@@ -60,8 +60,8 @@ pub enum ConditionNumber {
 pub struct Condition {
     /// Its number.
     pub number: ConditionNumber,
-    /// The unknown that it is about, and the one that is chosen; none of (13).
-    pub about: Option<[Unknown; 2]>,
+    /// The unknown that it is about, z₂ or z₃ as a function of z₁; none of (13).
+    pub about: Option<Unknown>,
     /// Its value; none where there is none (a limit −P/Q with Q = 0).
     pub value: Option<f64>,
     /// Whether it holds.
@@ -98,10 +98,6 @@ pub fn conditions(angles: &Angles) -> Vec<Condition> {
             all.extend(of(&by, k));
         }
     }
-    let others = [Unknown::Output, Unknown::Input].map(|third| angles.subsystem(third));
-    for by in others.into_iter().flatten() {
-        all.extend([0, 1].map(|k| alternatives(&by, k)));
-    }
     all
 }
 
@@ -111,7 +107,7 @@ fn of(by: &Subsystem, k: usize) -> [Condition; 5] {
     let limit = Some(-constant / slope).filter(|limit| limit.is_finite());
     let condition = |number, value, holds| Condition {
         number,
-        about: Some([by.of[k], by.third]),
+        about: Some(by.of[k]),
         value,
         holds,
     };
@@ -141,7 +137,7 @@ fn alternatives(by: &Subsystem, k: usize) -> Condition {
     let found = alternative(by.constant[k], by.slope[k]);
     Condition {
         number: ConditionNumber::Alternatives,
-        about: Some([by.of[k], by.third]),
+        about: Some(by.of[k]),
         value: Some(-by.constant[k] / by.slope[k]).filter(|limit| limit.is_finite()),
         holds: matches!(
             found,
@@ -151,26 +147,24 @@ fn alternatives(by: &Subsystem, k: usize) -> Condition {
 }
 
 /// Theorems 1 to 5 at given angles; none where an angle is not finite. 1 and 2 say that lengths are
-/// real where (13) holds; 3, 4 and 5 that they are positive where each of two unknowns is so by one
-/// of the alternatives, the third being z₁, z₂ and z₃.
+/// real where (13) holds. 3, 4 and 5 say that they are positive where conditions among (29), (30),
+/// (33) to (38) hold, all of which amount to this: z₂ is positive by one of the alternatives, and
+/// z₃ is so by one. They stand or fall together.
 pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
     let positive = truth(angles).as_ref().map(Truth::holds)?;
-    let real = angles.subsystem(Unknown::Coupler).is_some();
-    let about = |third: Unknown| {
-        let by = angles.subsystem(third);
-        by.is_some_and(|by| (0..2).all(|k| alternatives(&by, k).holds))
-    };
-    let [third, fourth, fifth] = Unknown::ALL.map(about);
+    let by = angles.subsystem(Unknown::Coupler);
+    let each = by.is_some_and(|by| (0..2).all(|k| alternatives(&by, k).holds));
     let theorem = |number, conditions, truth| Theorem {
         number,
         conditions,
         truth,
     };
+    let real = by.is_some();
     Some([
         theorem(1, real, real),
         theorem(2, real, real),
-        theorem(3, third, positive),
-        theorem(4, fourth, positive),
-        theorem(5, fifth, positive),
+        theorem(3, each, positive),
+        theorem(4, each, positive),
+        theorem(5, each, positive),
     ])
 }

@@ -1,0 +1,114 @@
+//! A solution as something to be drawn: its links in a given position, and the linkage itself.
+
+use std::f64::consts::PI;
+
+use nalgebra::Rotation2;
+
+use super::family::near;
+use super::{Solution, Task};
+use crate::mechanism::{Draft, DraftPoint};
+use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};
+
+/// The links in a given position, with A in the origin; lengths in the unit of the frame's. Input
+/// and output have the wanted angles, the coupler points from the one to the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// A, the input's fixed pivot.
+    pub a: Point,
+    /// B, where the input ends.
+    pub b: Point,
+    /// Where the coupler ends that begins at B.
+    pub coupler_end: Point,
+    /// C, where the output ends that begins at D: the coupler's end where the position is met.
+    pub c: Point,
+    /// D, the output's fixed pivot.
+    pub d: Point,
+}
+
+/// Why there is no linkage to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DraftError {
+    /// Its lengths make none.
+    Lengths(Vec<Invalid>),
+    /// It cannot be closed at the input of any position, nor laid on its first arc.
+    Position(Unsolved),
+}
+
+impl Solution {
+    /// The links as they ought to stand in a position of the task; none where the task has no such
+    /// position.
+    pub fn drawn(&self, task: &Task, position: usize) -> Option<Drawn> {
+        let wanted = task.positions().get(position)?;
+        let coupler = self.closures.get(position)?.coupler;
+        let [l3, l1, l2, l0] = self.proportions.lengths(task.frame().length);
+        let along = |angle: f64, length: f64| Vector::new(angle.cos(), angle.sin()) * length;
+        let a = Point::origin();
+        let d = a + along(task.frame().angle, l0);
+        let b = a + along(wanted.input + self.input_start, l3);
+        Some(Drawn {
+            a,
+            b,
+            coupler_end: b + along(coupler, l1),
+            c: d - along(wanted.output + self.output_start, l2),
+            d,
+        })
+    }
+
+    /// The linkage as a mechanism to be moved: links `crank`, `coupler`, `rocker`, joints A to D, the
+    /// crank driven; drawn at the input of the first position at which it closes, in the assembly whose
+    /// output is the nearer.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn draft(&self, task: &Task) -> Result<Draft, DraftError> {
+        let frame = task.frame();
+        let linkage = self.proportions.four_bar(frame.length);
+        let linkage = linkage.map_err(DraftError::Lengths)?;
+        let mut positions = 0..task.positions().len();
+        let reached = positions.find_map(|k| self.pose(task, &linkage, k).ok());
+        let pose = reached.map_or_else(|| self.laid(&linkage), Ok);
+        let pose = pose.map_err(DraftError::Position)?;
+        let turn = Rotation2::new(frame.angle);
+        let joints = linkage.joints(&pose).map(|joint| turn * joint.place());
+        let mut draft = Draft::default();
+        let names = ["A", "B", "C", "D"].map(str::to_owned).into_iter();
+        let points = names.zip(joints).map(|(name, at)| DraftPoint { name, at });
+        draft.points.extend(points);
+        Ok(draft
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank"))
+    }
+
+    /// A pose of a linkage that closes at no position: in the middle of its first arc.
+    fn laid(&self, linkage: &FourBar) -> Result<Pose<1>, Unsolved> {
+        let cycle = linkage.cycle();
+        let [from, to] = cycle.arcs().first().copied().unwrap_or_default();
+        linkage.pose(Assembly::First, 0.5 * (from + to))
+    }
+
+    /// The pose at the input of a position, in the assembly whose output is nearer to the wanted.
+    ///
+    /// # Errors
+    /// Why it cannot be closed there.
+    pub(super) fn pose(
+        &self,
+        task: &Task,
+        linkage: &FourBar,
+        position: usize,
+    ) -> Result<Pose<1>, Unsolved> {
+        let (at, frame) = (task.positions()[position], task.frame().angle);
+        let crank = at.input + self.input_start - frame;
+        let rocker = at.output + self.output_start - frame + PI;
+        let [first, second] = Assembly::ALL.map(|assembly| linkage.pose::<1>(assembly, crank));
+        let (first, second) = (first?, second?);
+        let off = |pose: &Pose<1>| near(pose.rocker.value() - rocker, 0.0).abs();
+        Ok(if off(&second) < off(&first) {
+            second
+        } else {
+            first
+        })
+    }
+}

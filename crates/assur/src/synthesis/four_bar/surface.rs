@@ -1,0 +1,30 @@
+//! ΣJ over the plane of z₂ and z₃, to be drawn.
+
+use super::Task;
+use super::objective::Objective;
+
+/// ΣJ of a task as a function of z₂ and z₃, with the best z₁ within the ratios.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    objective: Objective,
+    weight: f64,
+}
+
+impl Surface {
+    /// The surface on which [`Search`](super::Search) looks for its minima.
+    pub fn new(task: &Task) -> Self {
+        let weights = task.positions().iter().map(|position| position.weight);
+        Self {
+            objective: Objective::new(task),
+            weight: weights.sum(),
+        }
+    }
+
+    /// ΣJ with the weights of the task at these z₂ and z₃; none where one is not positive or not
+    /// finite.
+    pub fn value(&self, output: f64, input: f64) -> Option<f64> {
+        let x = [output.ln(), input.ln()];
+        let value = self.objective.value(&x).0 * self.weight;
+        (x.iter().all(|x| x.is_finite()) && value.is_finite()).then_some(value)
+    }
+}

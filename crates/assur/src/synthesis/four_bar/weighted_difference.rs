@@ -1,0 +1,37 @@
+//! Levitsky's quadratic approximation: the least squares of Freudenstein's equations.
+//!
+//! Its weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁), and Freudenstein's equation
+//! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is off by
+//! q/(2z₂z₃). So the sum of its squares is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))²: for three
+//! positions the least of both is nothing, at the same linkage; for more the weights differ little
+//! from position to position where J is small, and the two minima by no more than the order of J.
+
+use super::{Proportions, Task, linear};
+
+/// The proportions with the least sum of squares, with the weights of the task: a linear problem
+/// in Z, 1/z₃ and 1/z₂. None where a length is not positive or the positions leave it open.
+pub fn weighted_difference(task: &Task) -> Option<Proportions> {
+    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
+    for (at, position) in task.directions([0.0; 2]).zip(task.positions()) {
+        let row = [1.0, at.output.re, at.input.re];
+        let value = (at.output * at.input.conj()).re;
+        for i in 0..3 {
+            right[i] += position.weight * row[i] * value;
+            for j in 0..3 {
+                matrix[i][j] += position.weight * row[i] * row[j];
+            }
+        }
+    }
+    let [z, v, u] = linear::solve(matrix, right)?;
+    let [output, input] = [u.recip(), v.recip()];
+    let square = 1.0 + output * output + input * input + 2.0 * output * input * z;
+    let sound = |x: f64| x > 0.0 && x.is_finite();
+    [output, input, square]
+        .into_iter()
+        .all(sound)
+        .then(|| Proportions {
+            coupler: square.sqrt(),
+            output,
+            input,
+        })
+}
