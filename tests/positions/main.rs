@@ -1,9 +1,12 @@
 //! The four-bar from given positions.
 #![cfg(not(target_family = "wasm"))]
 
+mod approximations;
 mod draw;
 mod example;
+mod function;
 mod least;
 mod motion;
 mod recovered;
+mod refused;
 mod theorems;

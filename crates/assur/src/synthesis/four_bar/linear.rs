@@ -19,6 +19,41 @@ pub(super) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
+/// The least squares of N unknowns, by Gram and Schmidt's rows of the triangle in their modified
+/// order: each row of the equations is its coefficients and, last, its right-hand side, N + 1 in
+/// all. No squares of the coefficients are summed up first, which would cost half the digits. None
+/// where the unknowns are not all told.
+pub(super) fn least_squares<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[f64; N]> {
+    let mut triangle = [[0.0_f64; N]; N];
+    let mut right = [0.0; N];
+    let norm = |rows: &[Vec<f64>], k: usize| {
+        let squares = rows.iter().map(|row| row[k] * row[k]);
+        squares.sum::<f64>().sqrt()
+    };
+    for k in 0..N {
+        let size = norm(&rows, k);
+        if size <= SINGULAR * triangle[0][0].max(size) || size.is_nan() {
+            return None;
+        }
+        triangle[k][k] = size;
+        rows.iter_mut().for_each(|row| row[k] /= size);
+        for j in k + 1..=N {
+            let along: f64 = rows.iter().map(|row| row[k] * row[j]).sum();
+            rows.iter_mut().for_each(|row| row[j] -= along * row[k]);
+            if j < N {
+                triangle[k][j] = along;
+            } else {
+                right[k] = along;
+            }
+        }
+    }
+    for k in (0..N).rev() {
+        let known: f64 = (k + 1..N).map(|j| triangle[k][j] * right[j]).sum();
+        right[k] = (right[k] - known) / triangle[k][k];
+    }
+    right.iter().all(|x| x.is_finite()).then_some(right)
+}
+
 /// Two vectors that span what solves R = N − 2 homogeneous equations; none where more does.
 pub(super) fn plane<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[[f64; N]; 2]> {
     let columns = eliminate(&mut rows, N, SINGULAR)?;

@@ -11,18 +11,15 @@ use super::{Proportions, Task, linear};
 /// The proportions with the least sum of squares, with the weights of the task: a linear problem
 /// in Z, 1/z₃ and 1/z₂. None where a length is not positive or the positions leave it open.
 pub fn weighted_difference(task: &Task) -> Option<Proportions> {
-    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
-    for (at, position) in task.directions([0.0; 2]).zip(task.positions()) {
-        let row = [1.0, at.output.re, at.input.re];
+    let equations = task.directions([0.0; 2]).zip(task.positions());
+    let rows = equations.map(|(at, position)| {
         let value = (at.output * at.input.conj()).re;
-        for i in 0..3 {
-            right[i] += position.weight * row[i] * value;
-            for j in 0..3 {
-                matrix[i][j] += position.weight * row[i] * row[j];
-            }
-        }
-    }
-    let [z, v, u] = linear::solve(matrix, right)?;
+        let weight = position.weight.sqrt();
+        [1.0, at.output.re, at.input.re, value]
+            .map(|x| x * weight)
+            .to_vec()
+    });
+    let [z, v, u] = linear::least_squares(rows.collect())?;
     let [output, input] = [u.recip(), v.recip()];
     let square = 1.0 + output * output + input * input + 2.0 * output * input * z;
     let sound = |x: f64| x > 0.0 && x.is_finite();

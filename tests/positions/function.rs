@@ -1,0 +1,183 @@
+//! A wanted function: precision positions, least squares, the error curve.
+
+use std::f64::consts::PI;
+
+use assur::synthesis::four_bar::{
+    FunctionError, Mapping, Position, Search, Solution, Table, Task, ThreePositions, chebyshev,
+    five_positions,
+};
+
+use super::draw::{output, task};
+
+/// Freudenstein's example: y = log₁₀ x from 1 to 10, φ₃ over 60°, φ₂ over 90°.
+fn mapping() -> Mapping {
+    let degrees = |ends: [f64; 2]| ends.map(f64::to_radians);
+    Mapping::new(
+        [1.0, 10.0],
+        [0.0, 1.0],
+        degrees([45.0, 105.0]),
+        degrees([135.0, 45.0]),
+    )
+    .unwrap()
+}
+
+fn three(positions: &[Position]) -> Solution {
+    match ThreePositions::new(&task(positions)) {
+        Some(ThreePositions::One(solution)) => solution,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn chebyshev_spacing() {
+    let places = chebyshev([1.0, 3.0], 3);
+    let half = 3.0_f64.sqrt() / 2.0;
+    for (place, expected) in places.iter().zip([2.0 - half, 2.0, 2.0 + half]) {
+        assert!((place - expected).abs() < 1e-15, "{places:?}");
+    }
+    assert!((chebyshev([0.0, 1.0], 1)[0] - 0.5).abs() < 1e-15);
+    assert!(chebyshev([0.0, 1.0], 7).is_sorted_by(|a, b| a < b));
+}
+
+#[test]
+fn error_vanishes_at_precision_positions() {
+    let mapping = mapping();
+    let f = |x: f64| x.log10();
+    let positions = mapping.precision(3, &f).unwrap();
+    let solution = three(&positions);
+    let task = task(&positions);
+    let curve = mapping
+        .error_curve(&task, &solution, 201, &f)
+        .unwrap()
+        .unwrap();
+    assert!(curve.complete);
+    assert_eq!(curve.samples.len(), 201);
+    assert_eq!((curve.samples[0].x, curve.samples[200].x), (1.0, 10.0));
+    // The sign of the error changes three times, at Chebyshev's places.
+    let mut zeros = Vec::new();
+    for pair in curve.samples.windows(2) {
+        let [a, b] = [pair[0], pair[1]].map(|sample| sample.error().unwrap());
+        if a * b < 0.0 {
+            zeros.push(pair[0].x + (pair[1].x - pair[0].x) * a / (a - b));
+        }
+    }
+    assert_eq!(zeros.len(), 3, "{zeros:?}");
+    for (zero, place) in zeros.iter().zip(chebyshev([1.0, 10.0], 3)) {
+        assert!((zero - place).abs() < 1e-2, "{zeros:?}");
+    }
+    // The greatest error, by another way and many more places.
+    let z = solution.proportions;
+    let error = |x: f64| {
+        let wanted = mapping.position(x, x.log10());
+        let off = [true, false].map(|up| {
+            let turned = output(&z, wanted.input, up).unwrap() - wanted.output;
+            (turned + PI).rem_euclid(2.0 * PI) - PI
+        });
+        let off = if off[0].abs() < off[1].abs() {
+            off[0]
+        } else {
+            off[1]
+        };
+        // A right angle of the output falls while y grows by 1.
+        -off / (PI / 2.0)
+    };
+    let dense = (0..=90_000).map(|k| error(1.0 + f64::from(k) * 1e-4).abs());
+    let dense = dense.fold(0.0, f64::max);
+    let greatest = curve.greatest.unwrap();
+    assert!((greatest.error().unwrap().abs() - dense).abs() < 1e-9);
+    assert!((greatest.error().unwrap() - error(greatest.x)).abs() < 1e-12);
+    assert!(dense > 1e-3, "{dense}");
+}
+
+/// More freedom, less error: five precision positions with free starts, and the least squares.
+#[test]
+fn five_and_many_positions_do_better() {
+    let mapping = mapping();
+    let f = |x: f64| x.log10();
+    let greatest = |positions: &[Position], solution: &Solution| {
+        let curve = mapping
+            .error_curve(&task(positions), solution, 101, &f)
+            .unwrap()?;
+        let error = curve.greatest?.error()?.abs();
+        curve.complete.then_some(error)
+    };
+    let of_three = mapping.precision(3, &f).unwrap();
+    let by_three = greatest(&of_three, &three(&of_three)).unwrap();
+    let of_five = mapping.precision(5, &f).unwrap();
+    let by_five = five_positions(&task(&of_five)).unwrap().into_iter();
+    let by_five = by_five.filter_map(|one| greatest(&of_five, &one));
+    let by_five = by_five.fold(f64::INFINITY, f64::min);
+    assert!(by_five < 0.2 * by_three, "{by_five} {by_three}");
+    let many = mapping.even(13, &f).unwrap();
+    let best = Search::free(&task(&many)).run().into_iter();
+    let best = best.filter_map(|minimum| greatest(&many, &minimum.solution));
+    let by_many = best.fold(f64::INFINITY, f64::min);
+    assert!(by_many < by_three, "{by_many} {by_three}");
+}
+
+/// Where the linkage cannot go on, the curve ends, on both sides of the first position.
+#[test]
+fn the_curve_ends_where_the_linkage_does() {
+    let mapping = Mapping::new([0.0, 1.0], [0.0, 1.0], [-3.0, 3.0], [2.0, 4.0]).unwrap();
+    let f = |x: f64| x;
+    let positions = vec![mapping.position(0.5, 0.5), mapping.position(0.55, 0.6)];
+    let task = task(&positions);
+    let z = assur::synthesis::four_bar::Proportions {
+        coupler: 0.6,
+        output: 0.6,
+        input: 0.5,
+    };
+    let solution = Solution::new(&task, z);
+    let curve = mapping
+        .error_curve(&task, &solution, 61, &f)
+        .unwrap()
+        .unwrap();
+    assert!(!curve.complete);
+    let linkage = z.four_bar(1.0).unwrap();
+    for sample in &curve.samples {
+        let input = -3.0 + 6.0 * sample.x;
+        let closes = linkage.pose::<1>(curve.assembly, input).is_ok();
+        assert_eq!(sample.generated.is_some(), closes, "{sample:?}");
+    }
+    // These lengths make no linkage.
+    let never = Solution::new(
+        &task,
+        assur::synthesis::four_bar::Proportions { coupler: 9.0, ..z },
+    );
+    assert_eq!(mapping.error_curve(&task, &never, 11, &f).unwrap(), None);
+}
+
+#[test]
+fn tables_are_functions() {
+    let table = Table::new(&[[0.0, 1.0], [1.0, 3.0], [4.0, 0.0]]).unwrap();
+    assert_eq!(table.interval(), [0.0, 4.0]);
+    let values = [-1.0, 0.0, 0.5, 1.0, 2.0, 4.0, 5.0].map(|x| table.value(x));
+    assert_eq!(values, [-1.0, 1.0, 2.0, 3.0, 2.0, 0.0, -1.0]);
+    assert_eq!(Table::new(&[[0.0, 1.0]]), Err(vec![FunctionError::Rows]));
+    let bad = [[0.0, 1.0], [0.0, 2.0], [1.0, f64::NAN], [2.0, 1.0]];
+    let expected = vec![FunctionError::Row(1), FunctionError::Row(2)];
+    assert_eq!(Table::new(&bad), Err(expected));
+}
+
+#[test]
+fn refusals_name_what_is_wrong() {
+    let bad = Mapping::new(
+        [1.0, 1.0],
+        [0.0, f64::NAN],
+        [0.0, f64::INFINITY],
+        [2.0, 2.0],
+    );
+    let expected = vec![
+        FunctionError::Interval,
+        FunctionError::Values,
+        FunctionError::InputAngles,
+        FunctionError::OutputAngles,
+    ];
+    assert_eq!(bad, Err(expected));
+    let mapping = mapping();
+    assert_eq!(mapping.precision(0, &|x| x), Err(FunctionError::Count(0)));
+    let most = Task::MOST + 1;
+    assert_eq!(mapping.even(most, &|x| x), Err(FunctionError::Count(most)));
+    let undefined = mapping.even(3, &|x| if x > 5.0 { f64::NAN } else { x });
+    assert_eq!(undefined, Err(FunctionError::Undefined { x: 5.5 }));
+}
