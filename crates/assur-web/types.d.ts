@@ -79,7 +79,11 @@ solutions: Array<SolutionSummary>,
 /**
  * Which of them is drawn, from 1.
  */
-number: number | null, drawn: SolutionSummary, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
+number: number | null, drawn: SolutionSummary, 
+/**
+ * l₀.
+ */
+frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
  * What is drawn, as a linkage for the simulator.
  */
@@ -169,7 +173,7 @@ equation: [number, number, number, number],
 /**
  * φ₁ at which the conditions are evaluated.
  */
-at: number, conditions: Array<ConditionSummary>, 
+at: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
  * Between which l₁ all lengths are positive: null where there are none, and where there is
  * no greatest.
@@ -184,6 +188,7 @@ number: string,
  * The length that it is about.
  */
 about: string | null, value: number | null, holds: boolean, };
+export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type GroupSummary = { term: string, role: string, };

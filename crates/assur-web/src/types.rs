@@ -14,7 +14,7 @@ use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::SchemeSummary;
 use crate::kinds::synthesis::summary::{
     ConditionSummary, FamilyCurve, FamilySummary, FoundSummary, SolutionSummary, SynthesisSummary,
-    VerdictSummary, WantedSummary,
+    TheoremSummary, VerdictSummary, WantedSummary,
 };
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
@@ -42,6 +42,7 @@ fn the_scripts_know_what_crosses_the_border() {
         FoundSummary::decl(&config),
         WantedSummary::decl(&config),
         ConditionSummary::decl(&config),
+        TheoremSummary::decl(&config),
         CountsSummary::decl(&config),
         CycleSummary::decl(&config),
         GroupSummary::decl(&config),

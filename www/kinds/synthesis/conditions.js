@@ -34,18 +34,22 @@ export class ConditionsView {
  * @param {number} k
  * @param {Words} words
  */
-function table({ at, conditions, interval }, k, words) {
+function table({ at, conditions, theorems, interval }, k, words) {
   const { numbers } = words;
   const rows = conditions.map(({ number, about, value, holds }) => make("tr", {}, [
     make("th", { scope: "row" }, [[number, about ?? ""].join(" ").trim()]),
     make("td", {}, [value === null ? "—" : numbers.short(value)]),
     make("td", { "data-holds": String(holds) }, [words.text(holds ? "conditions.holds" : "conditions.fails")]),
   ]));
+  const judged = theorems.map(({ number, conditions: asked, truth }) => make("tr", {}, [
+    make("th", { scope: "row" }, [words.text("conditions.theorem", { n: String(number) })]),
+    make("td", { colspan: "2", "data-holds": String(!asked || truth) }, [words.text(asked ? (truth ? "conditions.right" : "conditions.wrong") : "conditions.silent")]),
+  ]));
   const ends = interval && interval.map((end) => (end === null ? words.text("map.without_end") : numbers.short(end)));
   const truth = ends ? words.text("conditions.interval", { from: ends[0], to: ends[1] }) : words.text("conditions.empty");
   const name = words.text("conditions.of", { n: String(k), coupler: `${numbers.upTo(degrees(at), 3)}°` });
   return make("table", { class: "solutions conditions" }, [
     make("caption", {}, [name]),
-    make("tbody", {}, [...rows, make("tr", { class: "truth" }, [make("th", { scope: "row" }, [words.text("conditions.truth")]), make("td", { colspan: "2" }, [truth])])]),
+    make("tbody", {}, [...rows, ...judged, make("tr", { class: "truth" }, [make("th", { scope: "row" }, [words.text("conditions.truth")]), make("td", { colspan: "2" }, [truth])])]),
   ]);
 }

@@ -15,6 +15,9 @@ import { edited } from "assur/state/state.js";
 /** What is said of where the solutions come from. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
+/** A contour that is open by less than this is closed, as far as can be read. */
+const EXACT = 5e-7;
+
 /** The columns of the file: lengths, starts, how far off it is, the verdict. */
 const COLUMNS = Object.freeze([
   "l1", "l2", "l3", "phi20_deg", "phi30_deg", "gap", "sum", "at_bound",
@@ -122,13 +125,14 @@ function verdict({ verdict: one, gap, at_bound: bound }, words) {
  * @param {Wanted} wanted
  * @param {Words} words
  */
-function mainEquation(k, { output, input, equation: [left, constant, byInput, byOutput] }, words) {
+function mainEquation(k, { output, input, error, equation: [left, constant, byInput, byOutput] }, words) {
   const said = (/** @type {number} */ value) => words.numbers.fixed(value, 5);
   const lines = [
     `${words.text("positions.number", { n: String(k) })}: φ₂ = ${angle(output, words)}, φ₃ = ${angle(input, words)}`,
     "e₂·e₃ = Z + e₀·e₂ / z₃ + e₀·e₃ / z₂",
     `${said(left)} = ${said(constant)} + (${said(byInput)}) + (${said(byOutput)})`,
-    `${said(left)} = ${said(constant + byInput + byOutput)}`,
+    `${said(left)} ${Math.abs(error) < EXACT ? "=" : "≠"} ${said(constant + byInput + byOutput)}`,
+    `|l₀e₀ − l₂e₂ − l₃e₃| − l₁ = ${words.numbers.upTo(Math.abs(error) < EXACT ? 0 : error, 4)}`,
   ];
   return make("p", {}, lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
 }

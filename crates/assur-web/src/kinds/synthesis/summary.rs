@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use assur::synthesis::four_bar::theorems::{Angles, ConditionNumber, Truth, conditions, truth};
+use assur::synthesis::four_bar::theorems::{
+    Angles, ConditionNumber, Theorem, Truth, Unknown, conditions, theorems, truth,
+};
 use assur::synthesis::four_bar::{
     ChangeKind, Family, Minimum, Options, Order, Passage, Proportions, Range, Solution, Task,
 };
@@ -28,6 +30,8 @@ pub(crate) struct SynthesisSummary<'a> {
     /// Which of them is drawn, from 1.
     number: Option<usize>,
     drawn: SolutionSummary,
+    /// l₀.
+    frame: f64,
     family: Option<FamilySummary>,
     found: Option<FoundSummary>,
     wanted: Vec<WantedSummary>,
@@ -128,6 +132,7 @@ pub(crate) struct WantedSummary {
     /// φ₁ at which the conditions are evaluated.
     at: f64,
     conditions: Vec<ConditionSummary>,
+    theorems: Vec<TheoremSummary>,
     /// Between which l₁ all lengths are positive: null where there are none, and where there is
     /// no greatest.
     interval: Option<(f64, Option<f64>)>,
@@ -143,6 +148,30 @@ pub(crate) struct ConditionSummary {
     about: Option<&'static str>,
     value: Option<f64>,
     holds: bool,
+}
+
+/// A theorem of the paper: whether what it asks for holds, and whether what it concludes is true.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct TheoremSummary {
+    number: u8,
+    conditions: bool,
+    truth: bool,
+}
+
+impl From<Theorem> for TheoremSummary {
+    fn from(theorem: Theorem) -> Self {
+        let Theorem {
+            number,
+            conditions,
+            truth,
+        } = theorem;
+        Self {
+            number,
+            conditions,
+            truth,
+        }
+    }
 }
 
 impl<'a> SynthesisSummary<'a> {
@@ -187,6 +216,7 @@ impl<'a> SynthesisSummary<'a> {
             solutions,
             number: number.map(|number| number + 1),
             drawn,
+            frame: task.frame().length,
             family,
             found,
             wanted: WantedSummary::all(document, task, shown),
@@ -334,6 +364,11 @@ impl WantedSummary {
                 ],
                 at: angles.coupler,
                 conditions: ConditionSummary::all(&angles),
+                theorems: theorems(&angles)
+                    .into_iter()
+                    .flatten()
+                    .map(TheoremSummary::from)
+                    .collect(),
                 interval,
             }
         })
@@ -343,7 +378,6 @@ impl WantedSummary {
 
 impl ConditionSummary {
     fn all(angles: &Angles) -> Vec<Self> {
-        use assur::synthesis::four_bar::theorems::Unknown;
         let length = |unknown: Unknown| match unknown {
             Unknown::Coupler => "l₁",
             Unknown::Output => "l₂",
@@ -360,7 +394,7 @@ impl ConditionSummary {
                 ConditionNumber::N23 => "(23)",
                 ConditionNumber::Alternatives => "(29)…(38)",
             },
-            about: condition.about.map(|[about, _]| length(about)),
+            about: condition.about.map(length),
             value: condition.value,
             holds: condition.holds,
         })

@@ -1,0 +1,98 @@
+// The steps of the lesson on synthesis from given positions: what each shows, and what is asked of it as it then is.
+// Its words are in words.*.json of this folder, under the step's id.
+import { degrees } from "assur/core/angles.js";
+
+/**
+ * @typedef {import("assur/types/web.js").SynthesisSummary} Summary
+ */
+
+/** Which of the lengths the shortest one is, in the order of the links. */
+const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
+
+/** @type {import("assur/lesson/panel.js").Lesson<"synthesis">} */
+export const LESSON = Object.freeze({ kind: "synthesis", steps: [
+  {
+    id: "directions",
+    formula: "l₁e₁ + l₂e₂ + l₃e₃ = l₀e₀",
+    shows: [{ preset: "family", at: first }],
+    controls: ["positions"],
+    question: { unit: "°", round: true, within: 0.5, answer: ({ wanted: [one, other] }) => degrees(other.output - one.output) },
+  },
+  {
+    id: "one",
+    formula: "J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|²\nz₂ = P₂ + Q₂z₁, z₃ = P₃ + Q₃z₁",
+    shows: [{ preset: "printed", at: first }],
+    controls: ["conditions"],
+    errata: true,
+    question: { within: 0.02, answer: ({ wanted: [{ interval }] }) => interval?.[1] ?? undefined },
+  },
+  {
+    id: "family",
+    formula: "Δcos φ₂ / z₃ + Δcos φ₃ / z₂ = Δcos(φ₂ − φ₃)",
+    shows: [{ preset: "family", at: first }],
+    controls: ["family"],
+    readouts: ["synthesis-grashof", "synthesis-ratio"],
+    question: { within: 0.05, answer: ({ family }) => family?.changes[0]?.[1] },
+  },
+  {
+    id: "printed",
+    formula: "ΣJ = Σ(|r| − z₁)²\nr = e₀ − z₂e₂ − z₃e₃",
+    shows: [{ preset: "printed", at: first }],
+    controls: ["equation"],
+    readouts: ["synthesis-grashof", "synthesis-gap"],
+    errata: true,
+    question: { within: 0.005, answer: ({ wanted: [, { error }] }) => Math.abs(error) },
+  },
+  {
+    id: "three",
+    formula: "cos(φ₂ − φ₃) = Z + cos φ₂ / z₃ + cos φ₃ / z₂",
+    shows: [{ preset: "three", play: true }],
+    controls: ["solutions"],
+    readouts: ["synthesis-passage", "synthesis-order"],
+    question: { hides: ["synthesis-grashof"], choices: LINKS, answer: shortest },
+  },
+  {
+    id: "many",
+    formula: "Σ w (|r| − z₁)² → min",
+    shows: [{ preset: "many", at: first }],
+    controls: ["family", "solutions"],
+    readouts: ["synthesis-gap"],
+    question: { whole: true, within: 0, answer: ({ solutions, from }) => (from === "found" ? solutions.length : undefined) },
+  },
+  {
+    id: "theorem",
+    formula: "P₂ + Q₂z₁ > 0, P₃ + Q₃z₁ > 0",
+    shows: [{ preset: "theorem", at: first }],
+    controls: ["conditions"],
+    errata: true,
+    question: { choices: ["some", "none"], answer: ({ wanted: [{ interval }] }) => (interval ? "some" : "none") },
+  },
+  {
+    id: "motion",
+    formula: "φ(φ₁), φ′, φ″",
+    kind: "linkage",
+    shows: [{ preset: "sent", play: true }],
+    readouts: ["rocker", "drocker"],
+    question: {
+      hides: ["linkage-swing"], unit: "°", within: 0.5,
+      answer: ({ outputs: [rocker] }) => {
+        const stroke = rocker?.swing[0]?.stroke;
+        return stroke === undefined ? undefined : degrees(stroke);
+      },
+    },
+  },
+] });
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} where the input is in the first position
+ */
+function first({ wanted: [one] }) {
+  return one?.input;
+}
+
+/** @param {Summary} summary */
+function shortest({ drawn: { lengths }, frame }) {
+  const all = [...lengths, frame];
+  return LINKS[all.indexOf(Math.min(...all))];
+}
