@@ -347,9 +347,10 @@ free: boolean,
  */
 member?: [number, number] | null, 
 /**
- * Which of several solutions, from 1.
+ * Which of several solutions, from 1; without it the best that is not held by the bounds of
+ * the search.
  */
-solution: number, 
+solution?: number | null, 
 /**
  * Lengths l₁, l₂, l₃ that are shown instead of a solution.
  */

@@ -156,7 +156,16 @@ best: number,
 /**
  * l₂ and l₃ along the way to each of the solutions.
  */
-paths: Array<Array<[number, number]>>, };
+paths: Array<Array<[number, number]>>, 
+/**
+ * Between which lengths they were sought.
+ */
+bounds: [number, number], 
+/**
+ * The decimal logarithm of ΣJ at the middles of equal parts of the logarithms of l₂, and for
+ * each of l₃.
+ */
+surface: Array<Array<number>>, };
 export type WantedSummary = { 
 /**
  * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.

@@ -29,6 +29,10 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
 const REACH = 24;
 const DOT = 6;
 
+/** In so many steps the sum of squares is shaded, up to this strength. */
+const STEPS = 12;
+const DARKEST = 0.75;
+
 export class FamilyMap {
   #canvas = make("canvas", { id: "synthesis-map", class: "map", role: "img" });
   #surface;
@@ -134,6 +138,7 @@ export class FamilyMap {
     context.beginPath();
     context.rect(MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, bottom - MARGIN.top);
     context.clip();
+    this.#surfaceOf(summary, scales);
     this.#curve(context, scales, summary);
     for (const path of summary.found?.paths ?? []) {
       context.strokeStyle = colours.secondary;
@@ -151,6 +156,28 @@ export class FamilyMap {
     for (const { lengths } of summary.solutions) dot(lengths, colours.paper);
     dot(summary.drawn.lengths, colours.ink);
     context.restore();
+  }
+
+  /**
+   * ΣJ in steps, the darker the less.
+   * @param {Summary} summary
+   * @param {Scales} scales
+   */
+  #surfaceOf({ found }, { across, down }) {
+    if (!found) return;
+    const { bounds: [least, most], surface } = found;
+    const all = surface.flat();
+    const [low, high] = [Math.min(...all), Math.max(...all)];
+    const { context } = this.#surface;
+    context.fillStyle = this.#theme.colours.crank;
+    const at = (/** @type {number} */ part) => least * (most / least) ** (part / surface.length);
+    surface.forEach((row, i) => row.forEach((value, j) => {
+      const step = Math.floor((STEPS * (high - value)) / (high - low || 1));
+      context.globalAlpha = (DARKEST * Math.min(step, STEPS - 1)) / STEPS;
+      const [left, bottom] = [across(at(i)), down(at(j))];
+      context.fillRect(left, down(at(j + 1)), across(at(i + 1)) - left + 0.5, bottom - down(at(j + 1)) + 0.5);
+    }));
+    context.globalAlpha = 1;
   }
 
   /**

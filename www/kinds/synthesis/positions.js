@@ -1,5 +1,6 @@
 // What is wanted: the frame, and the positions of output and input that the linkage is to pass through.
 import { CardList } from "assur/controls/card-list.js";
+import { NumberBox } from "assur/controls/number-box.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
 import { section } from "assur/kinds/synthesis/section.js";
@@ -14,9 +15,6 @@ import { edited } from "assur/state/state.js";
 /** How many positions there may be on the page; more are solved, but cannot be told apart in a drawing. */
 const MOST = 12;
 
-/** The range of a direction's slider, degrees. */
-const TURN = Object.freeze({ min: 0, max: 360, step: 0.5 });
-
 /** Where another position is put, from the last one: degrees. */
 const NEXT = Object.freeze({ output_deg: 20, input_deg: 30 });
 
@@ -28,9 +26,9 @@ const FRAME = Object.freeze([
 
 /** Of a position what is given, and how it is drawn. */
 const PARTS = Object.freeze(/** @type {const} */ ([
-  { part: "output_deg", symbol: "φ₂", role: "rocker", slider: TURN, unit: "°" },
-  { part: "input_deg", symbol: "φ₃", role: "crank", slider: TURN, unit: "°" },
-  { part: "weight", symbol: "w", role: "secondary" },
+  { part: "output_deg", symbol: "φ₂", role: "rocker", unit: "°" },
+  { part: "input_deg", symbol: "φ₃", role: "crank", unit: "°" },
+  { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
 
 /** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>} */
@@ -77,19 +75,29 @@ export class PositionsView {
 /** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>["build"]} */
 function card(index, put, drafts, remove) {
   const n = String(index + POSITIONS.first);
-  const rows = PARTS.map(({ part, ...look }) => {
-    const kind = { ...look, n, field: `positions[${index}].${part}`, id: `${part.replace("_deg", "")}-${n}`, key: `positions.${part}` };
-    return { part, row: new NumberRow(kind, drafts, (value) => put({ [part]: value })) };
+  const boxes = PARTS.map(({ part, symbol, role, unit }) => {
+    const field = `positions[${index}].${part}`;
+    const input = make("input", {
+      id: `field-${part.replace("_deg", "")}-${n}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
+      "data-t-label": `field.positions.${part}`, "data-n": n,
+    });
+    const box = new NumberBox(input, field, drafts, (value) => {
+      put({ [part]: value });
+      return value;
+    });
+    const label = make("label", { class: "position-part", style: `--accent: var(--role-${role})` }, [make("b", {}, [symbol]), input]);
+    return { part, field, unit, box, label };
   });
-  const head = make("div", { class: "row choosing" }, [make("b", { class: "name", "data-t": "positions.number", "data-n": n }), remove]);
+  const name = make("b", { "data-t": "positions.number", "data-n": n });
   return {
-    lines: [head, ...rows.map(({ row }) => row.element)],
-    show(position, { words, state }, wrong) {
+    lines: [make("div", { class: "position" }, [name, ...boxes.map(({ label }) => label), remove])],
+    show(position, { words: { numbers }, state }, wrong) {
       // With as many positions as there are lengths to choose, each is met whatever its weight.
       const weighed = state.document.positions.length > 3;
-      for (const { part, row } of rows) {
-        row.element.hidden = part === "weight" && !weighed;
-        row.show(position[part], words, wrong.has(row.field));
+      for (const { part, field, unit, box, label } of boxes) {
+        label.hidden = part === "weight" && !weighed;
+        const value = position[part];
+        box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, wrong.has(field));
       }
     },
   };

@@ -70,12 +70,12 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   {
     id: "motion",
     formula: "φ(φ₁), φ′, φ″",
-    kind: "linkage",
+    kind: /** @type {const} */ ("linkage"),
     shows: [{ preset: "sent", play: true }],
     readouts: ["rocker", "drocker"],
     question: {
       hides: ["linkage-swing"], unit: "°", within: 0.5,
-      answer: ({ outputs: [rocker] }) => {
+      answer: (/** @type {import("assur/engine.js").LinkageSummary} */ { outputs: [rocker] }) => {
         const stroke = rocker?.swing[0]?.stroke;
         return stroke === undefined ? undefined : degrees(stroke);
       },

@@ -24,12 +24,12 @@ impl Given {
         lines.flat_map(|(ends, _)| ends)
     }
 
-    /// Every position's links as thin lines, its directions dashed, with a ring to take them by
+    /// Every position's links as lines, its directions dashed, with a ring to take them by
     /// and the position's number beyond it.
     pub(super) fn draw(&self, list: &mut List, unit: f64) {
         for (position, number) in &self.0 {
             for (ends, role) in &position.links {
-                list.polyline(*role, Look::Thin, ends);
+                list.polyline(*role, Look::Line, ends);
             }
             for (ends, role) in &position.directions {
                 direction(list, *ends, *role, *number, unit);

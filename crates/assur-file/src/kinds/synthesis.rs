@@ -31,9 +31,11 @@ pub struct SynthesisDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub member: Option<[f64; 2]>,
-    /// Which of several solutions, from 1.
-    #[serde(default = "first")]
-    pub solution: usize,
+    /// Which of several solutions, from 1; without it the best that is not held by the bounds of
+    /// the search.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub solution: Option<usize>,
     /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
@@ -57,10 +59,6 @@ pub struct PositionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub coupler_deg: Option<f64>,
-}
-
-fn first() -> usize {
-    1
 }
 
 fn one() -> f64 {
@@ -227,8 +225,11 @@ impl SynthesisDocument {
             return Ok((None, self.member(family)?));
         }
         let solutions = options.solutions();
-        // With other positions there may be fewer: the best one then.
-        let number = self.solution.clamp(1, solutions.len().max(1)) - 1;
+        let number = match self.solution {
+            // With other positions there may be fewer: the last one then.
+            Some(number) => number.clamp(1, solutions.len().max(1)) - 1,
+            None => options.best(),
+        };
         let solution = solutions.get(number).ok_or(SynthesisProblem::NoSolution)?;
         Ok((Some(number), (*solution).clone()))
     }

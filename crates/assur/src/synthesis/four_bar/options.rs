@@ -83,6 +83,18 @@ impl Options {
         }
     }
 
+    /// The number, from 0, of the best of the solutions that no bound holds, if there is one, else
+    /// of the best.
+    pub fn best(&self) -> usize {
+        match self {
+            Self::Minima { minima, .. } => {
+                let inner = minima.iter().position(|one| one.held.is_empty());
+                inner.unwrap_or(0)
+            }
+            Self::Family(_) | Self::Exact(_) => 0,
+        }
+    }
+
     /// Those that are told apart by a number, the best first.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
