@@ -65,7 +65,10 @@ export class Tools {
     const document = this.#document();
     for (const name of controls) {
       const selector = `[data-field="${CSS.escape(fieldOf(name, document))}"]`;
-      for (const element of byId("rail", HTMLElement).querySelectorAll(selector)) this.#take(element, this.#controls);
+      for (const element of byId("rail", HTMLElement).querySelectorAll(selector)) {
+        // What is asked for is seen at once.
+        if (this.#take(element, this.#controls)) for (const details of element.querySelectorAll("details")) details.open = true;
+      }
     }
     const details = globalThis.document.getElementById("equations");
     if (equations && details instanceof HTMLDetailsElement && this.#take(details, this.#equations)) details.open = true;

@@ -174,8 +174,8 @@ export class FamilyMap {
     surface.forEach((row, i) => row.forEach((value, j) => {
       const step = Math.floor((STEPS * (high - value)) / (high - low || 1));
       context.globalAlpha = (DARKEST * Math.min(step, STEPS - 1)) / STEPS;
-      const [left, bottom] = [across(at(i)), down(at(j))];
-      context.fillRect(left, down(at(j + 1)), across(at(i + 1)) - left + 0.5, bottom - down(at(j + 1)) + 0.5);
+      const [left, right, bottom, top] = [across(at(i)), across(at(i + 1)), down(at(j)), down(at(j + 1))].map(Math.round);
+      context.fillRect(left, top, right - left, bottom - top);
     }));
     context.globalAlpha = 1;
   }

@@ -85,7 +85,7 @@ function card(index, put, drafts, remove) {
       put({ [part]: value });
       return value;
     });
-    const label = make("label", { class: "position-part", style: `--accent: var(--role-${role})` }, [make("b", {}, [symbol]), input]);
+    const label = make("label", { class: `position-part ${part}`, style: `--accent: var(--role-${role})` }, [make("b", {}, [symbol]), input]);
     return { part, field, unit, box, label };
   });
   const name = make("b", { "data-t": "positions.number", "data-n": n });
