@@ -1,6 +1,9 @@
 //! The misprints of the papers, listed in docs/errata.md: what is printed is
 //! wrong, what we use is right. One test for each, named after it.
 
+#[path = "errata/synthesis.rs"]
+mod synthesis;
+
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, Mechanism};
 use assur::mixer::{Case, Mixer};
