@@ -5,6 +5,7 @@ mod plot;
 mod source;
 mod structure;
 mod sweep;
+mod synth;
 mod words;
 
 use std::io::{self, Write};
@@ -69,6 +70,11 @@ enum Command {
         #[arg(long, value_name = "N")]
         assembly: Option<usize>,
     },
+    /// Finds the four-bars that take up given positions, with what they are worth.
+    ///
+    /// l0 is the frame, l1 the coupler, l2 the output, l3 the input. Two positions leave a family, three one
+    /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0.
+    Synth(synth::Asked),
 }
 
 /// What went wrong, with what is said of it.
@@ -121,6 +127,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Structure { name, json } => {
             structure::write(&mut out, &source::moved(&name, None)?.motion, json)?;
         }
+        Command::Synth(asked) => synth::write(&mut out, &asked)?,
         Command::Plot {
             name,
             svg,

@@ -289,12 +289,15 @@ impl Family {
     }
 
     /// From where to where the coupler's angle φ₁ goes at the first and at the second position,
-    /// told continuously along the family.
+    /// told continuously along the family; the middle is in (−π, π].
     pub fn coupler_angles(&self) -> [[f64; 2]; 2] {
         let frame = self.task.frame().angle;
         let directions = self.directions();
         directions.map(|direction| {
-            ranges::coupler_angle(&self.shape, &direction).map(|angle| angle + frame)
+            let [from, to] = ranges::coupler_angle(&self.shape, &direction);
+            let middle = 0.5 * (from + to) + frame;
+            let turns = near(middle, 0.0) - middle + frame;
+            [from + turns, to + turns]
         })
     }
 

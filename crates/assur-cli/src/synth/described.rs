@@ -1,0 +1,173 @@
+//! What is found, under names for programs and as lines for people.
+
+use std::io::{self, Write};
+
+use assur::synthesis::four_bar::theorems::{Angles, ConditionNumber, conditions};
+use assur::synthesis::four_bar::{ChangeKind, Family, Proportions, Range, Solution, Task};
+use serde_json::{Map, Value, json};
+
+use super::words;
+
+/// What is said of a task.
+pub(super) struct Report {
+    /// What the positions leave open.
+    pub(super) kind: &'static str,
+    /// Sentences, for people alone.
+    pub(super) notes: Vec<String>,
+    /// Linkages, the best first.
+    pub(super) solutions: Vec<Value>,
+    fields: Map<String, Value>,
+}
+
+impl Report {
+    pub(super) fn new() -> Self {
+        Self {
+            kind: "none",
+            notes: Vec::new(),
+            solutions: Vec::new(),
+            fields: Map::new(),
+        }
+    }
+
+    pub(super) fn set(&mut self, key: &str, value: Value) {
+        self.fields.insert(key.to_owned(), value);
+    }
+
+    pub(super) fn json(&self) -> Value {
+        let mut fields = self.fields.clone();
+        fields.insert("kind".to_owned(), json!(self.kind));
+        fields.insert("solutions".to_owned(), json!(self.solutions));
+        Value::Object(fields)
+    }
+
+    /// Notes, ranges and a block for each linkage.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "{:<14} {}", "kind", self.kind)?;
+        for note in &self.notes {
+            writeln!(out, "{note}")?;
+        }
+        if let Some(starts) = self.fields.get("starts") {
+            writeln!(out, "{:<14} {starts}", "starts")?;
+        }
+        if let Some(family) = self.fields.get("family") {
+            lines(out, family)?;
+        }
+        for (number, solution) in (1..).zip(&self.solutions) {
+            writeln!(out, "\nlinkage {number}")?;
+            lines(out, solution)?;
+        }
+        Ok(())
+    }
+}
+
+/// A line for each field, those of a field's fields, too.
+fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
+    for (key, value) in fields.as_object().into_iter().flatten() {
+        match value {
+            Value::Object(_) => lines(out, value)?,
+            Value::Array(all) if all.iter().any(Value::is_object) => {
+                for one in all {
+                    let all: Vec<String> = (one.as_object().into_iter().flatten())
+                        .map(|(key, value)| format!("{key} {}", words::value(value)))
+                        .collect();
+                    writeln!(out, "{key:<14} {}", all.join(", "))?;
+                }
+            }
+            _ => writeln!(out, "{key:<14} {}", words::value(value))?,
+        }
+    }
+    Ok(())
+}
+
+/// A linkage with its verdict; lengths in the unit of the frame's.
+pub(super) fn solution(task: &Task, solution: &Solution) -> Value {
+    let length = task.frame().length;
+    let [l3, l1, l2, _] = solution.proportions.lengths(length);
+    let closures = solution.closures.iter();
+    let mut described = json!({
+        "l1": l1,
+        "l2": l2,
+        "l3": l3,
+        "phi1_deg": closures.clone().map(|c| c.coupler.to_degrees()).collect::<Value>(),
+        "residual": closures.map(|c| c.residual * length).collect::<Value>(),
+    });
+    if [solution.output_start, solution.input_start] != [0.0; 2] {
+        described["phi20_deg"] = json!(solution.output_start.to_degrees());
+        described["phi30_deg"] = json!(solution.input_start.to_degrees());
+    }
+    described["verdict"] = match &solution.verdict {
+        Err(_) => Value::Null,
+        Ok(verdict) => json!({
+            "passage": words::passage(verdict.passage),
+            "assembly": verdict.assembly.map(|assembly| assembly as usize + 1),
+            "order": words::order(verdict.order),
+            "class": words::class(verdict.grashof),
+            "turns_fully": verdict.turns,
+            "transmission_deg": verdict.transmission.to_degrees(),
+            "transmission_between_deg": verdict.transmission_between.map(f64::to_degrees),
+            "size_ratio": verdict.size_ratio,
+        }),
+    };
+    described
+}
+
+/// Ranges of the lengths and of the coupler's angles, and where verdicts change.
+pub(super) fn family(report: &mut Report, family: &Family) {
+    let length = family.task().frame().length;
+    let range = |range: Range| json!([range.from * length, range.to.map(|to| to * length)]);
+    let degrees = |[from, to]: [f64; 2]| json!([from.to_degrees(), to.to_degrees()]);
+    let [first, second] = family.coupler_angles().map(degrees);
+    let changes = family.changes().into_iter().map(|change| {
+        let what = match change.kind {
+            ChangeKind::Grashof => json!("class"),
+            ChangeKind::DeadPoint(k) => json!(format!("dead-point-{}", k + 1)),
+        };
+        json!({"l2": change.proportions.output * length, "what": what})
+    });
+    let described = json!({
+        "l1_range": range(family.coupler_range()),
+        "l2_range": range(family.output_range()),
+        "l3_range": range(family.input_range()),
+        "phi1_first_deg": first,
+        "phi1_second_deg": second,
+        "change": changes.collect::<Value>(),
+    });
+    report.set("family", described);
+}
+
+/// One position: whatever the lengths of output and input are, the gap tells the coupler's.
+pub(super) fn one(report: &mut Report, task: &Task) {
+    report.kind = "any";
+    report.notes.push(words::ONE.to_owned());
+    let position = task.positions()[0];
+    let angles = Angles {
+        frame: task.frame().angle,
+        coupler: 0.0,
+        output: position.output,
+        input: position.input,
+    };
+    let parallel = conditions(&angles)
+        .into_iter()
+        .find(|condition| condition.number == ConditionNumber::N13 && !condition.holds);
+    report.set("condition_13", json!(parallel.is_none()));
+    if parallel.is_some() {
+        report.notes.push(words::PARALLEL.to_owned());
+    }
+    let equal = Proportions {
+        coupler: 1.0,
+        output: 1.0,
+        input: 1.0,
+    };
+    // The coupler that closes the loop with output and input as long as the frame.
+    let gap = Solution::new(task, equal).closures[0].residual + 1.0;
+    let closed = Proportions {
+        coupler: gap,
+        ..equal
+    };
+    if gap > 0.0 {
+        report.solutions = vec![solution(task, &Solution::new(task, closed))];
+    }
+}

@@ -1,0 +1,209 @@
+//! The four-bar from given positions: which linkages there are, and what they are worth.
+
+mod described;
+mod words;
+
+use std::io::Write;
+
+use assur::synthesis::four_bar::{
+    Frame, Position, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
+    five_positions,
+};
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::Failure;
+use described::Report;
+
+/// Of a family so many members are shown, and of a search so many minima.
+const SHOWN: usize = 5;
+
+/// What is asked for.
+#[derive(Args)]
+pub(crate) struct Asked {
+    /// Angles of output and input that belong together, degrees from the x-axis; a weight may follow.
+    /// The output's is told from its joint with the coupler to its fixed pivot.
+    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required = true, value_parser = degrees, allow_hyphen_values = true)]
+    positions: Vec<Degrees>,
+    /// Length of the frame; all lengths are in its unit.
+    #[arg(
+        long,
+        value_name = "L0",
+        default_value_t = 1.0,
+        allow_hyphen_values = true
+    )]
+    frame: f64,
+    /// Direction of the frame, degrees from the x-axis, from the input's pivot to the output's.
+    #[arg(
+        long,
+        value_name = "PHI0",
+        default_value_t = 0.0,
+        allow_hyphen_values = true
+    )]
+    frame_angle: f64,
+    /// Of two positions: the linkage with this length of the output.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    l2: Option<f64>,
+    /// Angles are told from starts that may be chosen (five positions exactly).
+    #[arg(long)]
+    free: bool,
+    /// For programs.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A position as it is typed.
+#[derive(Clone, Copy)]
+pub(crate) struct Degrees {
+    output: f64,
+    input: f64,
+    weight: f64,
+}
+
+/// Reads a position; what is no number is told by clap.
+fn degrees(text: &str) -> Result<Degrees, String> {
+    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    let (output, input, weight) = match parts.as_deref() {
+        Ok([output, input]) => (*output, *input, 1.0),
+        Ok([output, input, weight]) => (*output, *input, *weight),
+        _ => return Err("a position is two angles in degrees, as 240,45".to_owned()),
+    };
+    Ok(Degrees {
+        output,
+        input,
+        weight,
+    })
+}
+
+impl Degrees {
+    fn radians(&self) -> Position {
+        Position {
+            output: self.output.to_radians(),
+            input: self.input.to_radians(),
+            weight: self.weight,
+        }
+    }
+
+    fn json(&self) -> Value {
+        json!({"phi2_deg": self.output, "phi3_deg": self.input, "weight": self.weight})
+    }
+}
+
+/// Writes the linkages, as lines for people or as JSON.
+///
+/// # Errors
+/// What is no task, has no linkage, or cannot be written.
+pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
+    let frame = Frame {
+        length: asked.frame,
+        angle: asked.frame_angle.to_radians(),
+    };
+    let positions: Vec<Position> = asked.positions.iter().map(Degrees::radians).collect();
+    let task = Task::new(frame, &positions, Task::RATIOS).map_err(|errors| {
+        let all: Vec<String> = errors.iter().map(words::task_error).collect();
+        Failure::Input(all.join("\n"))
+    })?;
+    let mut report = report(&task, asked).map_err(Failure::Input)?;
+    let positions = asked.positions.iter().map(Degrees::json);
+    report.set("positions", positions.collect());
+    report.set("l0", json!(asked.frame));
+    report.set("phi0_deg", json!(asked.frame_angle));
+    if asked.json {
+        writeln!(out, "{:#}", report.json())?;
+    } else {
+        report.write(out)?;
+    }
+    Ok(())
+}
+
+/// What there is, or the sentence that says why there is nothing.
+fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
+    let count = task.positions().len();
+    if asked.l2.is_some() && (count != 2 || asked.free) {
+        return Err("--l2 tells members of the family of two positions apart; there are not two, or starts are free".to_owned());
+    }
+    if asked.free {
+        return free(task);
+    }
+    let mut report = Report::new();
+    match count {
+        1 => described::one(&mut report, task),
+        2 => match TwoPositions::new(task) {
+            Some(found) => two(&mut report, found, asked)?,
+            None => return Err(words::NO_POSITION.to_owned()),
+        },
+        3 => match ThreePositions::new(task) {
+            Some(ThreePositions::One(solution)) => {
+                report.kind = "one";
+                report.solutions = vec![described::solution(task, &solution)];
+            }
+            Some(ThreePositions::Same(found)) => two(&mut report, found, asked)?,
+            Some(other) => return Err(words::three(&other, task)),
+            None => return Err(words::NO_POSITION.to_owned()),
+        },
+        _ => many(&mut report, task, Search::new(task)),
+    }
+    Ok(report)
+}
+
+fn two(report: &mut Report, found: TwoPositions, asked: &Asked) -> Result<(), String> {
+    let family = match found {
+        TwoPositions::Family(family) => family,
+        TwoPositions::Any => {
+            report.kind = "any";
+            report.notes.push(words::ANY.to_owned());
+            return Ok(());
+        }
+        TwoPositions::None(line) => return Err(words::no_family(&line)),
+    };
+    report.kind = "family";
+    let task = family.task().clone();
+    let length = task.frame().length;
+    let members: Vec<Solution> = match asked.l2 {
+        Some(l2) => {
+            let member = family.with_output(l2 / length);
+            vec![member.map_err(|error| words::member(&error, l2, length))?]
+        }
+        None => {
+            described::family(report, &family);
+            family.sample(family.stretch().unwrap_or([0.0, 1.0]), SHOWN)
+        }
+    };
+    let members = members.iter();
+    report.solutions = members
+        .map(|member| described::solution(&task, member))
+        .collect();
+    Ok(())
+}
+
+fn many(report: &mut Report, task: &Task, mut search: Search) {
+    report.kind = "least";
+    let minima = search.run();
+    let starts = search.progress().starts;
+    report.set("starts", json!(starts));
+    let shown = minima.iter().take(SHOWN).map(|minimum| {
+        let mut described = described::solution(task, &minimum.solution);
+        let square = task.frame().length.powi(2);
+        described["sum"] = json!(minimum.value * square);
+        described["reached"] = json!(minimum.reached);
+        let held = minimum.held.iter().map(|bound| words::bound(*bound));
+        described["held"] = held.collect::<Value>();
+        described
+    });
+    report.solutions = shown.collect();
+}
+
+fn free(task: &Task) -> Result<Report, String> {
+    let mut report = Report::new();
+    match five_positions(task) {
+        Ok(found) if found.is_empty() => return Err(words::NO_FIVE.to_owned()),
+        Ok(found) => {
+            report.kind = "free";
+            let all = found.iter().map(|found| described::solution(task, found));
+            report.solutions = all.collect();
+        }
+        Err(StartsError::TooMany) => many(&mut report, task, Search::free(task)),
+        Err(error) => return Err(words::starts(error)),
+    }
+    Ok(report)
+}

@@ -1,0 +1,175 @@
+//! What is said of tasks without a linkage, and the names of verdicts.
+
+use assur::Grashof;
+use assur::synthesis::four_bar::{
+    Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
+};
+use serde_json::Value;
+
+pub(super) const NO_POSITION: &str = "there is no position";
+pub(super) const NO_FIVE: &str = "no four-bar takes up these five positions";
+pub(super) const ANY: &str = "the positions are mirror images of each other in the line of the frame: every \
+     linkage that takes up the one takes up the other in its other assembly, whatever l2 and l3 are";
+pub(super) const ONE: &str = "one position: a linkage for every l2 and l3, with l1 as long as the gap that they \
+     leave; with l2 and l3 as long as the frame:";
+pub(super) const PARALLEL: &str = "condition (13) fails: output and input are parallel";
+
+/// The sentence of what is wrong with a task.
+pub(super) fn task_error(error: &TaskError) -> String {
+    let position = |k: usize| format!("position {}", k + 1);
+    match *error {
+        TaskError::FrameLength => "the frame's length must be from 1e-9 to 1e9".to_owned(),
+        TaskError::FrameAngle => "the frame's angle is not a finite number".to_owned(),
+        TaskError::NoPosition => NO_POSITION.to_owned(),
+        TaskError::TooMany { count } => {
+            format!("{count} positions are too many, {} will do", Task::MOST)
+        }
+        TaskError::Output(k) => format!("{}: PHI2 is not a finite number", position(k)),
+        TaskError::Input(k) => format!("{}: PHI3 is not a finite number", position(k)),
+        TaskError::Weight(k) => format!("{}: a weight is a number above zero", position(k)),
+        TaskError::Equal([j, k]) => {
+            format!("positions {} and {} are the same", j + 1, k + 1)
+        }
+        TaskError::Ratios => "the ratios of lengths are no range".to_owned(),
+    }
+}
+
+/// Why two positions have no linkage.
+pub(super) fn no_family(line: &Line) -> String {
+    format!(
+        "no four-bar takes up both positions: {} has no positive lengths",
+        equation(line)
+    )
+}
+
+fn equation(line: &Line) -> String {
+    format!(
+        "{}/z2 + {}/z3 = {} (zi = li/l0)",
+        short(line.output),
+        short(line.input),
+        short(line.right)
+    )
+}
+
+/// Why three positions have none.
+pub(super) fn three(found: &ThreePositions, task: &Task) -> String {
+    let length = task.frame().length;
+    match found {
+        ThreePositions::Negative { output, input } => {
+            let [l2, l3] = [output, input].map(|z| short(z * length));
+            format!(
+                "no four-bar takes up all three positions with positive lengths: the one solution is l2 = {l2}, \
+                 l3 = {l3}; where a length is negative, angles half a turn on have it positive"
+            )
+        }
+        ThreePositions::None([a, b]) => format!(
+            "no four-bar takes up all three positions: {} and {} have no solution",
+            equation(a),
+            equation(b)
+        ),
+        ThreePositions::One(_) | ThreePositions::Same(_) => String::new(),
+    }
+}
+
+/// Why there is no member with this l₂.
+pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
+    match error {
+        MemberError::OutOfRange(range) => {
+            let from = short(range.from * length);
+            let to = range
+                .to
+                .map(|to| format!(" and less than {}", short(to * length)));
+            format!(
+                "--l2 {}: the linkages that take up both positions have l2 greater than {from}{}",
+                short(l2),
+                to.unwrap_or_default()
+            )
+        }
+        MemberError::Same(z) => format!(
+            "--l2 {}: all linkages that take up both positions have l2 = {}",
+            short(l2),
+            short(z * length)
+        ),
+    }
+}
+
+/// Why free starts are not told.
+pub(super) fn starts(error: StartsError) -> String {
+    match error {
+        StartsError::Family { freedoms } => format!(
+            "--free: five positions tell the linkages, these leave a family of {freedoms} freedom{}",
+            if freedoms == 1 { "" } else { "s" }
+        ),
+        StartsError::Degenerate => {
+            "--free: these positions are special, they leave more than some linkages".to_owned()
+        }
+        StartsError::TooMany => "--free: more than five positions".to_owned(),
+    }
+}
+
+pub(super) fn passage(passage: Passage) -> String {
+    match passage {
+        Passage::Continuous => "continuous".to_owned(),
+        Passage::ThroughChangePoint => "through-change-point".to_owned(),
+        Passage::AcrossDeadPoint => "across-dead-point".to_owned(),
+        Passage::OtherCircuit => "other-circuit".to_owned(),
+        Passage::Unreached(k) => format!("unreached-{}", k + 1),
+    }
+}
+
+pub(super) fn order(order: Order) -> &'static str {
+    match order {
+        Order::Growing => "growing",
+        Order::Falling => "falling",
+        Order::Either => "either",
+        Order::Mixed => "mixed",
+    }
+}
+
+pub(super) fn class(class: Grashof) -> &'static str {
+    match class {
+        Grashof::CrankRocker => "crank-rocker",
+        Grashof::RockerCrank => "rocker-crank",
+        Grashof::DoubleCrank => "double-crank",
+        Grashof::DoubleRocker => "double-rocker",
+        Grashof::TripleRocker => "triple-rocker",
+        Grashof::ChangePoint => "change-point",
+    }
+}
+
+pub(super) fn bound(bound: Bound) -> &'static str {
+    match bound {
+        Bound::CouplerLeast => "l1-least",
+        Bound::CouplerGreatest => "l1-greatest",
+        Bound::OutputLeast => "l2-least",
+        Bound::OutputGreatest => "l2-greatest",
+        Bound::InputLeast => "l3-least",
+        Bound::InputGreatest => "l3-greatest",
+    }
+}
+
+/// A value for people.
+pub(super) fn value(value: &Value) -> String {
+    match value {
+        Value::Null => "-".to_owned(),
+        Value::Number(number) => number.as_f64().map_or(number.to_string(), short),
+        Value::String(text) => text.clone(),
+        Value::Bool(true) => "yes".to_owned(),
+        Value::Bool(false) => "no".to_owned(),
+        Value::Array(all) => {
+            let all: Vec<String> = all.iter().map(self::value).collect();
+            all.join(", ")
+        }
+        Value::Object(_) => String::new(),
+    }
+}
+
+/// A number with ten digits that count.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
+        format!("{}", rounded + 0.0)
+    } else {
+        format!("{rounded:e}")
+    }
+}

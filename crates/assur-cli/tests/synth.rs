@@ -1,0 +1,263 @@
+//! `assur synth` as it is run: families, exact linkages, compromises, and what has none.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn synth(arguments: &[&str]) -> Output {
+    let program = env!("CARGO_BIN_EXE_assur");
+    let mut command = Command::new(program);
+    command.arg("synth").args(arguments).output().unwrap()
+}
+
+/// Standard output of a run that went well.
+fn said(arguments: &[&str]) -> String {
+    let output = synth(arguments);
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{arguments:?}: {complaint}");
+    assert_eq!(complaint, "");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let all: Vec<&str> = arguments.iter().copied().chain(["--json"]).collect();
+    serde_json::from_str(&said(&all)).unwrap()
+}
+
+/// The sentence of a run that went wrong.
+fn refused(arguments: &[&str]) -> String {
+    let output = synth(arguments);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    assert!(output.stdout.is_empty());
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+const EXAMPLE: [&str; 6] = [
+    "--position",
+    "240,45",
+    "--position",
+    "253,60",
+    "--frame",
+    "10.4",
+];
+
+fn example<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    EXAMPLE.iter().chain(more).copied().collect()
+}
+
+/// The paper's example: the member with l₂ = 5, to the digits that are known.
+#[test]
+fn member_of_the_example() {
+    let found = json(&example(&["--l2", "5"]));
+    assert_eq!(found["kind"], "family");
+    let one = &found["solutions"][0];
+    for (key, expected) in [
+        ("l1", 9.31217191060936),
+        ("l2", 5.0),
+        ("l3", 5.11281237799864),
+    ] {
+        assert!((number(&one[key]) - expected).abs() < 1e-12, "{key}");
+    }
+    for (k, expected) in [4.4024803443332, 2.176753199582].into_iter().enumerate() {
+        assert!((number(&one["phi1_deg"][k]) - expected).abs() < 5e-9);
+        assert!(number(&one["residual"][k]).abs() < 1e-13);
+    }
+    assert_eq!(one["verdict"]["class"], "triple-rocker");
+    assert_eq!(one["verdict"]["passage"], "continuous");
+    assert_eq!(one["verdict"]["turns_fully"], false);
+    assert_eq!(found["positions"][0]["phi2_deg"], 240.0);
+    let text = said(&example(&["--l2", "5"]));
+    for line in [
+        "l1             9.312171911",
+        "l3             5.112812378",
+        "class          triple-rocker",
+    ] {
+        assert!(text.lines().any(|said| said == line), "{line}: {text}");
+    }
+}
+
+/// The family of the example: its ranges, where Grashof's class changes, members in between.
+#[test]
+fn family_of_the_example() {
+    let found = json(&example(&[]));
+    let family = &found["family"];
+    let changes = family["change"].as_array().unwrap();
+    let mut classes: Vec<f64> = (changes.iter())
+        .filter(|change| change["what"] == "class")
+        .map(|change| number(&change["l2"]))
+        .collect();
+    classes.sort_by(f64::total_cmp);
+    assert_eq!(classes.len(), 2);
+    for (l2, expected) in classes.iter().zip([9.179842715002, 39.347220147237]) {
+        assert!((l2 - expected).abs() < 1e-11, "{l2}");
+    }
+    assert_eq!(number(&family["l2_range"][0]), 0.0);
+    let most = number(&family["l2_range"][1]);
+    let members = found["solutions"].as_array().unwrap();
+    assert_eq!(members.len(), 5);
+    for member in members {
+        let l2 = number(&member["l2"]);
+        assert!(l2 > 0.0 && l2 < most);
+        let within = classes[0] < l2 && l2 < classes[1];
+        let class = if within {
+            "double-rocker"
+        } else {
+            "triple-rocker"
+        };
+        assert_eq!(member["verdict"]["class"], class);
+    }
+}
+
+/// Three positions of a crank-rocker with lengths 4, 9, 6 on 10 give it back; so do eight, and five that
+/// are told from other starts.
+#[test]
+fn known_linkages() {
+    let linkage = assur::FourBar::new([4.0, 9.0, 6.0, 10.0]).unwrap();
+    let position = |input: f64, starts: [f64; 2]| {
+        let pose = linkage.pose::<1>(assur::Assembly::First, input.to_radians());
+        let output = pose.unwrap().rocker.value().to_degrees() + 180.0;
+        format!("--position={},{}", output - starts[0], input - starts[1])
+    };
+    let ask = |inputs: &[f64], starts: [f64; 2], more: &[&str]| {
+        let positions: Vec<String> = inputs
+            .iter()
+            .map(|input| position(*input, starts))
+            .collect();
+        let mut all: Vec<&str> = positions.iter().map(String::as_str).collect();
+        all.extend(["--frame", "10"]);
+        all.extend(more);
+        json(&all)
+    };
+    let is_known = |one: &Value| {
+        let lengths = [("l3", 4.0), ("l1", 9.0), ("l2", 6.0)];
+        lengths
+            .iter()
+            .all(|(key, expected)| (number(&one[*key]) - expected).abs() < 1e-6)
+    };
+    let three = ask(&[10.0, 80.0, 200.0], [0.0; 2], &[]);
+    assert_eq!(three["kind"], "one");
+    assert!(is_known(&three["solutions"][0]), "{three}");
+    assert_eq!(three["solutions"][0]["verdict"]["class"], "crank-rocker");
+    assert_eq!(three["solutions"][0]["verdict"]["order"], "growing");
+    let inputs = [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0];
+    let eight = ask(&inputs, [0.0; 2], &[]);
+    assert_eq!(eight["kind"], "least");
+    assert!(is_known(&eight["solutions"][0]), "{eight}");
+    assert!(number(&eight["solutions"][0]["sum"]) < 1e-20);
+    assert!(number(&eight["solutions"][0]["reached"]) > 1.0);
+    assert_eq!(eight["solutions"][0]["held"].as_array().unwrap().len(), 0);
+    let five = ask(&inputs[..5], [25.0, -70.0], &["--free"]);
+    assert_eq!(five["kind"], "free");
+    let all = five["solutions"].as_array().unwrap();
+    let known = all.iter().find(|one| is_known(one)).unwrap();
+    assert!((number(&known["phi20_deg"]) - 25.0).abs() < 1e-6);
+    assert!((number(&known["phi30_deg"]) + 70.0).abs() < 1e-6);
+    let many = ask(&inputs, [25.0, -70.0], &["--free"]);
+    assert!(is_known(&many["solutions"][0]), "{many}");
+}
+
+#[test]
+fn one_position() {
+    let text = said(&["--position", "90,120"]);
+    assert!(
+        text.contains("one position: a linkage for every l2 and l3"),
+        "{text}"
+    );
+    assert_eq!(json(&["--position", "90,120"])["condition_13"], true);
+    let parallel = said(&["--position", "90,270"]);
+    assert!(
+        parallel.contains("condition (13) fails: output and input are parallel"),
+        "{parallel}"
+    );
+}
+
+/// What fails is named.
+#[test]
+fn refusals() {
+    let cases: [(&[&str], &str); 12] = [
+        (
+            &["--position", "90,120", "--position", "60,100"],
+            "no four-bar takes up both positions: -0.3263518223/z2 + -0.5/z3 = 0.09998096067 (zi = li/l0) has no \
+             positive lengths",
+        ),
+        (
+            &["--position", "90,120", "--position", "450,-240"],
+            "positions 1 and 2 are the same",
+        ),
+        (
+            &["--position", "nan,120"],
+            "position 1: PHI2 is not a finite number",
+        ),
+        (
+            &["--position", "1,inf"],
+            "position 1: PHI3 is not a finite number",
+        ),
+        (
+            &["--position", "1,2,-1"],
+            "position 1: a weight is a number above zero",
+        ),
+        (
+            &["--position", "1,2", "--frame", "0"],
+            "the frame's length must be from 1e-9 to 1e9",
+        ),
+        (
+            &["--position", "1,2", "--frame-angle", "nan"],
+            "the frame's angle is not a finite number",
+        ),
+        (
+            &["--position", "1,2", "--l2", "3"],
+            "--l2 tells members of the family of two positions apart",
+        ),
+        (
+            &["--position", "1,2", "--free"],
+            "these leave a family of 4 freedoms",
+        ),
+        (
+            &["--position", "1;2"],
+            "a position is two angles in degrees, as 240,45",
+        ),
+        (
+            &["--position", "90,"],
+            "a position is two angles in degrees, as 240,45",
+        ),
+        (&[], "--position <PHI2,PHI3[,WEIGHT]>"),
+    ];
+    for (arguments, expected) in cases {
+        let said = refused(arguments);
+        assert!(said.contains(expected), "{arguments:?}: {said}");
+    }
+    let out = refused(&example(&["--l2", "300"]));
+    assert!(out.contains("--l2 300: the linkages that take up both positions have l2 greater than 0 and less than 255.0745725"), "{out}");
+    // Every fault has its line.
+    let both = refused(&["--position", "nan,1", "--position", "2,inf"]);
+    assert!(
+        both.contains("position 1: PHI2") && both.contains("position 2: PHI3"),
+        "{both}"
+    );
+    // The rocker's own angle, from D to C, is half a turn off.
+    let linkage = assur::FourBar::new([4.0, 9.0, 6.0, 10.0]).unwrap();
+    let turned = [10.0_f64, 80.0, 200.0].map(|input| {
+        let pose = linkage.pose::<1>(assur::Assembly::First, input.to_radians());
+        let output = pose.unwrap().rocker.value().to_degrees();
+        format!("--position={output},{input}")
+    });
+    let negative = refused(&turned.each_ref().map(String::as_str));
+    assert!(
+        negative.contains("with positive lengths: the one solution is l2 = -0.6, l3 = 0.4;"),
+        "{negative}"
+    );
+    let many: Vec<String> = (0..65)
+        .map(|k| format!("--position={k},{}", 2 * k))
+        .collect();
+    let many: Vec<&str> = many.iter().map(String::as_str).collect();
+    assert!(refused(&many).contains("65 positions are too many, 64 will do"));
+}
