@@ -1,7 +1,11 @@
 //! How fast the engine is, natively and in the browser, beside a yardstick of the
 //! same run: printed by `cargo xtask bench`, never asserted. Every line reads
 //! `speed: NAME = NANOSECONDS`.
-#![allow(clippy::unwrap_used, reason = "a benchmark that cannot run has failed")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a benchmark that cannot run has failed"
+)]
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -9,6 +13,7 @@ use std::hint::black_box;
 use assur::mechanism::{self, LinkId, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::motion::{Input, Motion};
+use assur::synthesis::four_bar::{Family, Frame, Position, Search, Task, TwoPositions};
 use assur::{Assembly, FourBar, Pose};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -60,6 +65,30 @@ fn speed() {
             black_box(moving.features(&[rocker], Input::ANALOGUES));
         }),
     ));
+    let family = family();
+    contestants.push((
+        "family with verdicts at 1,000 points",
+        1,
+        Box::new(move || {
+            black_box(family.sample([0.0, 1.0], 1000));
+        }),
+    ));
+    let eight = eight_positions();
+    contestants.push((
+        "eight positions, least squares",
+        1,
+        Box::new(move || {
+            black_box(Search::new(&eight).run());
+        }),
+    ));
+    let free = eight_positions();
+    contestants.push((
+        "eight positions, least squares with free starts",
+        1,
+        Box::new(move || {
+            black_box(Search::free(&free).run());
+        }),
+    ));
     for (name, linkage, places) in [
         ("six-bar of dyads, full state", "stephenson-3", false),
         ("Class IV, full state at 1° steps", "class4-dwell", true),
@@ -93,6 +122,33 @@ fn speed() {
         times.sort_by(f64::total_cmp);
         clock::say(&format!("speed: {name} = {:.2}", times[ROUNDS / 2]));
     }
+}
+
+fn task(positions: &[Position]) -> Task {
+    let frame = Frame {
+        length: 10.4,
+        angle: 0.0,
+    };
+    Task::new(frame, positions, Task::RATIOS).unwrap()
+}
+
+/// The worked example of the paper.
+fn family() -> Family {
+    let positions = [(240.0_f64, 45.0_f64), (253.0, 60.0)];
+    let positions = positions.map(|(a, b)| Position::new(a.to_radians(), b.to_radians()));
+    match TwoPositions::new(&task(&positions)) {
+        Some(TwoPositions::Family(family)) => family,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// y = log₂ x from 1 to 2, as well as a four-bar can, from starts that are not good.
+fn eight_positions() -> Task {
+    let positions = (0..8).map(|k| {
+        let x = 1.0 + f64::from(k) / 7.0;
+        Position::new(2.0 - x.log2(), 0.6 + x - 1.0)
+    });
+    task(&positions.collect::<Vec<_>>())
 }
 
 fn sweeps(mut state: impl FnMut(usize, f64)) {

@@ -34,10 +34,10 @@ fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
         let [low, high] = [pair[0], pair[1]].map(|x| [x, value(coefficients, x)]);
         if k > 0 && low[1].abs() <= TOUCHING * size || low[1] == 0.0 {
             add(low[0]);
-        } else if low[1] * high[1] < 0.0 {
-            if let Some(x) = root([low, high], |x| Some(value(coefficients, x))) {
-                add(x);
-            }
+        } else if low[1] * high[1] < 0.0
+            && let Some(x) = root([low, high], |x| Some(value(coefficients, x)))
+        {
+            add(x);
         }
     }
     if value(coefficients, to) == 0.0 {

@@ -133,9 +133,7 @@ impl Way {
             } else {
                 Passage::AcrossDeadPoint
             };
-            if found.passage == Passage::Continuous {
-                found.passage = passage;
-            } else if passage == Passage::OtherCircuit {
+            if found.passage == Passage::Continuous || passage == Passage::OtherCircuit {
                 found.passage = passage;
             }
             met.next(input);
