@@ -4,9 +4,11 @@
 mod approximations;
 mod draw;
 mod example;
+mod family;
 mod function;
 mod least;
 mod motion;
+mod ranking;
 mod recovered;
 mod refused;
 mod theorems;

@@ -1,5 +1,7 @@
 //! The gap that output and input leave for the coupler.
 
+use std::f64::consts::{PI, TAU};
+
 use nalgebra::Complex;
 
 use super::Proportions;
@@ -55,4 +57,9 @@ pub(super) fn cross(a: Complex<f64>, b: Complex<f64>) -> f64 {
 /// a · b.
 pub(super) fn dot(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
+}
+
+/// An angle brought next to another one by whole turns.
+pub(super) fn near(angle: f64, to: f64) -> f64 {
+    to + (angle - to + PI).rem_euclid(TAU) - PI
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::Rotation2;
 
-use super::family::near;
+use super::closure::near;
 use super::{Solution, Task};
 use crate::mechanism::{Draft, DraftPoint};
 use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};

@@ -1,59 +1,9 @@
 //! Two positions: the linkages that take up both are the points of a line in (1/z₂, 1/z₃).
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
-use super::closure::Direction;
-use super::{Proportions, Solution, Task, ranges};
-
-/// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: that |r| is
-/// the same in two positions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// Δcos φ₃, the coefficient of 1/z₂.
-    pub output: f64,
-    /// Δcos φ₂, the coefficient of 1/z₃.
-    pub input: f64,
-    /// Δcos(φ₂ − φ₃).
-    pub right: f64,
-}
-
-/// Differences of cosines no larger than this are none.
-const NOTHING: f64 = 16.0 * f64::EPSILON;
-
-impl Line {
-    /// The line of two positions of a task, counted from 0.
-    pub(super) fn new(task: &Task, [j, k]: [usize; 2]) -> Self {
-        let frame = task.frame().angle;
-        let [a, b] = [j, k].map(|index| task.positions()[index]);
-        // cos x − cos y without cancellation; rounding of the angles is no difference.
-        let difference = |x: f64, y: f64| {
-            let product = -2.0 * (0.5 * (x + y)).sin() * (0.5 * (x - y)).sin();
-            if product.abs() <= NOTHING {
-                0.0
-            } else {
-                product
-            }
-        };
-        Self {
-            output: difference(a.input - frame, b.input - frame),
-            input: difference(a.output - frame, b.output - frame),
-            right: difference(a.output - a.input, b.output - b.input),
-        }
-    }
-
-    /// The point of two lines, (u, v); none where they are parallel.
-    pub(super) fn meet(self, other: Self) -> Option<[f64; 2]> {
-        let det = self.output * other.input - self.input * other.output;
-        let size = self.output.hypot(self.input) * other.output.hypot(other.input);
-        if det.abs() <= NOTHING * size {
-            return None;
-        }
-        Some([
-            (self.right * other.input - self.input * other.right) / det,
-            (self.output * other.right - self.right * other.output) / det,
-        ])
-    }
-}
+use super::closure::{Direction, near};
+use super::{Line, Proportions, Solution, Task, ranges};
 
 /// What two positions leave open.
 #[derive(Clone, Debug, PartialEq)]
@@ -408,9 +358,4 @@ impl Family {
         let size = a.abs() / output + b.abs() / input + right.abs();
         (off.abs() <= 1e-9 * size).then(|| self.parameter(output, input))
     }
-}
-
-/// An angle brought next to another one by whole turns.
-pub(super) fn near(angle: f64, to: f64) -> f64 {
-    to + (angle - to + PI).rem_euclid(2.0 * PI) - PI
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::family::near;
+use super::closure::near;
 use super::{Position, Solution, Task};
 use crate::{Assembly, FourBar};
 
@@ -81,8 +81,7 @@ pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Chandrupatla's and others' methods need a change of sign; a peak is narrowed by golden sections
-/// instead, this often.
+/// Golden sections by which a peak between samples is narrowed.
 const SECTIONS: usize = 60;
 
 impl Mapping {
@@ -136,7 +135,7 @@ impl Mapping {
         count: usize,
         f: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Position>, FunctionError> {
-        self.positions(count, chebyshev(self.x, count), f)
+        self.positions(count, |count| chebyshev(self.x, count), f)
     }
 
     /// So many positions in even steps, the ends included, for the least squares.
@@ -148,7 +147,7 @@ impl Mapping {
         count: usize,
         f: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Position>, FunctionError> {
-        self.positions(count, self.steps(count), f)
+        self.positions(count, |count| self.steps(count), f)
     }
 
     fn steps(&self, count: usize) -> Vec<f64> {
@@ -160,20 +159,20 @@ impl Mapping {
     fn positions(
         &self,
         count: usize,
-        places: Vec<f64>,
+        places: impl Fn(usize) -> Vec<f64>,
         f: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Position>, FunctionError> {
         if count == 0 || count > Task::MOST {
             return Err(FunctionError::Count(count));
         }
-        places
+        places(count)
             .into_iter()
             .map(|x| Ok(self.position(x, defined(f, x)?)))
             .collect()
     }
 
     /// How far a linkage is off the wanted function, followed from the task's first position on its
-    /// branch. None where its lengths make no linkage.
+    /// branch until it comes to a dead point. None where its lengths make no linkage.
     ///
     /// # Errors
     /// An x without a value.
@@ -188,24 +187,11 @@ impl Mapping {
             return Ok(None);
         };
         let branch = Branch::new(self, task, solution, linkage);
-        let mut samples = Vec::new();
-        for x in self.steps(count.max(2)) {
-            samples.push(branch.sample(x, defined(f, x)?));
-        }
-        // From the first position outwards, as far as it goes.
-        let start = mapped(self.input, self.x, task.positions()[0].input);
-        let away = |sample: &ErrorSample| (sample.x - start).abs();
-        let home =
-            (0..samples.len()).min_by(|a, b| away(&samples[*a]).total_cmp(&away(&samples[*b])));
-        let home = home.unwrap_or(0);
-        let (before, after) = samples.split_at_mut(home);
-        broken_off(after.iter_mut());
-        let reached = after.first().is_some_and(|first| first.generated.is_some());
-        if reached {
-            broken_off(before.iter_mut().rev());
-        } else {
-            before.iter_mut().for_each(|sample| sample.generated = None);
-        }
+        let samples: Result<Vec<ErrorSample>, FunctionError> =
+            (self.steps(count.max(2)).into_iter())
+                .map(|x| Ok(branch.sample(x, defined(f, x)?)))
+                .collect();
+        let samples = samples?;
         let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);
         let peak =
             (0..samples.len()).max_by(|a, b| size(&samples[*a]).total_cmp(&size(&samples[*b])));
@@ -230,6 +216,9 @@ struct Branch<'a> {
     assembly: Assembly,
     /// Added to the input's angle for the crank's, and to the rocker's for the output's.
     shifts: [f64; 2],
+    /// The input's angles between which it can go from the first position; none where it cannot be
+    /// closed there.
+    reach: Option<[f64; 2]>,
 }
 
 impl<'a> Branch<'a> {
@@ -243,8 +232,10 @@ impl<'a> Branch<'a> {
                 solution.input_start - frame,
                 frame + PI - solution.output_start,
             ],
+            reach: None,
         };
         let first = task.positions()[0];
+        branch.reach = branch.arc(first.input);
         let off = |assembly: Assembly| {
             let output = branch.output(assembly, first.input);
             output.map_or(f64::INFINITY, |output| {
@@ -257,6 +248,21 @@ impl<'a> Branch<'a> {
         branch
     }
 
+    /// The arc of the cycle that holds an input's angle, in its turn.
+    fn arc(&self, input: f64) -> Option<[f64; 2]> {
+        let cycle = self.linkage.cycle();
+        if cycle.is_full() {
+            return Some([f64::NEG_INFINITY, f64::INFINITY]);
+        }
+        let crank = input + self.shifts[0];
+        let wrapped = cycle.wrap(crank);
+        let arcs = cycle.arcs().iter();
+        let turned = arcs.map(|arc| arc.map(|end| end + crank - wrapped - self.shifts[0]));
+        turned
+            .into_iter()
+            .find(|[from, to]| (*from..=*to).contains(&input))
+    }
+
     fn output(&self, assembly: Assembly, input: f64) -> Option<f64> {
         let pose = self
             .linkage
@@ -267,7 +273,11 @@ impl<'a> Branch<'a> {
 
     fn sample(&self, x: f64, wanted: f64) -> ErrorSample {
         let mapping = self.mapping;
-        let output = self.output(self.assembly, mapped(mapping.x, mapping.input, x));
+        let input = mapped(mapping.x, mapping.input, x);
+        let within = self
+            .reach
+            .filter(|[from, to]| (*from..=*to).contains(&input));
+        let output = within.and_then(|_| self.output(self.assembly, input));
         let generated = output.map(|output| {
             let output = near(output, mapped(mapping.y, mapping.output, wanted));
             mapped(mapping.output, mapping.y, output)
@@ -300,17 +310,6 @@ impl<'a> Branch<'a> {
             }
         }
         best
-    }
-}
-
-/// Where a linkage does not get, it does not get beyond.
-fn broken_off<'a>(samples: impl Iterator<Item = &'a mut ErrorSample>) {
-    let mut broken = false;
-    for sample in samples {
-        broken |= sample.generated.is_none();
-        if broken {
-            sample.generated = None;
-        }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use super::family::near;
+use super::closure::near;
 use super::minimiser::Descent;
 use super::objective::{Objective, Point};
 use super::starts;

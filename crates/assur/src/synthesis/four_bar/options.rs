@@ -1,8 +1,7 @@
 //! What there is to choose from, by how many positions are given.
 
-use super::family::Line;
 use super::{
-    Family, Minimum, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
+    Family, Line, Minimum, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
     five_positions,
 };
 

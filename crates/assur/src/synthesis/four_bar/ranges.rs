@@ -3,8 +3,8 @@
 
 use nalgebra::Complex;
 
-use super::closure::{Direction, cross, dot};
-use super::family::{Family, Range, Shape, near};
+use super::closure::{Direction, cross, dot, near};
+use super::family::{Family, Range, Shape};
 use super::polynomial::positive_roots;
 
 /// The ranges of z₂ and z₃.

@@ -1,7 +1,6 @@
 //! Three positions: Freudenstein's equation, two lines in (1/z₂, 1/z₃) and their point.
 
-use super::family::Line;
-use super::{Proportions, Solution, Task, TwoPositions};
+use super::{Line, Proportions, Solution, Task, TwoPositions};
 
 /// What three positions leave open.
 #[derive(Clone, Debug, PartialEq)]
