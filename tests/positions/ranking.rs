@@ -109,7 +109,8 @@ fn the_best_comes_first() {
         turns: true,
         ..Requirements::default()
     };
-    let costs: [(Criterion, fn(&Solution) -> f64); 4] = [
+    type Cost = fn(&Solution) -> f64;
+    let costs: [(Criterion, Cost); 4] = [
         (Criterion::Closure, Solution::worst_residual),
         (Criterion::SizeRatio, |one| one.proportions.size_ratio()),
         (Criterion::Transmission, |one| {
