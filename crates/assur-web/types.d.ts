@@ -85,6 +85,10 @@ number: number | null, drawn: SolutionSummary,
  */
 frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
+ * What the method of the paper comes to, where the document gives every coupler angle.
+ */
+printed: PrintedSummary | null, 
+/**
  * What is drawn, as a linkage for the simulator.
  */
 linkage: LinkageDocument, 
@@ -198,6 +202,15 @@ number: string,
  */
 about: string | null, value: number | null, holds: boolean, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
+export type PrintedSummary = { 
+/**
+ * l₁, l₂, l₃.
+ */
+lengths: [number, number, number], 
+/**
+ * ΣJ there and of what is drawn, in squares of the unit of lengths.
+ */
+least: number, drawn: number, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type GroupSummary = { term: string, role: string, };

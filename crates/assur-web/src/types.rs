@@ -12,9 +12,10 @@ use crate::equations::EquationSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::SchemeSummary;
-use crate::kinds::synthesis::summary::{
-    ConditionSummary, FamilyCurve, FamilySummary, FoundSummary, SolutionSummary, SynthesisSummary,
-    TheoremSummary, VerdictSummary, WantedSummary,
+use crate::kinds::synthesis::options::{FamilyCurve, FamilySummary, FoundSummary};
+use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, VerdictSummary};
+use crate::kinds::synthesis::wanted::{
+    ConditionSummary, PrintedSummary, TheoremSummary, WantedSummary,
 };
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
@@ -43,6 +44,7 @@ fn the_scripts_know_what_crosses_the_border() {
         WantedSummary::decl(&config),
         ConditionSummary::decl(&config),
         TheoremSummary::decl(&config),
+        PrintedSummary::decl(&config),
         CountsSummary::decl(&config),
         CycleSummary::decl(&config),
         GroupSummary::decl(&config),

@@ -1,6 +1,8 @@
 //! A four-bar for given positions on the page: what is wanted, drawn under one of those that do it.
 
+pub(crate) mod options;
 pub(crate) mod summary;
+pub(crate) mod wanted;
 
 use std::f64::consts::PI;
 

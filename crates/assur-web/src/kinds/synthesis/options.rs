@@ -1,0 +1,147 @@
+//! What there is to choose from: the family of two positions, or what a search found.
+
+use std::f64::consts::TAU;
+
+use assur::synthesis::four_bar::{
+    ChangeKind, Family, Minimum, Order, Passage, Proportions, Range, Surface, Task,
+};
+use serde::Serialize;
+
+use super::summary::lengths;
+use crate::summary::grashof;
+
+/// Members of the family that are told apart on its curve.
+const MEMBERS: usize = 240;
+
+/// Parts along each length into which the plane of lengths is divided for the picture of ΣJ, and
+/// the least ΣJ that is told from none, in squares of the frame's length.
+const PARTS: usize = 40;
+
+const LEAST: f64 = 1e-9;
+
+/// The linkages that two positions leave.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FamilySummary {
+    /// Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+    lengths: [[Option<f64>; 2]; 3],
+    /// Between which angles the coupler is in each position, radians.
+    couplers: [[f64; 2]; 2],
+    curve: FamilyCurve,
+    /// The classes of its members, each once.
+    classes: Vec<&'static str>,
+    /// l₁, l₂, l₃ where the class changes.
+    changes: Vec<[f64; 3]>,
+}
+
+/// Members of the family from one end to the other, as far as their lengths are sought.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FamilyCurve {
+    l2: Vec<f64>,
+    l3: Vec<f64>,
+    #[cfg_attr(
+        test,
+        ts(type = "(\"turns\" | \"rocks\" | \"disorder\" | \"branch\")[]")
+    )]
+    verdicts: Vec<&'static str>,
+}
+
+/// A search for the least ΣJ.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FoundSummary {
+    /// From how many starts it went.
+    starts: usize,
+    /// How many of them ended in the best.
+    best: usize,
+    /// l₂ and l₃ along the way to each of the solutions.
+    paths: Vec<Vec<[f64; 2]>>,
+    /// Between which lengths they were sought.
+    bounds: [f64; 2],
+    /// The decimal logarithm of ΣJ at the middles of equal parts of the logarithms of l₂, and for
+    /// each of l₃.
+    surface: Vec<Vec<f64>>,
+}
+
+impl FamilySummary {
+    pub(super) fn new(family: &Family) -> Self {
+        let task = family.task();
+        let length = task.frame().length;
+        let range = |range: Range| [Some(range.from), range.to].map(|end| Some(end? * length));
+        let stretch = family.stretch().unwrap_or([0.0, 1.0]);
+        let members = family.sample(stretch, MEMBERS);
+        let mut curve = FamilyCurve {
+            l2: Vec::new(),
+            l3: Vec::new(),
+            verdicts: Vec::new(),
+        };
+        let mut classes: Vec<&'static str> = Vec::new();
+        for member in &members {
+            let Ok(verdict) = &member.verdict else {
+                continue;
+            };
+            let [_, l2, l3] = lengths(task, member.proportions);
+            curve.l2.push(l2);
+            curve.l3.push(l3);
+            curve.verdicts.push(match (verdict.passage, verdict.order) {
+                (Passage::Continuous, Order::Mixed) => "disorder",
+                (Passage::Continuous, _) if verdict.turns => "turns",
+                (Passage::Continuous, _) => "rocks",
+                _ => "branch",
+            });
+            let class = grashof(verdict.grashof);
+            if !classes.contains(&class) {
+                classes.push(class);
+            }
+        }
+        let changes = family.changes().into_iter();
+        let changes = changes.filter(|change| change.kind == ChangeKind::Grashof);
+        Self {
+            lengths: [
+                range(family.coupler_range()),
+                range(family.output_range()),
+                range(family.input_range()),
+            ],
+            couplers: family.coupler_angles().map(|[from, to]| {
+                let turns = TAU * (0.5 * (from + to) / TAU).round();
+                [from - turns, to - turns]
+            }),
+            curve,
+            classes,
+            changes: changes
+                .map(|change| lengths(task, change.proportions))
+                .collect(),
+        }
+    }
+}
+
+impl FoundSummary {
+    pub(super) fn new(task: &Task, minima: &[Minimum], starts: usize) -> Self {
+        let place = |proportions: &Proportions| {
+            let [_, l2, l3] = lengths(task, *proportions);
+            [l2, l3]
+        };
+        let path = |minimum: &Minimum| minimum.path.iter().map(place).collect();
+        Self {
+            starts,
+            best: minima.first().map_or(0, |best| best.reached),
+            paths: minima.iter().map(path).collect(),
+            bounds: task.ratios().map(|ratio| ratio * task.frame().length),
+            surface: surface(task),
+        }
+    }
+}
+
+/// ΣJ over the plane of l₂ and l₃.
+fn surface(task: &Task) -> Vec<Vec<f64>> {
+    let [least, most] = task.ratios();
+    let surface = Surface::new(task);
+    let length = |part: usize| least * (most / least).powf((part as f64 + 0.5) / PARTS as f64);
+    let value = |output: usize, input: usize| {
+        let value = surface.value(length(output), length(input));
+        value.map_or(0.0, |value| value.max(LEAST).log10())
+    };
+    let row = |output: usize| (0..PARTS).map(|input| value(output, input)).collect();
+    (0..PARTS).map(row).collect()
+}
