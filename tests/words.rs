@@ -2,6 +2,9 @@
 //! every problem of the engine has its words; no key is missing, none is left over.
 #![cfg(not(target_family = "wasm"))]
 
+#[path = "words/kinds.rs"]
+mod kinds;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
@@ -175,9 +178,12 @@ fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
     LANGUAGES.into_iter().map(table).collect()
 }
 
-/// Every word the page ever says outside its lessons, in the first language.
+/// Every word the page ever says outside its lessons, in the first language: with those of the
+/// kinds, which the build puts there.
 fn page_words() -> Words {
-    tables(PAGE).swap_remove(0).2
+    let mut words = tables(PAGE).swap_remove(0).2;
+    words.extend(kinds::kinds().iter().flat_map(kinds::Kind::words));
+    words
 }
 
 /// A key without the form of the noun, and the form.
@@ -211,7 +217,7 @@ fn quoted(text: &str, mark: char) -> BTreeSet<&str> {
 }
 
 /// Whether a source names a word: in quotes, as a number, as the key of an object; a
-/// code as the variant of `Problem`. What stands in its tests does not count.
+/// code as the variant of an enum `…Problem`. What stands in its tests does not count.
 fn names(source_name: &str, word: &str) -> bool {
     let text = source(source_name);
     let text = text.split("#[cfg(test)]").next().unwrap();
@@ -223,7 +229,7 @@ fn names(source_name: &str, word: &str) -> bool {
         })
     };
     let number = word.parse::<u8>().is_ok();
-    let variant = source_name.ends_with("problem.rs");
+    let variant = text.contains("Problem {\n");
     quoted(text, '"').contains(word)
         || (number && alone(word))
         || (variant && alone(&pascal(word)))
@@ -232,8 +238,24 @@ fn names(source_name: &str, word: &str) -> bool {
 
 /// `too_long` as `TooLong`.
 fn pascal(code: &str) -> String {
-    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        let first = letters.next().map(|first| first.to_ascii_uppercase());
+        first.into_iter().chain(letters).collect::<String>()
+    };
     code.split('_').map(capital).collect()
+}
+
+/// `TooLong` as `too_long`.
+fn snake(variant: &str) -> String {
+    let mut code = String::new();
+    for letter in variant.chars() {
+        if letter.is_ascii_uppercase() && !code.is_empty() {
+            code.push('_');
+        }
+        code.push(letter.to_ascii_lowercase());
+    }
+    code
 }
 
 #[test]
@@ -241,7 +263,9 @@ fn every_language_says_everything() {
     let steps = lessons()
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
-    for place in steps.chain(errata()).chain([PAGE.to_owned()]) {
+    let kinds = kinds::kinds().into_iter().map(|kind| kind.place());
+    let all = steps.chain(errata()).chain(kinds).chain([PAGE.to_owned()]);
+    for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
         for (lang, forms, words) in &tables {
@@ -274,13 +298,18 @@ fn no_key_is_left_over() {
         .chain(scripts.values().flat_map(|script| quoted(script, '"')))
         .collect();
     let words = page_words();
+    let kinds = kinds::kinds();
     let mut over = Vec::new();
     for key in asked(&words) {
         let built = BUILT.iter().any(|(start, sources)| {
             key.strip_prefix(start)
                 .is_some_and(|rest| sources.iter().any(|source| names(source, rest)))
         });
-        let used = named.contains(key) || page.contains(&format!("{{{{{key}}}}}")) || built;
+        let mut owners = kinds.iter().filter(|kind| kind.words().contains_key(key));
+        let used = named.contains(key)
+            || page.contains(&format!("{{{{{key}}}}}"))
+            || built
+            || owners.any(|kind| kind.builds(key));
         if !used {
             over.push(key);
         }
@@ -291,6 +320,7 @@ fn no_key_is_left_over() {
 #[test]
 fn no_key_is_missing() {
     let words = page_words();
+    let kinds = kinds::kinds();
     let keys = asked(&words);
     let spaces: BTreeSet<&str> = keys
         .iter()
@@ -322,11 +352,22 @@ fn no_key_is_missing() {
             let Some((start, _)) = built.split_once("${") else {
                 continue;
             };
-            let known = BUILT.iter().any(|(listed, _)| *listed == start);
+            let known = BUILT.iter().any(|(listed, _)| *listed == start)
+                || kinds.iter().any(|kind| kind.begins(&name, start));
             let key = start.ends_with('.') && spaces.contains(start.split('.').next().unwrap());
             assert!(known || !key, "{name} builds keys from {start}");
         }
     }
+}
+
+/// What stands in the brackets of a list, or of the constant of the script that is named instead.
+fn list_of<'a>(value: &'a str, script: &'a str) -> &'a str {
+    let list = value.strip_prefix('[').unwrap_or_else(|| {
+        let name = value.split(|c: char| !c.is_alphanumeric()).next().unwrap();
+        let (_, constant) = script.split_once(&format!("const {name} = ")).unwrap();
+        constant.split_once('[').unwrap().1
+    });
+    list.split(']').next().unwrap()
 }
 
 /// What every step of a lesson says, its choices and what it shows.
@@ -341,8 +382,8 @@ fn lessons_have_their_words_and_no_more() {
             expected.extend(
                 ["title", "text", "question", "hint", "right"].map(|part| format!("{id}.{part}")),
             );
-            if let Some((_, list)) = step.split_once("choices: [") {
-                let list = list.split(']').next().unwrap();
+            if let Some((_, list)) = step.split_once("choices: ") {
+                let list = list_of(list, &script);
                 expected.extend(
                     quoted(list, '"')
                         .iter()
