@@ -91,7 +91,7 @@ printed: PrintedSummary | null,
 /**
  * What is drawn, as a linkage for the simulator.
  */
-linkage: LinkageDocument, 
+linkage: { kind: "linkage", document: LinkageDocument }, 
 /**
  * What the input is: `angle` or `length`.
  */

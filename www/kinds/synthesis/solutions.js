@@ -80,8 +80,9 @@ export class SolutionsView {
   }
 
   #send() {
-    const summary = this.#summary;
-    if (summary) this.#page.choose("linkage", summary.linkage);
+    if (!this.#summary) return;
+    const { kind, document } = this.#summary.linkage;
+    this.#page.choose(kind, document);
   }
 
   #save() {

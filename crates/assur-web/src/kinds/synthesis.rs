@@ -11,7 +11,7 @@ use assur::synthesis::four_bar::{Drawn, Options, Task};
 use assur::{Point, Vector};
 use assur_draw::{Annotations, GivenPosition, List, Role};
 use assur_file::{
-    LinkageDocument, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
+    Document, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -44,7 +44,7 @@ pub(crate) struct Synthesis {
     document: SynthesisDocument,
     solved: assur_file::Synthesis,
     /// What is shown, as the simulator takes it.
-    linkage: LinkageDocument,
+    linkage: Document,
     moving: Moving,
 }
 
@@ -117,7 +117,7 @@ impl Synthesis {
         let moving = moving.held_by(handles);
         Ok(Self {
             document: document.clone(),
-            linkage: solved.linkage()?,
+            linkage: Document::Linkage(solved.linkage()?),
             moving,
             solved,
         })

@@ -1,7 +1,7 @@
 //! What the page shows of a synthesis beyond the motion of the linkage that is drawn.
 
 use assur::synthesis::four_bar::{Options, Order, Passage, Proportions, Solution, Task};
-use assur_file::{LinkageDocument, Synthesis, SynthesisDocument};
+use assur_file::{Document, Synthesis, SynthesisDocument};
 use serde::Serialize;
 
 use super::options::{FamilySummary, FoundSummary};
@@ -30,8 +30,8 @@ pub(crate) struct SynthesisSummary<'a> {
     /// What the method of the paper comes to, where the document gives every coupler angle.
     printed: Option<PrintedSummary>,
     /// What is drawn, as a linkage for the simulator.
-    #[cfg_attr(test, ts(type = "LinkageDocument"))]
-    linkage: &'a LinkageDocument,
+    #[cfg_attr(test, ts(type = "{ kind: \"linkage\", document: LinkageDocument }"))]
+    linkage: &'a Document,
 }
 
 /// A linkage that takes up the positions, exactly or nearly.
@@ -75,7 +75,7 @@ impl<'a> SynthesisSummary<'a> {
     pub(crate) fn new(
         document: &SynthesisDocument,
         solved: &Synthesis,
-        linkage: &'a LinkageDocument,
+        linkage: &'a Document,
         moving: &'a Moving,
     ) -> Self {
         let Synthesis {
