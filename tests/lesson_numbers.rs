@@ -1,6 +1,9 @@
-//! The numbers that the lesson on the Class IV mechanism writes in its texts, in every
-//! language, are those that the engine computes.
+//! The numbers that lessons write in their texts, in every language, are those that the
+//! engine computes: here those of the Class IV mechanism.
 #![cfg(not(target_family = "wasm"))]
+
+#[path = "lesson_numbers/synthesis.rs"]
+mod synthesis;
 
 use std::collections::BTreeMap;
 
@@ -10,12 +13,10 @@ use assur_file::{LinkageDocument, from_catalogue};
 use assur_tests::files::source;
 
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
-const SCRIPT: &str = "www/lessons/class4-dwell/lesson.js";
+const LESSON: Lesson = Lesson("class4-dwell");
 
-fn words(lang: &str) -> BTreeMap<String, String> {
-    let text = source(&format!("www/lessons/class4-dwell/words.{lang}.json"));
-    serde_json::from_str(&text).unwrap()
-}
+/// A lesson, by its folder.
+struct Lesson(&'static str);
 
 /// A number in a text, and half a unit of its last digit.
 type Written = (f64, f64);
@@ -37,16 +38,26 @@ fn numbers(text: &str, lang: &str) -> Vec<Written> {
     parts.filter_map(number).collect()
 }
 
-/// A text has these numbers, in this order, rounded to the digits it gives.
-fn tells(lang: &str, key: &str, expected: &[f64]) {
-    let text = &words(lang)[key];
-    let found = numbers(text, lang);
-    assert_eq!(found.len(), expected.len(), "{lang} {key}: {text}");
-    for ((written, half), value) in found.into_iter().zip(expected) {
-        assert!(
-            (written - value).abs() <= half * (1.0 + 1e-9),
-            "{lang} {key}: {written}, but it is {value}"
-        );
+impl Lesson {
+    fn file(&self, name: &str) -> String {
+        source(&format!("www/lessons/{}/{name}", self.0))
+    }
+
+    fn words(&self, lang: &str) -> BTreeMap<String, String> {
+        serde_json::from_str(&self.file(&format!("words.{lang}.json"))).unwrap()
+    }
+
+    /// A text has these numbers, in this order, rounded to the digits it gives.
+    fn tells(&self, lang: &str, key: &str, expected: &[f64]) {
+        let text = &self.words(lang)[key];
+        let found = numbers(text, lang);
+        assert_eq!(found.len(), expected.len(), "{lang} {key}: {text}");
+        for ((written, half), value) in found.into_iter().zip(expected) {
+            assert!(
+                (written - value).abs() <= half * (1.0 + 1e-9),
+                "{lang} {key}: {written}, but it is {value}"
+            );
+        }
     }
 }
 
@@ -88,7 +99,7 @@ fn stroke(motion: &Motion) -> f64 {
 
 /// The length that "Show it" gives to FK.
 fn shown_fk() -> f64 {
-    let script = source(SCRIPT);
+    let script = LESSON.file("lesson.js");
     let (_, rest) = script.split_once("const REGULATED = ").unwrap();
     rest.split_once(';').unwrap().0.parse().unwrap()
 }
@@ -142,8 +153,8 @@ fn what_moves_while_the_output_dwells() {
     assert!(swings["CD"].to_radians() * first < 0.02);
 
     for lang in LANGUAGES {
-        tells(lang, "dwell.text", &moving);
-        let text = &words(lang)["dwell.text"];
+        LESSON.tells(lang, "dwell.text", &moving);
+        let text = &LESSON.words(lang)["dwell.text"];
         let [be, egf, fk] = ["BE,", "EGF", "FK"].map(|link| text.find(link).unwrap());
         assert!(be < egf && egf < fk, "{lang}: {text}");
     }
@@ -157,9 +168,9 @@ fn how_the_dwell_depends_on_its_tolerance() {
     let tolerance = document().band.unwrap();
     let shorter = length_deg(&motion, tolerance) - length_deg(&motion, 0.1 * tolerance);
     for lang in LANGUAGES {
-        tells(lang, "dwell.question", &[tolerance]);
-        tells(lang, "dwell.right", &[shorter]);
-        tells(lang, "regulator.question", &[tolerance]);
+        LESSON.tells(lang, "dwell.question", &[tolerance]);
+        LESSON.tells(lang, "dwell.right", &[shorter]);
+        LESSON.tells(lang, "regulator.question", &[tolerance]);
     }
 }
 
@@ -169,7 +180,7 @@ fn what_the_regulator_does() {
     let tolerance = document().band.unwrap();
     let drawn = document().motion().unwrap();
     for lang in LANGUAGES {
-        let (longer, _) = numbers(&words(lang)["regulator.text"], lang)[0];
+        let (longer, _) = numbers(&LESSON.words(lang)["regulator.text"], lang)[0];
         let motion = lengthened(longer);
         let percent = |ratio: f64| 100.0 * ratio;
         let expected = [
@@ -181,7 +192,7 @@ fn what_the_regulator_does() {
             shown_fk(),
             shown_fk() - drawn_fk(),
         ];
-        tells(lang, "regulator.text", &expected);
+        LESSON.tells(lang, "regulator.text", &expected);
     }
     // The answer to its question.
     let shown = length_deg(&lengthened(shown_fk() - drawn_fk()), tolerance);
@@ -215,10 +226,10 @@ fn how_many_links_and_pairs() {
         ("uk", ["сім", "десять", "шість", "дев’ять"]),
         ("kk", ["жеті", "он ", "алты", "тоғыз"]),
     ] {
-        tells(lang, "groups.text", &counted);
-        tells(lang, "groups.right", &[group.order() as f64]);
+        LESSON.tells(lang, "groups.text", &counted);
+        LESSON.tells(lang, "groups.right", &[group.order() as f64]);
         let says = |key: &str, word: &str| {
-            let text = words(lang)[key].to_lowercase();
+            let text = LESSON.words(lang)[key].to_lowercase();
             assert!(text.contains(word), "{lang} {key}: {text}");
         };
         says("structure.title", seven);

@@ -32,7 +32,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     shows: [{ preset: "family", at: first }],
     controls: ["family"],
     readouts: ["synthesis-grashof", "synthesis-ratio"],
-    question: { within: 0.05, answer: ({ family }) => family?.changes[0]?.[1] },
+    question: { within: 0.05, answer: grashofFrom },
   },
   {
     id: "printed",
@@ -49,7 +49,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     shows: [{ preset: "three", play: true }],
     controls: ["solutions"],
     readouts: ["synthesis-passage", "synthesis-order"],
-    question: { hides: ["synthesis-grashof"], choices: LINKS, answer: shortest },
+    question: { choices: LINKS, answer: shortest },
   },
   {
     id: "many",
@@ -89,6 +89,15 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
  */
 function first({ wanted: [one] }) {
   return one?.input;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} the least l₂ at which the class of a family's members changes
+ */
+function grashofFrom({ family }) {
+  const changes = family?.changes.map(([, output]) => output) ?? [];
+  return changes.length > 0 ? Math.min(...changes) : undefined;
 }
 
 /** @param {Summary} summary */
