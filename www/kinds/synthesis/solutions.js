@@ -27,6 +27,7 @@ const COLUMNS = Object.freeze([
 export class SolutionsView {
   #page;
   #said = make("p", { id: "synthesis-said" });
+  #printed = make("p", { id: "synthesis-printed" });
   #body = make("tbody");
   #equation = make("div");
   /** @type {Snapshot["summary"] | null} */
@@ -43,7 +44,7 @@ export class SolutionsView {
     save.addEventListener("click", () => this.#save());
     const table = make("table", { class: "solutions", "data-t-label": "solutions.heading" }, [this.#body]);
     const equation = make("details", { id: "main-equation", "data-field": "main-equation" }, [make("summary", { "data-t": "solutions.equation" }), this.#equation]);
-    section("solutions.heading", "solutions", [this.#said, table, send, save]);
+    section("solutions.heading", "solutions", [this.#said, table, this.#printed, send, save]);
     section("solutions.equation_heading", "equation", [equation]);
   }
 
@@ -59,6 +60,7 @@ export class SolutionsView {
     const focused = this.#body.contains(document.activeElement) ? document.activeElement?.id : undefined;
     this.#body.replaceChildren(...listed(summary).map((solution, i) => this.#row(solution, i + 1, from === "trial" ? 0 : (number ?? 1), words)));
     if (focused) document.getElementById(focused)?.focus();
+    this.#sayPrinted(summary, words);
     this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, words)));
   }
 
@@ -77,6 +79,19 @@ export class SolutionsView {
     const turned = solution.starts.some((start) => start !== 0) ? solution.starts.map((start, i) => `φ${"₂₃"[i]}₀ = ${angle(start, words)}`) : [];
     const label = make("label", { for: box.id }, [box, ` ${[lengths, ...turned].join("; ")}`]);
     return make("tr", {}, [make("td", {}, [label, make("small", {}, [verdict(solution, words)])])]);
+  }
+
+  /**
+   * What the method of the paper comes to.
+   * @param {Snapshot["summary"]} summary
+   * @param {Words} words
+   */
+  #sayPrinted({ printed }, words) {
+    this.#printed.hidden = !printed;
+    if (!printed) return;
+    const said = (/** @type {number} */ value) => words.numbers.short(value);
+    const [l1, l2, l3] = printed.lengths.map(said);
+    write(this.#printed, words.text("solutions.printed", { l1, l2, l3, least: said(printed.least), drawn: said(printed.drawn) }));
   }
 
   #send() {
