@@ -184,9 +184,10 @@ error: number,
  */
 equation: [number, number, number, number], 
 /**
- * φ₁ at which the conditions are evaluated.
+ * φ₁ at which the conditions are evaluated, and the length by which the contour is open with
+ * the coupler there.
  */
-at: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
+at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
  * Between which l₁ all lengths are positive: null where there are none, and where there is
  * no greatest.

@@ -61,7 +61,7 @@ export class SolutionsView {
     this.#body.replaceChildren(...listed(summary).map((solution, i) => this.#row(solution, i + 1, from === "trial" ? 0 : (number ?? 1), words)));
     if (focused) document.getElementById(focused)?.focus();
     this.#sayPrinted(summary, words);
-    this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, words)));
+    this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, summary.frame, words)));
   }
 
   /**
@@ -139,18 +139,28 @@ function verdict({ verdict: one, gap, at_bound: bound }, words) {
  * The main equation of a position, step by step with its numbers.
  * @param {number} k
  * @param {Wanted} wanted
+ * @param {number} frame its length
  * @param {Words} words
  */
-function mainEquation(k, { output, input, error, equation: [left, constant, byInput, byOutput] }, words) {
+function mainEquation(k, { output, input, error, at, open, equation: [left, constant, byInput, byOutput] }, frame, words) {
   const said = (/** @type {number} */ value) => words.numbers.fixed(value, 5);
   const lines = [
     `${words.text("positions.number", { n: String(k) })}: φ₂ = ${angle(output, words)}, φ₃ = ${angle(input, words)}`,
     "e₂·e₃ = Z + e₀·e₂ / z₃ + e₀·e₃ / z₂",
     `${said(left)} = ${said(constant)} + (${said(byInput)}) + (${said(byOutput)})`,
     `${said(left)} ${Math.abs(error) < EXACT ? "=" : "≠"} ${said(constant + byInput + byOutput)}`,
-    `|l₀e₀ − l₂e₂ − l₃e₃| − l₁ = ${words.numbers.upTo(Math.abs(error) < EXACT ? 0 : error, 4)}`,
+    `φ₁ = ${angle(at, words)}: |l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀| = ${length(open, words)} (${words.numbers.upTo((100 * (open < EXACT ? 0 : open)) / frame, 1)} %)`,
   ];
   return make("p", {}, lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
+}
+
+/**
+ * @param {number} open
+ * @param {Words} words
+ * @returns {string} nothing where it is less than can be read
+ */
+function length(open, words) {
+  return words.numbers.upTo(open < EXACT ? 0 : open, 4);
 }
 
 /**

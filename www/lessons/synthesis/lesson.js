@@ -41,7 +41,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     controls: ["equation"],
     readouts: ["synthesis-grashof", "synthesis-gap"],
     errata: true,
-    question: { within: 0.005, answer: ({ wanted: [, { error }] }) => Math.abs(error) },
+    question: { within: 0.005, answer: ({ wanted: [, { open }] }) => open },
   },
   {
     id: "three",

@@ -1,7 +1,8 @@
 //! What is true of each position that is wanted: the main equation and the conditions of the paper.
 
 use assur::synthesis::four_bar::theorems::{
-    Angles, ConditionNumber, System, Theorem, Truth, Unknown, conditions, theorems, truth,
+    Angles, ConditionNumber, System, Theorem, Truth, Unknown, conditions, functional, theorems,
+    truth,
 };
 use assur::synthesis::four_bar::{Proportions, Solution, Task};
 use assur_file::SynthesisDocument;
@@ -19,8 +20,10 @@ pub(crate) struct WantedSummary {
     error: f64,
     /// The main equation: its left side, Z, e₀·e₂/z₃ and e₀·e₃/z₂.
     equation: [f64; 4],
-    /// φ₁ at which the conditions are evaluated.
+    /// φ₁ at which the conditions are evaluated, and the length by which the contour is open with
+    /// the coupler there.
     at: f64,
+    open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
     /// Between which l₁ all lengths are positive: null where there are none, and where there is
@@ -92,6 +95,12 @@ pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution
 impl WantedSummary {
     pub(super) fn all(task: &Task, angles: &[Angles], shown: &Solution) -> Vec<Self> {
         let length = task.frame().length;
+        let Proportions {
+            coupler,
+            output,
+            input,
+        } = shown.proportions;
+        let z = [coupler, output, input];
         let told = shown.closures.iter().zip(shown.main_equations(task));
         let all = angles.iter().zip(told);
         all.map(|(angles, (closure, equation))| Self {
@@ -106,6 +115,7 @@ impl WantedSummary {
                 equation.by_output,
             ],
             at: angles.coupler,
+            open: functional(angles, z).sqrt() * length,
             conditions: ConditionSummary::all(angles),
             theorems: theorems(angles)
                 .into_iter()
