@@ -24,7 +24,7 @@ fn family(positions: [[f64; 2]; 2]) -> Family {
 /// lengths will do.
 #[test]
 fn degenerate_pairs() {
-    // The output stays (or is mirrored): 1/z₂ alone is told.
+    // The output stays (or is mirrored): 1/z₂ alone is given.
     let fixed = family([[280.0, 20.0], [280.0, 120.0]]);
     let range = fixed.output_range();
     assert_eq!(range.to, Some(range.from));
@@ -54,7 +54,7 @@ fn degenerate_pairs() {
     assert_eq!(fixed.with_input(1.0), Err(MemberError::Same(range.from)));
     // Both mirrored: every linkage takes up both.
     assert_eq!(two([[70.0, 20.0], [-70.0, -20.0]]), TwoPositions::Any);
-    // The relative angle stays: z₂ : z₃ is told, not the size.
+    // The relative angle stays: z₂ : z₃ is given, not the size.
     let sizes = family([[250.0, 30.0], [310.0, 90.0]]);
     let ratio = |z: &Proportions| z.output / z.input;
     let [small, large] = [0.01, 50.0].map(|z| sizes.with_output(z).unwrap());

@@ -211,6 +211,48 @@ fn solutions_take_up_their_positions() {
     assert!(three > 20 && five > 5, "{three} {five}");
 }
 
+/// The inputs that close the loop with given coupler and output are those and all of them.
+#[test]
+fn closing_inputs() {
+    let mut dice = Dice::new(80);
+    let mut counts = [0; 3];
+    for _ in 0..20_000 {
+        let task = task(&dice.positions(1));
+        let [coupler, output] = [dice.ratio(5.0), dice.ratio(5.0)];
+        let found = task.closing_inputs(0, coupler, output);
+        assert!(found.is_sorted_by(|a, b| a < b));
+        for input in &found {
+            let z = Proportions {
+                coupler,
+                output,
+                input: *input,
+            };
+            let off = Solution::new(&task, z).worst_residual();
+            assert!(off < 1e-12 * (1.0 + input), "{off} {z:?}");
+        }
+        // As many as the residual changes its sign along z₃, in steps that miss few.
+        let residual = |input: f64| {
+            let z = Proportions {
+                coupler,
+                output,
+                input,
+            };
+            Solution::new(&task, z).closures[0].residual
+        };
+        let steps = (1..400).map(|k| residual(0.05 * f64::from(k)) > 0.0);
+        let signs: Vec<bool> = [residual(1e-9) > 0.0].into_iter().chain(steps).collect();
+        let changes = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        assert!(changes <= found.len(), "{changes} {found:?}");
+        let close = found.windows(2).any(|pair| pair[1] - pair[0] < 0.06);
+        assert!(changes == found.len() || close, "{changes} {found:?}");
+        counts[found.len()] += 1;
+    }
+    assert!(counts.iter().all(|count| *count > 500), "{counts:?}");
+    let task = task(&dice.positions(1));
+    assert!(task.closing_inputs(1, 1.0, 1.0).is_empty());
+    assert!(task.closing_inputs(0, f64::NAN, 1.0).is_empty());
+}
+
 /// Positions of a parallelogram: at the change points it may go either way.
 #[test]
 fn change_points() {

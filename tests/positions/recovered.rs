@@ -61,7 +61,7 @@ fn from_three_positions() {
     }
 }
 
-/// The linkage is among at most three, each of which closes in all positions; told from any starts.
+/// The linkage is among at most three, each of which closes in all positions, with any starts.
 #[test]
 fn from_five_positions() {
     let mut dice = Dice::new(5);

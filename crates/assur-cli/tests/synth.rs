@@ -215,7 +215,7 @@ fn refusals() {
         ),
         (
             &["--position", "1,2", "--l2", "3"],
-            "--l2 tells members of the family of two positions apart",
+            "--l2 picks a linkage of the family of two positions",
         ),
         (
             &["--position", "1,2", "--free"],

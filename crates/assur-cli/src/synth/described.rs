@@ -138,7 +138,7 @@ pub(super) fn family(report: &mut Report, family: &Family) {
     report.set("family", described);
 }
 
-/// One position: whatever the lengths of output and input are, the gap tells the coupler's.
+/// One position: whatever the lengths of output and input are, the coupler is as long as the gap.
 pub(super) fn one(report: &mut Report, task: &Task) {
     report.kind = "any";
     report.notes.push(words::ONE.to_owned());

@@ -22,7 +22,7 @@ const SHOWN: usize = 5;
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Angles of output and input that belong together, degrees from the x-axis; a weight may follow.
-    /// The output's is told from its joint with the coupler to its fixed pivot.
+    /// The output points from its joint with the coupler to its fixed pivot.
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required = true, value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     /// Length of the frame; all lengths are in its unit.
@@ -44,7 +44,7 @@ pub(crate) struct Asked {
     /// Of two positions: the linkage with this length of the output.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// Angles are told from starts that may be chosen (five positions exactly).
+    /// The starting angles of output and input are free (exact for five positions).
     #[arg(long)]
     free: bool,
     /// For programs.
@@ -60,7 +60,7 @@ pub(crate) struct Degrees {
     weight: f64,
 }
 
-/// Reads a position; what is no number is told by clap.
+/// Reads a position.
 fn degrees(text: &str) -> Result<Degrees, String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     let (output, input, weight) = match parts.as_deref() {
@@ -120,7 +120,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
 fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {
-        return Err("--l2 tells members of the family of two positions apart; there are not two, or starts are free".to_owned());
+        return Err("--l2 picks a linkage of the family of two positions; here are not two, or starts are free".to_owned());
     }
     if asked.free {
         return free(task);

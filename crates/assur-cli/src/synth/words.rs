@@ -93,11 +93,11 @@ pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
     }
 }
 
-/// Why free starts are not told.
+/// Why free starts have no finite number of linkages.
 pub(super) fn starts(error: StartsError) -> String {
     match error {
         StartsError::Family { freedoms } => format!(
-            "--free: five positions tell the linkages, these leave a family of {freedoms} freedom{}",
+            "--free: it takes five positions, these leave a family of {freedoms} freedom{}",
             if freedoms == 1 { "" } else { "s" }
         ),
         StartsError::Degenerate => {

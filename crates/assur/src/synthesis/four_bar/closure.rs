@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
-use super::Proportions;
+use super::{Proportions, Task};
 
 /// Directions of output and input relative to the frame's, e₂/e₀ and e₃/e₀.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +36,30 @@ impl Direction {
     /// e₂ × r, in which z₂ cancels.
     pub(super) fn side(&self, input: f64) -> f64 {
         -self.output.im - input * cross(self.output, self.input)
+    }
+}
+
+impl Task {
+    /// The lengths z₃ > 0, ascending, with which coupler and output of these lengths close the loop
+    /// in a position: none or one or two, those of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂.
+    /// They are real where |p × e₃| ≤ z₁, the region of theorems 1 and 2 in the plane of z₁ and z₂.
+    /// Empty also where the task has no such position.
+    pub fn closing_inputs(&self, position: usize, coupler: f64, output: f64) -> Vec<f64> {
+        if position >= self.positions().len() {
+            return Vec::new();
+        }
+        let at = self.direction(position, [0.0; 2]);
+        let p = at.gap(output, 0.0);
+        let (along, across) = (dot(p, at.input), cross(p, at.input));
+        // NaN where the loop cannot be closed: no root of it is positive.
+        let root = (coupler * coupler - across * across).sqrt();
+        let far = along + root.copysign(along);
+        let near = (p.norm() - coupler) * (p.norm() + coupler) / far;
+        let mut found = vec![far, near];
+        found.retain(|z| *z > 0.0 && z.is_finite());
+        found.sort_by(f64::total_cmp);
+        found.dedup();
+        found
     }
 }
 

@@ -89,7 +89,7 @@ pub struct Range {
 pub enum MemberError {
     /// The length is not finite, or no member has it: from here to there.
     OutOfRange(Range),
-    /// All members have this length: it tells none apart.
+    /// All members have this length.
     Same(f64),
 }
 
@@ -239,7 +239,7 @@ impl Family {
     }
 
     /// From where to where the coupler's angle φ₁ goes at the first and at the second position,
-    /// told continuously along the family; the middle is in (−π, π].
+    /// continuous along the family; the middle is in (−π, π].
     pub fn coupler_angles(&self) -> [[f64; 2]; 2] {
         let frame = self.task.frame().angle;
         let directions = self.directions();
@@ -307,12 +307,12 @@ impl Family {
         }
     }
 
-    /// Every place where Grashof's class or the assembly of a position changes, in their order.
-    /// Both are straight lines in (1/z₂, 1/z₃) as well: z₁ = |1 ± z₂ ± z₃| because z₁² is what
-    /// the first position makes it, and C on the line BD because z₂ cancels there.
+    /// Every place where Grashof's class or the assembly of a position changes, in their order; in a
+    /// task of the two positions alone these are all the places where class or passage change. Both
+    /// are straight lines in (1/z₂, 1/z₃) as well: z₁ = |1 ± z₂ ± z₃| because z₁² is what the first
+    /// position makes it, and C on the line BD because z₂ cancels there.
     pub fn changes(&self) -> Vec<Change> {
-        let directions = self.directions();
-        let first = directions[0];
+        let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {
             let line = Line {
                 output: first.input.re + t,
@@ -321,14 +321,14 @@ impl Family {
             };
             (line, ChangeKind::Grashof)
         });
-        let dead = [0, 1].map(|k| {
-            let at = directions[k];
+        let all = self.task.directions([0.0; 2]).enumerate();
+        let dead = all.map(|(k, at)| {
             let line = Line {
                 output: 0.0,
                 input: at.output.im,
                 right: (at.output * at.input.conj()).im,
             };
-            (line, ChangeKind::DeadPoint(self.pair[k]))
+            (line, ChangeKind::DeadPoint(k))
         });
         let mut changes: Vec<Change> = (lines.into_iter().chain(dead))
             .filter_map(|(line, kind)| {

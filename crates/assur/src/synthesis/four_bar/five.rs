@@ -1,4 +1,4 @@
-//! Five positions told from free starting angles: at most three linkages, in closed form.
+//! Five positions with free starting angles: at most three linkages, in closed form.
 //!
 //! With w₂ = z₂e^{iφ₂₀}, w₃ = z₃e^{iφ₃₀} and the given turns A = e^{iφ₂}, B = e^{iφ₃} from the
 //! frame, |w₂A + w₃B − 1|² = z₁² reads
@@ -14,7 +14,7 @@ use nalgebra::Complex;
 use super::closure::dot;
 use super::{Proportions, Solution, Task, linear, polynomial};
 
-/// Why free starts are not told.
+/// Why positions with free starts have no finite number of exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
     /// Fewer than five positions leave a family of so many freedoms.
@@ -31,8 +31,8 @@ pub enum StartsError {
 
 type Unknowns = [f64; 7];
 
-/// The linkages that take up all five positions of a task, φ₂ and φ₃ of the task being told from
-/// starts that each linkage chooses. Every one there is is listed, at most three, by growing size.
+/// The linkages that take up all five positions of a task, φ₂ and φ₃ of the task being measured from
+/// starting angles that are found with the lengths. Every one there is is listed, at most three, by growing size.
 ///
 /// # Errors
 /// Where there are fewer or more positions, or special ones.

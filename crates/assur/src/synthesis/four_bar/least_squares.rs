@@ -78,13 +78,13 @@ enum Ways {
 
 impl Search {
     /// The search with the angles of the task as they are. It is meant for four positions and
-    /// more: what fewer leave open is told exactly by [`TwoPositions`](super::TwoPositions) and
-    /// [`ThreePositions`](super::ThreePositions).
+    /// more: for fewer [`TwoPositions`](super::TwoPositions) and
+    /// [`ThreePositions`](super::ThreePositions) are exact.
     pub fn new(task: &Task) -> Self {
         Self::with(task, Ways::Given(Descents::new(task, starts::given(task))))
     }
 
-    /// The search with free starts: φ₂ and φ₃ of the task are told from angles that are sought
+    /// The search with free starts: φ₂ and φ₃ of the task are measured from angles that are sought
     /// with the lengths. It is meant for six positions and more: see
     /// [`five_positions`](super::five_positions).
     pub fn free(task: &Task) -> Self {

@@ -19,10 +19,9 @@ pub(super) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// The least squares of N unknowns, by Gram and Schmidt's rows of the triangle in their modified
-/// order: each row of the equations is its coefficients and, last, its right-hand side, N + 1 in
-/// all. No squares of the coefficients are summed up first, which would cost half the digits. None
-/// where the unknowns are not all told.
+/// The least squares solution for N unknowns, by modified Gram-Schmidt orthogonalisation: the normal
+/// equations would cost half the digits. A row is the N coefficients of an equation and its right-hand
+/// side. None where the columns are dependent.
 pub(super) fn least_squares<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[f64; N]> {
     let mut triangle = [[0.0_f64; N]; N];
     let mut right = [0.0; N];

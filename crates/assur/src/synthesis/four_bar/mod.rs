@@ -12,7 +12,7 @@
 //!
 //! - two positions leave a curve of linkages ([`TwoPositions`]),
 //! - three one linkage ([`ThreePositions`], Freudenstein's equation),
-//! - five at most three, if the angles are told from starts that may be chosen
+//! - five at most three, if the starting angles of output and input are free
 //!   ([`five_positions`]),
 //! - more a compromise, the least ΣJ ([`Search`]).
 //!
@@ -114,7 +114,7 @@ impl Solution {
         Self::started(task, proportions, [0.0; 2])
     }
 
-    /// The same, φ₂ and φ₃ of the task being told from these starts.
+    /// The same, φ₂ and φ₃ of the task being measured from these starting angles.
     pub fn started(task: &Task, proportions: Proportions, [output, input]: [f64; 2]) -> Self {
         let directions: Vec<_> = task.directions([output, input]).collect();
         let frame = task.frame().angle;

@@ -145,7 +145,7 @@ impl Task {
         self.ratios
     }
 
-    /// The directions of output and input at a position relative to the frame's, told from starts.
+    /// The directions of output and input at a position relative to the frame's, with these starts.
     pub(super) fn direction(&self, index: usize, [output, input]: [f64; 2]) -> Direction {
         let position = self.positions[index];
         let output = position.output + output - self.frame.angle;

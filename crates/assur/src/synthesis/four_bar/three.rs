@@ -8,7 +8,7 @@ pub enum ThreePositions {
     /// The one linkage.
     One(Solution),
     /// The one point of the lines has lengths that are negative: the linkage takes up the
-    /// positions with that link told from its other end (half a turn on).
+    /// positions with that link's angle half a turn on.
     Negative {
         /// z₂.
         output: f64,

@@ -52,7 +52,7 @@ pub enum Order {
     Growing,
     /// As φ₃ falls.
     Falling,
-    /// Whichever way the input turns: one or two positions of one that turns fully.
+    /// Whichever way φ₃ goes: a single position, or two of an input that turns fully.
     Either,
     /// In another order, or not all of them.
     Mixed,
@@ -82,8 +82,7 @@ pub(super) fn verdict(
         grashof: linkage.grashof(),
         turns: cycle.is_full(),
         transmission: linkage.worst_transmission().0,
-        transmission_between: (way.span)
-            .and_then(|span| transmission_within(&linkage, &cycle, span)),
+        transmission_between: (way.span).map(|span| transmission_within(&linkage, &cycle, span)),
         size_ratio: proportions.size_ratio(),
     })
 }
@@ -91,7 +90,7 @@ pub(super) fn verdict(
 /// How the positions lie on the motions of a linkage.
 struct Way {
     passage: Passage,
-    /// The assembly of all positions, as far as they tell one.
+    /// The assembly of the positions; none if coupler and output are in line at all of them.
     assembly: Option<Assembly>,
     order: Order,
     /// The input from the first position to the last, if it goes through them.
@@ -166,7 +165,7 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
 }
 
 /// The assembly of a position; none where coupler and output are in line. Where a motion takes
-/// two turns it is told by the turn, which `input` then gets.
+/// two turns, the assembly is that of one of the turns, and `input` is brought into that turn.
 fn assembly(
     linkage: &FourBar,
     cycle: &Cycle,
@@ -271,7 +270,7 @@ impl Met {
 
 /// The least transmission angle over a stretch of the input: it falls away on either side of
 /// 90°, and the diagonal is monotone from 0 to π, so at an end or at a half turn.
-fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -> Option<f64> {
+fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -> f64 {
     let half_turns = (0..8).map(|k| ((from / PI).ceil() + f64::from(k)) * PI);
     let within = half_turns.take_while(|input| *input < to);
     let of = |input: f64| linkage.transmission_angle(input).ok();
@@ -280,5 +279,5 @@ fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -
         .filter_map(of)
         .reduce(f64::min);
     let ends = of(from).unwrap_or(0.0).min(of(to).unwrap_or(0.0));
-    Some(inner.map_or(ends, |inner| inner.min(ends)))
+    inner.map_or(ends, |inner| inner.min(ends))
 }

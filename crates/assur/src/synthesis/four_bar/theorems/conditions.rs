@@ -80,7 +80,7 @@ pub struct Theorem {
     pub truth: bool,
 }
 
-/// Every printed condition at given angles. Where (13) fails there is nothing else to be told of
+/// Every printed condition at given angles. Where (13) fails there are no other conditions on
 /// z₂ and z₃; angles that are not finite have none.
 pub fn conditions(angles: &Angles) -> Vec<Condition> {
     if !angles.is_finite() {
