@@ -2,6 +2,7 @@
 
 use assur::mixer::{Case, Mixer};
 use assur::motion::Column;
+use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
 use assur::{Assembly, FourBar, JetPoint, Link, Offset};
 use assur_tests::{Row, Table, angle_between, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -54,6 +55,45 @@ fn table_of_the_mixer() {
         }
         // Two angles and three points, each with two derivatives.
         assert_eq!(compared, 3 * (2 + 3 * 2));
+    }
+}
+
+/// Exact members of the family of two positions, the synthesis paper's worked example: by the
+/// output's length, by the input's and by the coupler's.
+#[wasm_bindgen_test(unsupported = test)]
+fn members_of_a_family() {
+    const FRAME: f64 = 10.4;
+    let positions = [(240.0_f64, 45.0_f64), (253.0, 60.0)];
+    let positions = positions.map(|(a, b)| Position::new(a.to_radians(), b.to_radians()));
+    let frame = Frame {
+        length: FRAME,
+        angle: 0.0,
+    };
+    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+    let Some(TwoPositions::Family(family)) = TwoPositions::new(&task) else {
+        panic!("no family");
+    };
+    let golden = Table::parse(include_str!("data/synthesis.csv"));
+    for row in golden.rows() {
+        let [l1, l2, l3] = ["l1", "l2", "l3"].map(|name| row.get(name));
+        let mut members = family.with_coupler(l1 / FRAME).unwrap();
+        // Other members have the same coupler.
+        members.retain(|member| (member.proportions.output * FRAME - l2).abs() < 0.1);
+        assert_eq!(members.len(), 1);
+        members.push(family.with_output(l2 / FRAME).unwrap());
+        members.push(family.with_input(l3 / FRAME).unwrap());
+        for member in members {
+            let lengths = member.proportions.lengths(FRAME);
+            for (length, expected) in lengths.into_iter().zip([l3, l1, l2, FRAME]) {
+                assert_near(length, expected, 1e-12, "a length");
+            }
+            for (closure, name) in member.closures.iter().zip(["first", "second"]) {
+                let expected = row.get(&format!("phi1_{name}_deg"));
+                let angle = closure.coupler.to_degrees();
+                assert_near(angle, expected, 1e-11, "the coupler's angle");
+                assert!(closure.residual.abs() < 1e-14, "{}", closure.residual);
+            }
+        }
     }
 }
 

@@ -92,6 +92,37 @@ fn members_that_are_not() {
     assert_eq!(family.at(foreign), None);
 }
 
+/// By its coupler a member is found again, with every other one that has the same: as many as a dense
+/// sampling passes that length.
+#[test]
+fn members_by_the_coupler() {
+    let mut dice = Dice::new(20);
+    let (mut families, mut counts) = (0, [0; 5]);
+    while families < 300 {
+        let positions = dice.positions(2);
+        let Some(TwoPositions::Family(family)) = TwoPositions::new(&task(&positions)) else {
+            continue;
+        };
+        families += 1;
+        let z = family.proportions(dice.between(0.1, 0.9)).unwrap();
+        let found = family.with_coupler(z.coupler).unwrap();
+        let near = |one: &&Solution| (one.proportions.output / z.output - 1.0).abs() < 1e-8;
+        assert_eq!(found.iter().filter(near).count(), 1, "{z:?} {found:?}");
+        for one in &found {
+            let off = one.proportions.coupler / z.coupler - 1.0;
+            assert!(off.abs() < 1e-11, "{off:e}");
+        }
+        let longer = |at: f64| family.proportions(at).map(|one| one.coupler > z.coupler);
+        let mut sides: Vec<bool> = (1..20_000)
+            .filter_map(|k| longer(f64::from(k) / 20_000.0))
+            .collect();
+        sides.dedup();
+        assert_eq!(sides.len() - 1, found.len(), "{z:?} {found:?}");
+        counts[found.len()] += 1;
+    }
+    assert!(counts[1] > 20 && counts[2] > 20, "{counts:?}");
+}
+
 /// Ranges are exact: nothing of a dense sampling is outside, and something comes near each end.
 #[test]
 fn ranges_are_those_of_a_sampling() {

@@ -255,3 +255,30 @@ fn freedom_helps() {
         assert_eq!(surface.value(f64::NAN, 1.0), None);
     }
 }
+
+/// With free starts the least does not hang on where the angles are measured from, nor on the order of the
+/// positions, though both change every start of the search.
+#[test]
+fn free_starts_are_free() {
+    let mut dice = Dice::new(205);
+    for number in 0..24 {
+        let mut positions = drawn(&mut dice, number % 3, 8);
+        let least = Search::free(&task(&positions)).run()[0].value;
+        for _ in 0..4 {
+            for k in (1..positions.len()).rev() {
+                let other = dice.between(0.0, (k + 1) as f64) as usize;
+                positions.swap(k, other);
+            }
+            let starts = [dice.angle(), dice.angle()];
+            for position in &mut positions {
+                position.output += starts[0];
+                position.input += starts[1];
+            }
+            let again = Search::free(&task(&positions)).run()[0].value;
+            assert!(
+                (again - least).abs() <= 1e-6 * least + 1e-14,
+                "{again} {least}"
+            );
+        }
+    }
+}

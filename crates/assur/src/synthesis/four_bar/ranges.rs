@@ -119,7 +119,8 @@ pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
         return Vec::new();
     }
     let shape = &family.shape;
-    let mut polynomial = square(gap(shape, &family.directions()[0]));
+    let at = &family.directions()[0];
+    let mut polynomial = square(gap(shape, at));
     polynomial[2] -= coupler * coupler;
     let places = positive_roots(&polynomial).into_iter();
     places
@@ -128,7 +129,46 @@ pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
             Shape::Directions { a, b, .. } => [a + b * x, b + a / x],
             Shape::Sizes { direction } => [x * direction.sin(), x * direction.cos()],
         })
+        .map(|lengths| polished(shape, at, coupler, lengths))
         .collect()
+}
+
+/// Steps of Newton's method along a family; the digits that the polynomial has lost take one or two.
+const STEPS: usize = 4;
+
+/// The place of a family next to these z₂ and z₃ at which |r| is z₁.
+fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) -> [f64; 2] {
+    let open = |[output, input]: [f64; 2]| at.gap(output, input).norm() - coupler;
+    for _ in 0..STEPS {
+        let [output, input] = lengths;
+        let r = at.gap(output, input);
+        // Along the family, and how |r| changes there.
+        let way = match *shape {
+            Shape::Directions { a, b, .. } => [b * output * output, -a * input * input],
+            Shape::Sizes { .. } => lengths,
+        };
+        let slope = -(dot(r, at.output) * way[0] + dot(r, at.input) * way[1]) / r.norm();
+        let step = open(lengths) / slope;
+        let by_output = way[0].abs() > way[1].abs();
+        let next = match (*shape, by_output) {
+            (Shape::Directions { a, b, .. }, true) => {
+                let output = output - step * way[0];
+                [output, b * output / (output - a)]
+            }
+            (Shape::Directions { a, b, .. }, false) => {
+                let input = input - step * way[1];
+                [a * input / (input - b), input]
+            }
+            (Shape::Sizes { .. }, _) => way.map(|length| length - step * length),
+        };
+        // A step that is none, at a double root, or that makes nothing better ends it.
+        let better = open(next).abs() < open(lengths).abs();
+        if !better {
+            break;
+        }
+        lengths = next;
+    }
+    lengths
 }
 
 /// The range of arg r at a position, continuous along the family. Between two places where r
