@@ -6,6 +6,8 @@ use assur::synthesis::four_bar::{
     Position, Proportions, ThreePositions, TwoPositions, five_positions,
 };
 
+use nalgebra::{Matrix5, Vector5};
+
 use super::draw::{Dice, output, task};
 
 const LINKAGES: usize = 10_000;
@@ -118,4 +120,65 @@ fn from_close_positions() {
         let near = near.fold(f64::INFINITY, f64::min);
         assert!(near < 1e-5, "{near:e} {z:?}");
     }
+}
+
+/// Of five positions at random every linkage is listed: Newton's method from many random places, apart
+/// from the engine, finds no other one.
+#[test]
+fn no_solution_of_five_positions_is_missing() {
+    let mut dice = Dice::new(6);
+    let mut met = [0; 4];
+    for _ in 0..100 {
+        let positions = dice.positions(5);
+        let listed = five_positions(&task(&positions)).unwrap();
+        let mut seen = vec![false; listed.len()];
+        for _ in 0..60 {
+            let start = Vector5::from_fn(|_, _| dice.between(-2.0, 2.0));
+            let Some(found) = newton(&positions, start) else {
+                continue;
+            };
+            let [output, input] = [found[0].hypot(found[1]), found[2].hypot(found[3])];
+            // Not the linkage of no size, nor one so large that it hardly closes.
+            if !(1e-3..1e3).contains(&output) || !(1e-3..1e3).contains(&input) {
+                continue;
+            }
+            let known = listed.iter().position(|one| {
+                let z = one.proportions;
+                (z.output / output - 1.0).abs() + (z.input / input - 1.0).abs() < 1e-6
+            });
+            seen[known.unwrap_or_else(|| panic!("{found} {listed:?}"))] = true;
+        }
+        met[seen.iter().filter(|seen| **seen).count()] += 1;
+    }
+    assert!(met[1] + met[2] + met[3] > 90, "{met:?}");
+}
+
+/// w₂, w₃ and z₁ with |w₂A + w₃B − 1|² = z₁² in all positions, by Newton's method.
+fn newton(positions: &[Position], mut x: Vector5<f64>) -> Option<Vector5<f64>> {
+    for _ in 0..60 {
+        let mut matrix = Matrix5::zeros();
+        let mut value = Vector5::zeros();
+        for (row, position) in positions.iter().enumerate() {
+            let [(s2, c2), (s3, c3)] = [position.output.sin_cos(), position.input.sin_cos()];
+            let re = x[0] * c2 - x[1] * s2 + x[2] * c3 - x[3] * s3 - 1.0;
+            let im = x[0] * s2 + x[1] * c2 + x[2] * s3 + x[3] * c3;
+            value[row] = re * re + im * im - x[4] * x[4];
+            let slopes = [
+                re * c2 + im * s2,
+                im * c2 - re * s2,
+                re * c3 + im * s3,
+                im * c3 - re * s3,
+                -x[4],
+            ];
+            for (column, slope) in slopes.into_iter().enumerate() {
+                matrix[(row, column)] = 2.0 * slope;
+            }
+        }
+        let step = matrix.lu().solve(&value)?;
+        x -= step;
+        if step.norm() < 1e-13 * (1.0 + x.norm()) {
+            return Some(x);
+        }
+    }
+    None
 }

@@ -1,8 +1,9 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of
 //! its minimum, and the conditions and theorems on positive lengths, with the truth beside each.
 //!
-//! Of the printed conditions those that need no more than their sense are evaluated by it: where
-//! the sign before the z₁ term is misprinted, as it ought to be (docs/errata.md).
+//! Printed formulas are evaluated with their misprints mended (docs/errata.md). Of conditions (14),
+//! (25), (29), (30) and (33) to (38) the sense is known and not the wording: [`ConditionNumber`] says
+//! what is evaluated for each.
 
 mod conditions;
 mod system;
