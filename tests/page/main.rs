@@ -33,6 +33,7 @@ mod readme;
 mod share;
 mod slide;
 mod steps;
+mod synthesis;
 mod touch;
 mod tracers;
 mod undo;

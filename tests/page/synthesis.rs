@@ -1,0 +1,499 @@
+//! Synthesis from positions on the page: its lesson, what is typed, dragged and chosen there, and
+//! what is said where no linkage takes up the positions.
+
+use std::collections::BTreeSet;
+
+use assur::synthesis::four_bar::Options;
+use assur_file::{LinkageDocument, Synthesis, SynthesisDocument};
+use assur_tests::assert_near;
+use serde_json::{Value, json};
+use thirtyfour::prelude::*;
+
+use crate::browser::{Page, setting};
+use crate::device::LANGUAGES;
+use crate::layout::defects;
+
+/// A document of the lesson's own.
+fn preset(name: &str) -> Value {
+    let presets: Value =
+        serde_json::from_str(include_str!("../../www/lessons/synthesis/presets.json")).unwrap();
+    presets[name]["document"].clone()
+}
+
+fn document(name: &str) -> SynthesisDocument {
+    serde_json::from_value(preset(name)).unwrap()
+}
+
+fn synthesis(name: &str) -> Synthesis {
+    document(name).synthesis().unwrap()
+}
+
+/// The link to a document, at rest at an input of 50°.
+fn link(document: &Value) -> String {
+    let fields = document.as_object().unwrap().iter();
+    let fields = fields.map(|(name, value)| {
+        let value = value.to_string().replace('%', "%25").replace('"', "%22");
+        let value = value.replace('{', "%7B").replace('}', "%7D");
+        let value = value.replace('[', "%5B").replace(']', "%5D");
+        format!("&d.{name}={value}")
+    });
+    let fields: String = fields.collect();
+    let view = "&v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
+    format!("{}#2&kind=synthesis{fields}{view}", setting("ASSUR_URL"))
+}
+
+/// The page with a document, and all that is of its kind.
+async fn open(document: &Value) -> Page {
+    let page = Page::open_at(&link(document), "en-US").await;
+    there(&page).await;
+    assert_eq!(page.text("notice-text").await, "");
+    page
+}
+
+async fn there(page: &Page) {
+    // In a lesson it is there without being seen.
+    let said = "return document.getElementById('synthesis-said')?.textContent ?? ''";
+    page.until("what is of a synthesis", async || {
+        page.ask(said).await != json!("")
+    })
+    .await;
+    page.settle().await;
+}
+
+/// l₁, l₂, l₃ of the solutions in the list.
+async fn listed(page: &Page) -> Vec<String> {
+    let script = "return [...document.querySelectorAll('[data-field=solutions] label')].map((one) => one.textContent.trim())";
+    let all = page.ask(script).await;
+    let all = all.as_array().unwrap().iter();
+    all.map(|one| one.as_str().unwrap().to_owned()).collect()
+}
+
+/// The number that stands behind a sign in a text.
+fn after(text: &str, sign: &str) -> f64 {
+    let (_, rest) = text.split_once(sign).unwrap();
+    let number = rest.trim_start().split([';', ' ', '°']).next().unwrap();
+    number.replace('−', "-").parse().unwrap()
+}
+
+async fn lesson(page: &Page) {
+    page.click("gallery").await;
+    page.until("the gallery", async || {
+        page.count("#gallery-lesson-synthesis").await == 1
+    })
+    .await;
+    page.click("gallery-lesson-synthesis").await;
+    page.until("the lesson", async || {
+        page.count("#lesson-title").await == 1
+    })
+    .await;
+    there(page).await;
+}
+
+/// What each step asks, answered wrongly and as the engine has it.
+fn answers() -> [(&'static str, String); 8] {
+    let number = |value: f64| format!("{value:.4}");
+    let two = document("family").positions;
+    let Options::Family(family) = synthesis("family").options else {
+        panic!("no family");
+    };
+    let frame = document("family").frame;
+    let changes = family.changes().into_iter();
+    let outputs = changes.map(|change| change.proportions.output * frame);
+    let printed = synthesis("printed");
+    let open = printed.shown.closures[1].residual * printed.task.frame().length;
+    let many = synthesis("many").options.solutions().len();
+    let sent: LinkageDocument = serde_json::from_value(preset("sent")).unwrap();
+    let motion = sent.motion().unwrap();
+    let rocker = assur::mechanism::Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
+    let swing = assur::motion::OutputProfile::new(&motion, rocker);
+    [
+        ("12", number(two[1].output_deg - two[0].output_deg)),
+        ("12.82", "11.757".to_owned()),
+        ("39.35", number(outputs.fold(f64::INFINITY, f64::min))),
+        ("0.247", number(open.abs())),
+        ("coupler", "input".to_owned()),
+        ("0", many.to_string()),
+        ("some", "none".to_owned()),
+        ("40", number(swing.stroke().unwrap().to_degrees())),
+    ]
+}
+
+/// From the gallery through all steps: each shows without a problem, and its answer is that of the engine.
+#[tokio::test]
+async fn its_lesson_is_answered() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    for (index, (wrong, right)) in answers().iter().enumerate() {
+        let step = index + 1;
+        page.click("lesson-show").await;
+        page.settle().await;
+        assert_eq!(page.text("problem").await, "", "step {step}");
+        let choices = page
+            .count("#lesson input[type=radio][name=lesson-choice]")
+            .await
+            > 0;
+        for (answer, verdict) in [(*wrong, "not_yet"), (right.as_str(), "right")] {
+            if choices {
+                page.click(&format!("lesson-{answer}")).await;
+            } else {
+                page.write("lesson-answer", answer).await;
+            }
+            page.press("lesson-check", Key::Enter).await;
+            let said = page.attribute("lesson-said", "data-verdict").await;
+            let text = page.text("lesson-said").await;
+            assert_eq!(
+                said.as_deref(),
+                Some(verdict),
+                "step {step}: {answer} {text}"
+            );
+            assert!(text.len() > 10 && !text.contains(['{', '}']), "{text}");
+        }
+        if step < 8 {
+            page.click("lesson-on").await;
+        }
+    }
+    let progress = page.text("lesson-progress").await;
+    assert!(progress.contains("8 right answers"), "{progress}");
+    page.close().await;
+}
+
+/// What a step asks for stands in it; the misprints of the paper open from it.
+#[tokio::test]
+async fn steps_have_their_tools_and_misprints() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    assert_eq!(page.count("#lesson #positions").await, 1);
+    assert!(
+        !page
+            .element("lesson-errata")
+            .await
+            .is_displayed()
+            .await
+            .unwrap()
+    );
+    page.click("lesson-on").await;
+    page.click("lesson-show").await;
+    assert_eq!(page.count("#lesson #positions").await, 0);
+    assert_eq!(
+        page.count("#lesson #synthesis-conditions[open] table")
+            .await,
+        2
+    );
+    page.click("lesson-errata").await;
+    page.until("the misprints", async || {
+        page.count("#errata-dialog[open] tbody tr").await == 9
+    })
+    .await;
+    page.click("errata-close").await;
+    page.click("lesson-on").await;
+    assert_eq!(page.count("#lesson #synthesis-map").await, 1);
+    page.close().await;
+}
+
+/// A typed direction is what is solved for; the frame scales all lengths; a position more, and one less.
+#[tokio::test]
+async fn positions_are_typed_added_and_removed() {
+    let page = open(&preset("family")).await;
+    let before = page.picture("mechanism").await;
+    page.write("field-output-2", "260").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(page.written("field-output-2").await, "260°");
+    assert!(page.picture("mechanism").await.difference(&before) > 500);
+    let mut wanted = document("family");
+    wanted.positions[1].output_deg = 260.0;
+    let solved = wanted.synthesis().unwrap();
+    let [_, coupler, output, _] = solved.shown.proportions.lengths(wanted.frame);
+    let shown = listed(&page).await;
+    assert_near(after(&shown[0], "l₁ ="), coupler, 5e-3, "l₁");
+    assert_near(after(&shown[0], "l₂ ="), output, 5e-3, "l₂");
+
+    page.write("field-output-2", "253").await;
+    page.click("positions-add").await;
+    assert_eq!(page.count("#positions .card:not([hidden])").await, 3);
+    let said = page.text("problem").await;
+    assert!(said.is_empty() || said.len() > 30, "{said}");
+    // One that the family's member takes up itself: the same linkage, alone.
+    wanted = document("family");
+    let member = wanted.synthesis().unwrap();
+    let motion = wanted
+        .synthesis()
+        .unwrap()
+        .drawn()
+        .unwrap()
+        .motion()
+        .unwrap();
+    let rocker = motion.mechanism().link("rocker").unwrap();
+    let pose = motion.pose::<1>(80_f64.to_radians()).unwrap();
+    let angle = motion.mechanism().angle(&pose, rocker).value().to_degrees();
+    page.write("field-input-3", "80").await;
+    page.write("field-output-3", &angle.rem_euclid(360.0).to_string())
+        .await;
+    assert_eq!(page.text("problem").await, "");
+    let shown = listed(&page).await;
+    let [_, coupler, ..] = member.shown.proportions.lengths(wanted.frame);
+    assert_eq!(shown.len(), 1, "{shown:?}");
+    assert_near(after(&shown[0], "l₁ ="), coupler, 5e-3, "l₁");
+    page.click("positions-remove-3").await;
+    assert_eq!(page.count("#positions .card:not([hidden])").await, 2);
+    assert_eq!(page.count("#lesson-title").await, 0);
+    page.close().await;
+}
+
+/// What the fields of the positions hold.
+async fn directions(page: &Page) -> Vec<(String, String)> {
+    let script = "return [...document.querySelectorAll('#positions .card:not([hidden]) input')]
+        .filter((one) => /output|input/.test(one.id)).map((one) => [one.id, one.value])";
+    let all = page.ask(script).await;
+    serde_json::from_value(all).unwrap()
+}
+
+/// Places of the drawing where something can be taken hold of.
+async fn handles(page: &Page) -> Vec<(f64, f64)> {
+    let script = "const canvas = document.getElementById('mechanism');
+        const { left, top, width, height } = canvas.getBoundingClientRect();
+        const found = [];
+        for (let x = 4; x < width; x += 24) for (let y = 4; y < height; y += 24) {
+            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
+            if (canvas.dataset.hand === 'open') found.push([x, y]);
+        }
+        return found;";
+    serde_json::from_value(page.ask(script).await).unwrap()
+}
+
+/// Each ring takes one direction with it, and nothing else; each direction has one.
+#[tokio::test]
+async fn rings_are_dragged() {
+    let mut wanted = preset("family");
+    wanted["positions"][1] = json!({ "output_deg": 290, "input_deg": 100 });
+    let page = open(&wanted).await;
+    assert_eq!(page.text("problem").await, "");
+    let before = directions(&page).await;
+    let mut moved = BTreeSet::new();
+    for (x, y) in handles(&page).await {
+        page.drag_along(
+            "mechanism",
+            &[(x, y), (x + 9.0, y + 4.0), (x + 17.0, y + 9.0)],
+        )
+        .await;
+        let after = directions(&page).await;
+        let changed: Vec<&String> = before
+            .iter()
+            .zip(&after)
+            .filter(|(one, other)| one != other)
+            .map(|(one, _)| &one.0)
+            .collect();
+        assert!(changed.len() <= 1, "{x} {y}: {changed:?}");
+        if let Some(field) = changed.first() {
+            moved.insert((*field).clone());
+            page.click("undo").await;
+            assert_eq!(directions(&page).await, before);
+        }
+    }
+    let all: BTreeSet<String> = before.into_iter().map(|(field, _)| field).collect();
+    assert_eq!(moved, all);
+    page.close().await;
+}
+
+/// A member of the family is chosen on the map and by the slider; out of range it is said, and
+/// the drawing stays.
+#[tokio::test]
+async fn members_are_chosen() {
+    let page = open(&preset("family")).await;
+    let member = async || after(&listed(&page).await[0], "l₂ =");
+    let first = member().await;
+    // The curve is near the diagonal; a press takes the nearest member.
+    let area = page.element("synthesis-map").await;
+    area.scroll_into_view().await.unwrap();
+    page.settle().await;
+    let area = area.rect().await.unwrap();
+    let places: Vec<(f64, f64)> = [0.5, 0.65, 0.75]
+        .map(|part| (area.width * part, area.height * (1.0 - part)))
+        .to_vec();
+    page.drag_along("synthesis-map", &places).await;
+    let chosen = member().await;
+    assert!((chosen - first).abs() > 0.5, "{first} {chosen}");
+    page.press("slider-output", Key::Right).await;
+    let next = member().await;
+    assert!(next > chosen && next < chosen + 0.1, "{chosen} {next}");
+    page.write("field-output", "5").await;
+    let shown = listed(&page).await;
+    assert_near(after(&shown[0], "l₁ ="), 9.312, 1e-3, "l₁");
+    assert_near(after(&shown[0], "l₃ ="), 5.113, 1e-3, "l₃");
+    let label = page.attribute("synthesis-map", "aria-label").await.unwrap();
+    assert!(label.contains("l₂ = 5"), "{label}");
+    // It is what the address and undo have.
+    page.click("undo").await;
+    assert_eq!(member().await, next);
+    page.click("redo").await;
+    let picture = page.picture("mechanism").await;
+    page.write("field-output", "-3").await;
+    let said = page.text("problem").await;
+    assert!(said.contains("l₂") && said.len() > 20, "{said}");
+    assert!(page.picture("mechanism").await.difference(&picture) < 20);
+    page.close().await;
+}
+
+/// Of several solutions another is chosen: it is drawn, and undone.
+#[tokio::test]
+async fn another_solution_is_chosen() {
+    let page = open(&preset("many")).await;
+    let solved = synthesis("many");
+    let all = listed(&page).await;
+    assert_eq!(all.len(), solved.options.solutions().len());
+    let drawn = async || {
+        page.ask("return document.querySelector('[name=solution]:checked').id")
+            .await
+    };
+    let first = drawn().await;
+    let number = solved.number.unwrap() + 1;
+    assert_eq!(first, json!(format!("solution-{number}")));
+    let other = if number == 1 { 2 } else { 1 };
+    let picture = page.picture("mechanism").await;
+    page.click(&format!("solution-{other}")).await;
+    assert_eq!(drawn().await, json!(format!("solution-{other}")));
+    assert!(page.picture("mechanism").await.difference(&picture) > 500);
+    page.click("undo").await;
+    assert_eq!(drawn().await, first);
+    page.close().await;
+}
+
+/// A solution goes to the simulator at the same input angle; undo brings the synthesis back.
+#[tokio::test]
+async fn a_solution_is_sent_to_the_simulator() {
+    let page = open(&preset("three")).await;
+    let rocker = synthesis("three").linkage().unwrap().motion().unwrap();
+    let mechanism = rocker.mechanism();
+    let pose = rocker.pose::<1>(50_f64.to_radians()).unwrap();
+    let angle = mechanism.angle(&pose, mechanism.link("rocker").unwrap());
+    let kind = async || {
+        page.ask("return document.documentElement.dataset.kind")
+            .await
+    };
+    page.click("synthesis-send").await;
+    page.until("the linkage", async || kind().await == json!("linkage"))
+        .await;
+    page.settle().await;
+    assert_eq!(page.text("problem").await, "");
+    assert_near(page.value("out-input").await, 50.0, 1e-9, "the input");
+    let shown = page.value("out-rocker").await - angle.value().to_degrees();
+    assert_near((shown + 180.0).rem_euclid(360.0), 180.0, 1e-9, "the rocker");
+    page.click("undo").await;
+    there(&page).await;
+    assert_eq!(kind().await, json!("synthesis"));
+    assert_eq!(page.value("out-input").await, 50.0);
+    page.close().await;
+}
+
+/// The file has a line for each solution, its numbers with all their digits.
+#[tokio::test]
+async fn solutions_are_saved_as_csv() {
+    let page = open(&preset("many")).await;
+    page.click("synthesis-csv").await;
+    let text = String::from_utf8(page.saved("solutions.csv").await).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let solved = synthesis("many");
+    let solutions = solved.options.solutions();
+    assert_eq!(lines.len(), 1 + solutions.len(), "{text}");
+    assert_eq!(lines[0][..3], ["l1", "l2", "l3"]);
+    for (line, solution) in lines[1..].iter().zip(solutions) {
+        assert_eq!(line.len(), lines[0].len(), "{line:?}");
+        let [crank, coupler, output, _] = solution.proportions.lengths(solved.task.frame().length);
+        for (cell, expected) in line.iter().zip([coupler, output, crank]) {
+            assert_near(cell.parse().unwrap(), expected, 1e-9 * expected, cell);
+        }
+    }
+    page.close().await;
+}
+
+/// Positions that no linkage takes up are said in a sentence in every language; the last good
+/// drawing stays, and what was typed.
+#[tokio::test]
+async fn what_cannot_be_is_said() {
+    let page = open(&preset("family")).await;
+    let type_all = async |degrees: [&str; 4]| {
+        let fields = ["output-1", "input-1", "output-2", "input-2"];
+        for (field, text) in fields.iter().zip(degrees) {
+            page.write(&format!("field-{field}"), text).await;
+        }
+    };
+    let mut said = BTreeSet::new();
+    for degrees in [["240", "45", "240", "45"], ["90", "120", "60", "100"]] {
+        type_all(degrees).await;
+        let faded = page.attribute("mechanism", "data-faded").await;
+        assert_eq!(faded.as_deref(), Some("true"), "{degrees:?}");
+        assert!(!listed(&page).await.is_empty() && !handles(&page).await.is_empty());
+        for lang in LANGUAGES {
+            page.speak(lang).await;
+            let text = page.text("problem").await;
+            assert!(text.len() > 20 && !text.contains('{'), "{lang}: {text}");
+            assert!(said.insert(text.clone()), "{lang}: {text}");
+        }
+        page.speak("en").await;
+        assert_eq!(
+            page.written("field-output-2").await,
+            format!("{}°", degrees[2])
+        );
+    }
+    type_all(["240", "45", "253", "60"]).await;
+    assert_eq!(page.text("problem").await, "");
+    page.write("field-frame", "0").await;
+    assert!(page.text("problem").await.contains("l₀"));
+    page.close().await;
+}
+
+/// On a phone nothing overlaps or leaves the screen; opened again, everything is as it was.
+#[tokio::test]
+async fn on_a_phone_and_opened_again() {
+    let page = open(&preset("many")).await;
+    page.write("field-weight-2", "2.5").await;
+    page.click("solution-2").await;
+    for size in [(390, 844), (1280, 800)] {
+        page.screen(size, 1.0).await;
+        let found = defects(&page, 24).await;
+        assert_eq!(found, json!([]), "{size:?}");
+    }
+    let all = listed(&page).await;
+    let address = async || page.address().await;
+    page.until("the address to follow", async || {
+        address().await.contains("d.solution=2")
+    })
+    .await;
+    page.reload().await;
+    there(&page).await;
+    assert_eq!(listed(&page).await, all);
+    assert_eq!(page.written("field-weight-2").await, "2.5");
+    assert!(
+        page.element("solution-2")
+            .await
+            .is_selected()
+            .await
+            .unwrap()
+    );
+    page.close().await;
+}
+
+/// All that is of this kind is said in the reader's language.
+#[tokio::test]
+async fn in_every_language() {
+    let page = open(&preset("three")).await;
+    let mut texts = BTreeSet::new();
+    for lang in LANGUAGES {
+        page.speak(lang).await;
+        let text = page
+            .ask("return [...document.querySelectorAll('[data-of=synthesis]')].map((one) => one.innerText).join(' ')")
+            .await;
+        let text = text.as_str().unwrap().to_owned();
+        // A key that has no words stands there itself.
+        let keys = [
+            "positions.",
+            "solutions.",
+            "verdict.",
+            "conditions.",
+            "map.",
+            "name.",
+        ];
+        assert!(keys.iter().all(|key| !text.contains(key)), "{lang}: {text}");
+        assert!(text.len() > 200 && texts.insert(text), "{lang}");
+    }
+    page.close().await;
+}
