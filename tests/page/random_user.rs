@@ -36,7 +36,9 @@ const NONSENSE: &str = r"
     const labels = [...document.querySelectorAll('[aria-label], [aria-valuetext]')]
         .map((one) => `${one.ariaLabel} ${one.ariaValueText}`).join(' ');
     const values = [...document.querySelectorAll('input')].map((one) => one.dataset.typed ? '' : one.value).join(' ');
-    return `${text} ${labels} ${values}`.match(/.{0,30}(?:\bNaN\b|undefined|Infinity|∞|\[object).{0,30}/g) ?? [];";
+    // A range may have no end.
+    const nonsense = /.{0,30}(?:\bNaN\b|undefined|Infinity|(?<!(?:…|<) )∞|\[object).{0,30}/g;
+    return `${text} ${labels} ${values}`.match(nonsense) ?? [];";
 
 /// What is typed into a field.
 const TYPED: &[&str] = &[
@@ -265,11 +267,25 @@ fn asked(name: &str, usual: u64) -> u64 {
     given.map_or(usual, |text| text.parse().unwrap())
 }
 
+/// A synthesis of two positions.
+const SYNTHESIS: &str = "#2&kind=synthesis&d.frame=10.4&d.positions=%5B%7B%22output_deg%22:240,%22input_deg%22:45%7D,\
+    %7B%22output_deg%22:253,%22input_deg%22:60%7D%5D&v.phi_deg=50&v.playing=true&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
+
 #[tokio::test]
 async fn nothing_breaks_whatever_somebody_does() {
+    wander("").await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_in_a_synthesis() {
+    wander(SYNTHESIS).await;
+}
+
+/// Does whatever comes to hand, beginning at an address.
+async fn wander(address: &str) {
     let seed = asked("ASSUR_RANDOM_SEED", 20_261_122);
     let time = Duration::from_secs(asked("ASSUR_RANDOM_SECONDS", 20));
-    let page = Page::open_at(&setting("ASSUR_URL"), "en-US").await;
+    let page = Page::open_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;
     let mut hand = Hand {
         page: &page,
         dice: Dice(seed),
