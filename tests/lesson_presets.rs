@@ -35,6 +35,30 @@ fn presets(lesson: &Path) -> BTreeMap<String, Value> {
     })
 }
 
+/// Everything that a value has, by its path.
+fn keys(value: &Value) -> Vec<String> {
+    let under = |key: &str, value: &Value| {
+        let inner = keys(value).into_iter();
+        let inner = inner.map(|path| format!("{key}.{path}"));
+        [key.to_owned()]
+            .into_iter()
+            .chain(inner)
+            .collect::<Vec<_>>()
+    };
+    let mut found: Vec<String> = match value {
+        Value::Object(fields) => fields
+            .iter()
+            .flat_map(|(key, one)| under(key, one))
+            .collect(),
+        Value::Array(all) => (all.iter().enumerate())
+            .flat_map(|(index, one)| under(&index.to_string(), one))
+            .collect(),
+        _ => Vec::new(),
+    };
+    found.sort_unstable();
+    found
+}
+
 #[test]
 fn presets_are_documents() {
     let mut count = 0;
@@ -43,6 +67,12 @@ fn presets_are_documents() {
             state["format"] = json!(2);
             state["view"] = serde_json::to_value(View::default()).unwrap();
             let read = State::read(&state).map_err(|problem| vec![problem]);
+            // What the page takes from it as it stands is all there.
+            let saved = read
+                .as_ref()
+                .map(|state| serde_json::to_value(state).unwrap());
+            let saved = saved.unwrap_or_default();
+            assert_eq!(keys(&state["document"]), keys(&saved["document"]), "{name}");
             let moved = read.and_then(|state| state.check().and(state.moved().map(|_| ())));
             assert!(moved.is_ok(), "{lesson:?} {name}: {moved:?}");
             count += 1;
