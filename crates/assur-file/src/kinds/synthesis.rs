@@ -83,6 +83,8 @@ pub enum SynthesisProblem {
     AnyLengths,
     /// No positive lengths take up both positions.
     NoFamily,
+    /// The positions ask for lengths of which one at least is negative.
+    NegativeLengths { l2: f64, l3: f64 },
     /// No positive lengths take up the positions exactly.
     NoSolution,
 }
@@ -208,6 +210,10 @@ impl SynthesisDocument {
             },
             NoOptions::Any => SynthesisProblem::AnyLengths,
             NoOptions::NoFamily(_) => SynthesisProblem::NoFamily,
+            NoOptions::Negative { output, input } => SynthesisProblem::NegativeLengths {
+                l2: output * self.frame,
+                l3: input * self.frame,
+            },
             NoOptions::NoSolution => SynthesisProblem::NoSolution,
         }
     }

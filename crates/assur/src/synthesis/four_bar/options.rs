@@ -34,6 +34,13 @@ pub enum NoOptions {
     Any,
     /// No positive lengths are on the line of the first two positions.
     NoFamily(Line),
+    /// Three positions ask for these z₂ and z₃, of which one at least is negative.
+    Negative {
+        /// z₂.
+        output: f64,
+        /// z₃.
+        input: f64,
+    },
     /// No positive lengths take up the positions exactly.
     NoSolution,
 }
@@ -59,6 +66,9 @@ impl Options {
             2 => Self::of_two(TwoPositions::new(task)),
             3 => match ThreePositions::new(task) {
                 Some(ThreePositions::One(solution)) => Ok(Self::Exact(vec![solution])),
+                Some(ThreePositions::Negative { output, input }) => {
+                    Err(NoOptions::Negative { output, input })
+                }
                 Some(ThreePositions::Same(two)) => Self::of_two(Some(two)),
                 _ => Err(NoOptions::NoSolution),
             },
