@@ -39,7 +39,7 @@ function table({ at, conditions, theorems, interval }, k, words) {
   const rows = conditions.map(({ number, about, value, holds }) => make("tr", {}, [
     make("th", { scope: "row" }, [[number, about ?? ""].join(" ").trim()]),
     make("td", {}, [value === null ? "—" : numbers.short(value)]),
-    make("td", { "data-holds": String(holds) }, [words.text(holds ? "conditions.holds" : "conditions.fails")]),
+    make("td", { "data-holds": String(holds) }, [holds ? "✓" : "✗", make("span", { class: "unseen" }, [words.text(holds ? "conditions.holds" : "conditions.fails")])]),
   ]));
   const judged = theorems.map(({ number, conditions: asked, truth }) => make("tr", {}, [
     make("th", { scope: "row" }, [words.text("conditions.theorem", { n: String(number) })]),

@@ -7,7 +7,7 @@ pub(crate) mod wanted;
 use std::f64::consts::PI;
 
 use assur::mechanism::Quantity;
-use assur::synthesis::four_bar::{Drawn, Options, Task};
+use assur::synthesis::four_bar::{Drawn, Options, Proportions};
 use assur::{Point, Vector};
 use assur_draw::{Annotations, GivenPosition, List, Role};
 use assur_file::{
@@ -23,8 +23,9 @@ use crate::handle::{Handle, HandlePlace};
 use crate::moving::Moving;
 use summary::SynthesisSummary;
 
-/// How far off their pivots directions are taken hold of, relative to the frame.
-const REACH: f64 = 0.62;
+/// How far off their pivots directions are taken hold of: at least so far relative to the frame,
+/// and so far relative to their links, whose joints stay free.
+const REACH: [f64; 2] = [0.62, 1.25];
 
 /// A dragged direction goes by this, degrees: what a hand can mean.
 const STEP_DEG: f64 = 0.1;
@@ -56,15 +57,17 @@ enum Direction {
 }
 
 impl Direction {
-    /// Those of a task, and where their pivots are and they are taken hold of.
-    fn all(task: &Task) -> impl Iterator<Item = (Self, [Point; 2])> + '_ {
-        let frame = task.frame();
+    /// Those that are wanted, and where their pivots are and they are taken hold of.
+    fn all(solved: &assur_file::Synthesis) -> impl Iterator<Item = (Self, [Point; 2])> + '_ {
+        let frame = solved.task.frame();
         let along = move |angle: f64| Vector::new(angle.cos(), angle.sin()) * frame.length;
         let [a, d] = [Point::origin(), Point::origin() + along(frame.angle)];
-        let positions = task.positions().iter().enumerate();
+        let Proportions { output, input, .. } = solved.shown.proportions;
+        let [far_output, far_input] = [output, input].map(|z| REACH[0].max(REACH[1] * z));
+        let positions = solved.task.positions().iter().enumerate();
         positions.flat_map(move |(k, position)| {
-            let input = [a, a + along(position.input) * REACH];
-            let output = [d, d - along(position.output) * REACH];
+            let input = [a, a + along(position.input) * far_input];
+            let output = [d, d - along(position.output) * far_output];
             [(Self::Input(k), input), (Self::Output(k), output)]
         })
     }
@@ -89,7 +92,6 @@ impl Synthesis {
         state.check()?;
         let solved = document.synthesis()?;
         let moved = Moved::new(solved.drawn()?, &state.view.plot)?;
-        let task = &solved.task;
         let annotations = Annotations {
             roles: ROLES.map(|(link, role)| (link.to_owned(), role)).to_vec(),
             numbers: NUMBERS
@@ -102,7 +104,7 @@ impl Synthesis {
         let quantities = Quantity::all(moved.motion.mechanism());
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
-        let handles = Direction::all(task).map(|(direction, [_, tip])| Handle {
+        let handles = Direction::all(&solved).map(|(direction, [_, tip])| Handle {
             name: direction.name(),
             role: direction.role().name(),
             at: HandlePlace::Fixed(tip),
@@ -139,7 +141,7 @@ fn given(solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
         ],
     };
     let mut all: Vec<GivenPosition> = drawn.enumerate().map(position).collect();
-    for (direction, ends) in Direction::all(task) {
+    for (direction, ends) in Direction::all(solved) {
         let (Direction::Output(k) | Direction::Input(k)) = direction;
         all[k].directions.push((ends, direction.role()));
     }
@@ -193,7 +195,7 @@ impl Edited for Synthesis {
             let to = self.moving.driven_to(driven, input, to);
             return to.unwrap_or_else(|| Err(unknown(point))).map(Change::input);
         }
-        let mut directions = Direction::all(&self.solved.task);
+        let mut directions = Direction::all(&self.solved);
         let found = directions.find(|(direction, _)| direction.name() == point);
         let finite = to.coords.iter().all(|x| x.is_finite());
         let (direction, [pivot, _]) = found.filter(|_| finite).ok_or_else(|| unknown(point))?;
