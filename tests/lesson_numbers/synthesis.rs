@@ -163,6 +163,8 @@ fn printed_example() {
     .concat();
     for lang in LANGUAGES {
         LESSON.tells(lang, "printed.text", &expected);
+        let angle = document.positions[1].coupler_deg.unwrap();
+        LESSON.tells(lang, "printed.question", &[2.0, angle]);
     }
 }
 

@@ -36,7 +36,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   },
   {
     id: "printed",
-    formula: "ΣJ = Σ(|r| − z₁)²\nr = e₀ − z₂e₂ − z₃e₃",
+    formula: "ΣJ = Σ|z₁e₁ + z₂e₂ + z₃e₃ − e₀|²",
     shows: [{ preset: "printed", at: first }],
     controls: ["equation"],
     readouts: ["synthesis-grashof", "synthesis-gap"],
@@ -53,7 +53,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   },
   {
     id: "many",
-    formula: "Σ w (|r| − z₁)² → min",
+    formula: "Σ w (|r| − z₁)² → min\nr = e₀ − z₂e₂ − z₃e₃",
     shows: [{ preset: "many", at: first }],
     controls: ["family", "solutions"],
     readouts: ["synthesis-gap"],
