@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use assur::synthesis::four_bar::Options;
 use assur::synthesis::four_bar::theorems::{Angles, functional};
+use assur::{Assembly, FourBar};
 use assur_file::{LinkageDocument, Synthesis, SynthesisDocument};
 use assur_tests::assert_near;
 use serde_json::{Value, json};
@@ -468,6 +469,50 @@ async fn what_cannot_be_is_said() {
     assert_eq!(page.text("problem").await, "");
     page.write("field-frame", "0").await;
     assert!(page.text("problem").await.contains("l₀"));
+    page.close().await;
+}
+
+/// Positions that ask for negative lengths are said with these.
+#[tokio::test]
+async fn negative_lengths_are_said() {
+    let page = open(&preset("three")).await;
+    page.write("field-output-3", "240").await;
+    for (lang, lengths) in [("en", ["21.62", "−8.895"]), ("ru", ["21,62", "−8,895"])] {
+        page.speak(lang).await;
+        let said = page.text("problem").await;
+        assert!(lengths.iter().all(|one| said.contains(one)), "{said}");
+    }
+    page.close().await;
+}
+
+/// With free starts five positions are needed: those of a linkage give it back, told with its starts.
+#[tokio::test]
+async fn starts_are_free() {
+    let page = open(&preset("three")).await;
+    page.click("free").await;
+    let said = page.text("problem").await;
+    assert!(said.contains('5') && said.contains('3'), "{said}");
+    page.click("free").await;
+    assert_eq!(page.text("problem").await, "");
+
+    let linkage = FourBar::new([3.0, 9.0, 7.0, 10.0]).unwrap();
+    let position = |input: f64| {
+        let pose = linkage.pose::<1>(Assembly::First, input.to_radians());
+        let rocker = pose.unwrap().rocker.value().to_degrees();
+        // The start of the output is 25°.
+        json!({ "output_deg": (rocker + 180.0 - 25.0).rem_euclid(360.0), "input_deg": input })
+    };
+    let positions = [20.0, 80.0, 150.0, 220.0, 300.0].map(position);
+    let wanted = json!({ "frame": 10, "positions": positions, "free": true });
+    page.anew(&link(&wanted)).await;
+    there(&page).await;
+    assert_eq!(page.text("problem").await, "");
+    let all = listed(&page).await;
+    let found = all.iter().any(|one| {
+        let lengths = ["l₁ =", "l₂ =", "l₃ ="].map(|sign| after(one, sign));
+        lengths == [9.0, 7.0, 3.0] && one.contains("φ₂₀ = 25°")
+    });
+    assert!(found, "{all:#?}");
     page.close().await;
 }
 
