@@ -11,6 +11,7 @@ use assur_tests::assert_near;
 use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
+use crate::access::{AXE, check};
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
 use crate::layout::defects;
@@ -600,4 +601,20 @@ async fn steps_have_room() {
     found.retain(|(_, defects)| *defects != json!([]));
     assert!(found.is_empty(), "{found:#?}");
     page.close().await;
+}
+
+/// What axe finds where all of a synthesis is unfolded: nothing, in light and in dark.
+#[tokio::test]
+async fn axe_finds_nothing() {
+    for name in ["family", "many", "printed"] {
+        let page = open(&preset(name)).await;
+        page.ask(AXE).await;
+        page.ask("for (const one of document.querySelectorAll('[data-of=synthesis] details')) one.open = true")
+            .await;
+        for scheme in ["light", "dark"] {
+            page.prefer("prefers-color-scheme", scheme).await;
+            check(&page, &format!("{name} {scheme}")).await;
+        }
+        page.close().await;
+    }
 }
