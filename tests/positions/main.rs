@@ -8,6 +8,7 @@ mod family;
 mod function;
 mod least;
 mod motion;
+mod options;
 mod ranking;
 mod recovered;
 mod refused;

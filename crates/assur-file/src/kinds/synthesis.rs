@@ -81,8 +81,8 @@ pub enum SynthesisProblem {
     EqualPositions { one: usize, other: usize },
     /// Any lengths will do.
     AnyLengths,
-    /// No positive lengths take up both positions.
-    NoFamily,
+    /// No positive lengths take up both positions: output/z₂ + input/z₃ = right has none.
+    NoFamily { output: f64, input: f64, right: f64 },
     /// The positions ask for lengths of which one at least is negative.
     NegativeLengths { l2: f64, l3: f64 },
     /// No positive lengths take up the positions exactly.
@@ -209,7 +209,11 @@ impl SynthesisDocument {
                 count: self.positions.len(),
             },
             NoOptions::Any => SynthesisProblem::AnyLengths,
-            NoOptions::NoFamily(_) => SynthesisProblem::NoFamily,
+            NoOptions::NoFamily(line) => SynthesisProblem::NoFamily {
+                output: line.output,
+                input: line.input,
+                right: line.right,
+            },
             NoOptions::Negative { output, input } => SynthesisProblem::NegativeLengths {
                 l2: output * self.frame,
                 l3: input * self.frame,
@@ -250,7 +254,7 @@ impl SynthesisDocument {
         let [from, to] = family.stretch().unwrap_or([0.0, 1.0]);
         let part = |share: f64| family.member(from + share * (to - from));
         let Some(wanted) = self.member else {
-            return part(0.5).ok_or(SynthesisProblem::NoFamily.into());
+            return part(0.5).ok_or(SynthesisProblem::NoSolution.into());
         };
         if !wanted
             .iter()
@@ -270,7 +274,7 @@ impl SynthesisDocument {
         found
             .ok()
             .or_else(nearest)
-            .ok_or(SynthesisProblem::NoFamily.into())
+            .ok_or(SynthesisProblem::NoSolution.into())
     }
 }
 

@@ -1,0 +1,140 @@
+//! The saved form of a synthesis: what is left out, what is shown, what is refused.
+#![allow(clippy::unwrap_used, reason = "that is how a test fails")]
+
+use assur_file::{Document, Kind, State, SynthesisDocument};
+use serde_json::{Value, json};
+
+/// The example of the paper with some fields more.
+fn document(more: &Value) -> Value {
+    let mut document = json!({
+        "frame": 10.4,
+        "positions": [{"output_deg": 240, "input_deg": 45}, {"output_deg": 253, "input_deg": 60}],
+    });
+    for (key, value) in more.as_object().unwrap() {
+        document[key] = value.clone();
+    }
+    document
+}
+
+fn read(more: &Value) -> SynthesisDocument {
+    serde_json::from_value(document(more)).unwrap()
+}
+
+/// The codes of what is wrong, with all that is told of it.
+fn refused(more: &Value) -> Vec<Value> {
+    let problems = read(more).linkage().unwrap_err();
+    let said = problems.iter().map(|problem| serde_json::to_value(problem));
+    said.map(Result::unwrap).collect()
+}
+
+fn lengths(more: &Value) -> [f64; 3] {
+    let solved = read(more).synthesis().unwrap();
+    let [l3, l1, l2, _] = solved.shown.proportions.lengths(10.4);
+    [l1, l2, l3]
+}
+
+#[test]
+fn what_is_left_out_is_usual() {
+    let read = read(&json!({}));
+    assert_eq!(
+        (read.phi0_deg, read.free, read.member, read.trial),
+        (0.0, false, None, None)
+    );
+    assert!(read.positions.iter().all(|position| position.weight == 1.0));
+    let state = json!({"format": 2, "kind": "synthesis", "document": document(&json!({}))});
+    let state = State::read(&state).unwrap();
+    assert!(matches!(&state.document, Document::Synthesis(document) if *document == read));
+    let again = State::read(&serde_json::to_value(&state).unwrap()).unwrap();
+    assert_eq!(again, state);
+    let misspelt = State::read(&json!({
+        "format": 2, "kind": "synthesis", "document": document(&json!({"fre": true})),
+    }));
+    assert!(misspelt.is_err());
+}
+
+/// theory.md: l₁ = 9.31217191060936 and l₃ = 5.11281237799864 for l₂ = 5.
+#[test]
+fn a_member_is_meant_by_its_output() {
+    let [l1, l2, l3] = lengths(&json!({"member": [5, 1]}));
+    for (found, exact) in [(l1, 9.31217191060936), (l2, 5.0), (l3, 5.11281237799864)] {
+        assert!((found - exact).abs() < 1e-10, "{found} {exact}");
+    }
+    // However short, it is of the family; beyond it the end is shown of what is searched.
+    assert_eq!(lengths(&json!({"member": [1e-3, 1]}))[1], 1e-3);
+    let [l1, l2, l3] = lengths(&json!({"member": [1e5, 1]}));
+    assert!(
+        l1 > 10.0 && l2 > 50.0 && (100.0..=104.0).contains(&l3),
+        "{l1} {l2} {l3}"
+    );
+    assert_eq!(lengths(&json!({"trial": [10, 5, 4]})), [10.0, 5.0, 4.0]);
+}
+
+/// The rocker of the drawing has φ₂, that of the linkage for the simulator half a turn more.
+#[test]
+fn angles_are_those_of_the_paper() {
+    let solved = read(&json!({"member": [5, 5]})).synthesis().unwrap();
+    for (document, expected) in [(solved.drawn(), 240.0), (solved.linkage(), 60.0)] {
+        let document = document.unwrap();
+        let rocker = document
+            .links
+            .iter()
+            .find(|link| link.name == "rocker")
+            .unwrap();
+        let at = |index: usize| {
+            let name = &rocker.points[index];
+            document
+                .points
+                .iter()
+                .find(|point| point.name == *name)
+                .unwrap()
+                .at
+        };
+        let [from, to] = [at(0), at(1)];
+        let angle = (to[1] - from[1]).atan2(to[0] - from[0]).to_degrees();
+        let off = (angle - expected).rem_euclid(360.0);
+        assert!(off.min(360.0 - off) < 1e-9, "{angle} {expected}");
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let position = |output: f64, input: f64| json!({"output_deg": output, "input_deg": input});
+    let codes = |more: &Value| -> Vec<Value> {
+        refused(more)
+            .iter()
+            .map(|said| said["code"].clone())
+            .collect()
+    };
+    assert_eq!(
+        refused(&json!({"frame": 0})),
+        [json!({"code": "not_positive", "field": "frame", "value": 0.0})]
+    );
+    assert_eq!(codes(&json!({"frame": 1e12})), ["out_of_range"]);
+    let twice = json!({"positions": [position(240.0, 45.0), position(600.0, -315.0)]});
+    assert_eq!(
+        refused(&twice),
+        [json!({"code": "equal_positions", "one": 1, "other": 2})]
+    );
+    let one = json!({"positions": [position(240.0, 45.0)]});
+    assert_eq!(
+        refused(&one),
+        [json!({"code": "too_few_positions", "least": 2, "count": 1})]
+    );
+    assert_eq!(codes(&json!({"free": true})), ["too_few_positions"]);
+    let many: Vec<Value> = (0..65)
+        .map(|k| position(f64::from(k), f64::from(2 * k)))
+        .collect();
+    assert_eq!(codes(&json!({"positions": many})), ["too_many_positions"]);
+    let apart = json!({"positions": [position(90.0, 120.0), position(60.0, 100.0)]});
+    let said = refused(&apart);
+    assert_eq!(said[0]["code"], "no_family");
+    let [output, input, right] =
+        ["output", "input", "right"].map(|key| said[0][key].as_f64().unwrap());
+    assert!(output < 0.0 && input < 0.0 && right > 0.0, "{said:?}");
+    let weighed = json!({"positions": [
+        {"output_deg": 240, "input_deg": 45, "weight": -1}, position(253.0, 60.0),
+    ]});
+    assert_eq!(refused(&weighed)[0]["field"], "positions[0].weight");
+    assert_eq!(codes(&json!({"member": [-1, 1]})), ["not_a_number"]);
+    assert_eq!(codes(&json!({"trial": [100, 1, 1]})), ["too_long"]);
+}

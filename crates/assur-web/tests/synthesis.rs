@@ -1,0 +1,141 @@
+//! A synthesis through the border, in a real browser: what is said of it, directions that are
+//! dragged, members that are chosen.
+#![cfg(target_family = "wasm")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use assur_web::Simulator;
+use js_sys::JSON;
+use serde_json::Value;
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const EXAMPLE: &str = r#"[{"output_deg":240,"input_deg":45},{"output_deg":253,"input_deg":60}]"#;
+
+/// The state of a synthesis with a frame of 10.4, as JSON.
+fn state(positions: &str, more: &str) -> JsValue {
+    let text = format!(
+        r#"{{"format":2,"kind":"synthesis","document":{{"frame":10.4,"positions":{positions}{more}}},
+        "view":{{"phi_deg":45,"playing":false,"direction":1,"speed":1,"traces":true,"lang":"en"}}}}"#
+    );
+    JSON::parse(&text).unwrap()
+}
+
+fn value(value: &JsValue) -> Value {
+    let text: String = JSON::stringify(value).unwrap().into();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn near(found: &Value, exact: f64, within: f64) {
+    let found = found.as_f64().unwrap();
+    assert!((found - exact).abs() < within, "{found} {exact}");
+}
+
+#[wasm_bindgen_test]
+fn a_family_is_said_and_chosen_from() {
+    let mut simulator = Simulator::new();
+    let summary = value(&simulator.set(state(EXAMPLE, r#","member":[5,5]"#)).unwrap());
+    assert_eq!(
+        (&summary["moves"], &summary["input"]),
+        (&"angle".into(), &"3".into())
+    );
+    assert_eq!(
+        (&summary["from"], &summary["number"]),
+        (&"family".into(), &Value::Null)
+    );
+    near(&summary["drawn"]["lengths"][0], 9.31217191060936, 1e-10);
+    near(
+        &summary["wanted"][0]["coupler"],
+        4.4024803443332_f64.to_radians(),
+        1e-10,
+    );
+    let curve = &summary["family"]["curve"];
+    let lengths = ["l2", "l3", "verdicts"].map(|key| curve[key].as_array().unwrap().len());
+    assert!(
+        lengths[0] > 200 && lengths == [lengths[0]; 3],
+        "{lengths:?}"
+    );
+    // l₂ = 6 of the same family; none is as long as its end.
+    let change = value(&simulator.set_dimension("output", 6.0, 0.0).unwrap());
+    near(&change["document"]["member"][1], 6.1600075360616, 1e-10);
+    let refused = value(&simulator.set_dimension("output", 300.0, 0.0).unwrap_err());
+    assert_eq!(refused[0]["code"], "out_of_range");
+    near(
+        &refused[0]["max"],
+        summary["family"]["lengths"][1][1].as_f64().unwrap(),
+        1e-9,
+    );
+    assert!(simulator.set_dimension("input", 6.0, 0.0).is_err());
+}
+
+#[wasm_bindgen_test]
+fn directions_are_dragged() {
+    let mut simulator = Simulator::new();
+    let summary = value(&simulator.set(state(EXAMPLE, "")).unwrap());
+    let handles = summary["handles"].as_array().unwrap();
+    let names: Vec<&str> = handles
+        .iter()
+        .map(|one| one["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["B", "input1", "output1", "input2", "output2"]);
+    let positions = |point: &str, x: f64, y: f64| {
+        let change = value(&simulator.drag(point, 0.785, x, y).unwrap());
+        change["document"]["positions"].clone()
+    };
+    // From A to the place; from the place to D, at (10.4, 0).
+    near(&positions("input2", -3.0, 3.0)[1]["input_deg"], 135.0, 1e-9);
+    near(
+        &positions("output1", 10.4, 7.0)[0]["output_deg"],
+        270.0,
+        1e-9,
+    );
+    let crank = value(&simulator.drag("B", 0.785, 0.0, 5.0).unwrap());
+    near(&crank["input"], std::f64::consts::FRAC_PI_2, 1e-9);
+    for (point, x) in [("input3", 1.0), ("C", 1.0), ("input1", f64::NAN)] {
+        assert!(simulator.drag(point, 0.785, x, 1.0).is_err(), "{point}");
+    }
+}
+
+/// What cannot be is said, and what was shown before stays.
+#[wasm_bindgen_test]
+fn what_cannot_be_changes_nothing() {
+    let mut simulator = Simulator::new();
+    simulator.set(state(EXAMPLE, "")).unwrap();
+    let scene = simulator.scene().unwrap();
+    let apart = r#"[{"output_deg":90,"input_deg":120},{"output_deg":60,"input_deg":100}]"#;
+    let refused = value(&simulator.set(state(apart, "")).unwrap_err());
+    assert_eq!(refused[0]["code"], "no_family");
+    assert_eq!(simulator.scene().unwrap(), scene);
+}
+
+#[wasm_bindgen_test]
+fn many_positions_are_searched() {
+    let positions =
+        "[[269,30],[269,60],[284,90],[300,120],[311,150],[321,180],[330,210],[326,240]]";
+    let given: Vec<[f64; 2]> = serde_json::from_str(positions).unwrap();
+    let given = given
+        .iter()
+        .map(|[output, input]| format!(r#"{{"output_deg":{output},"input_deg":{input}}}"#));
+    let given = format!("[{}]", given.collect::<Vec<String>>().join(","));
+    let mut simulator = Simulator::new();
+    let summary = value(&simulator.set(state(&given, "")).unwrap());
+    assert_eq!(summary["from"], "found");
+    let solutions = summary["solutions"].as_array().unwrap();
+    let sums: Vec<f64> = solutions
+        .iter()
+        .map(|one| one["sum"].as_f64().unwrap())
+        .collect();
+    assert!(sums.len() > 1 && sums.is_sorted(), "{sums:?}");
+    let number = summary["number"].as_u64().unwrap() as usize;
+    assert_eq!(solutions[number - 1]["at_bound"], false);
+    assert_eq!(
+        solutions[number - 1]["lengths"],
+        summary["drawn"]["lengths"]
+    );
+    assert_eq!(summary["found"]["surface"].as_array().unwrap().len(), 40);
+}
