@@ -34,6 +34,7 @@ mod share;
 mod slide;
 mod steps;
 mod synthesis;
+mod synthesis_lesson;
 mod touch;
 mod tracers;
 mod undo;
