@@ -9,7 +9,7 @@ use assur_file::{LinkageDocument, SynthesisDocument};
 use serde_json::json;
 use thirtyfour::prelude::*;
 
-use crate::browser::Page;
+use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
 use crate::layout::defects;
 use crate::synthesis::{document, preset, synthesis, there};
@@ -176,5 +176,23 @@ async fn steps_have_room() {
     }
     found.retain(|(_, defects)| *defects != json!([]));
     assert!(found.is_empty(), "{found:#?}");
+    page.close().await;
+}
+
+/// The one-file page has it, too: words, presets, misprints, the views of the kind.
+#[tokio::test]
+async fn it_opens_from_a_file() {
+    let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
+    lesson(&page).await;
+    page.click("lesson-on").await;
+    page.click("lesson-show").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(page.count("#lesson #synthesis-conditions table").await, 2);
+    page.click("lesson-errata").await;
+    page.until("the misprints", async || {
+        page.count("#errata-dialog[open] tbody tr").await == 9
+    })
+    .await;
+    page.click("errata-close").await;
     page.close().await;
 }
