@@ -14,7 +14,11 @@ input: string, cycle: CycleSummary, home: number, equations: Array<EquationSumma
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
  * What can drive it, by the links that are turned or slide.
@@ -31,7 +35,11 @@ input: string, cycle: CycleSummary, home: number, equations: Array<EquationSumma
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**
@@ -57,7 +65,11 @@ input: string, cycle: CycleSummary, home: number, equations: Array<EquationSumma
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SchemeSummary = { 
 /**
  * Nothing does.
@@ -103,7 +115,11 @@ input: string, cycle: CycleSummary, home: number, equations: Array<EquationSumma
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SolutionSummary = { 
 /**
  * l₁, l₂, l₃.

@@ -74,11 +74,11 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
-  /** @param {{ state: State }} snapshot */
-  render({ state }) {
+  /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
+  render({ state, summary }) {
     const { tracers = [] } = /** @type {{ tracers?: readonly unknown[] }} */ (state.document);
-    const full = tracers.length >= TRACERS.most;
-    if (this.#trace.disabled !== full) this.#trace.disabled = full;
+    const none = !summary.moves || !summary.traceable || tracers.length >= TRACERS.most;
+    if (this.#trace.disabled !== none) this.#trace.disabled = none;
   }
 
   /** @param {PointerEvent} event */

@@ -11,6 +11,7 @@ mod dimensions;
 mod driven;
 mod equations;
 mod handle;
+mod here;
 mod kinds;
 mod moving;
 mod profile;

@@ -12,6 +12,7 @@ use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
+use crate::here::Here;
 
 /// Why there is no pose at an input, or none of its derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
@@ -30,6 +31,8 @@ pub(crate) struct Moving {
     driven: Option<Driven>,
     /// What can be dragged.
     handles: Vec<Handle>,
+    /// Whether points of its links can be traced.
+    traceable: bool,
     figure: Figure,
     chart: Chart,
     explain: Explain,
@@ -41,36 +44,6 @@ pub(crate) enum Reading {
     Quantity(Quantity),
     /// The transmission angle of a dyad, by its number.
     Transmission(usize),
-}
-
-/// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
-pub(crate) struct Here {
-    frame: Vec<f32>,
-    handles: Vec<f64>,
-    readouts: Vec<f64>,
-    plotted: Vec<f64>,
-}
-
-impl Here {
-    /// Of what never moves, by its frame.
-    pub(crate) fn still(frame: Vec<f32>) -> Self {
-        Self {
-            frame,
-            handles: Vec::new(),
-            readouts: Vec::new(),
-            plotted: Vec::new(),
-        }
-    }
-
-    /// The lengths of the lists, then the lists.
-    pub(crate) fn flat(&self) -> Vec<f64> {
-        let frame = self.frame.iter().copied().map(f64::from);
-        let rest = [&self.handles, &self.readouts, &self.plotted];
-        let lengths = rest.map(|list| list.len() as f64);
-        let lengths = [self.frame.len() as f64].into_iter().chain(lengths);
-        let rest = rest.into_iter().flatten().copied();
-        lengths.chain(frame).chain(rest).collect()
-    }
 }
 
 impl Moving {
@@ -111,20 +84,14 @@ impl Moving {
         };
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
-        let points = mechanism.point_ids();
-        let points = points.filter(|point| figure.is_drawn(*point));
-        let handles = points.map(|point| Handle {
-            name: mechanism.point_name(point).to_owned(),
-            role: role(mechanism, &figure, point),
-            at: HandlePlace::Point(point),
-        });
         Ok(Self {
             dyads: mechanism.rrr_dyads(),
             numbers,
             quantities,
             listed: Vec::new(),
             driven: Driven::of(&document, mechanism),
-            handles: handles.collect(),
+            handles: Handle::of_points(mechanism, &figure),
+            traceable: true,
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
@@ -143,11 +110,13 @@ impl Moving {
         self
     }
 
-    /// The same with these handles instead of those of its points; what is driven stays one.
+    /// The same with these handles instead of those of its points, which are not traced then;
+    /// what is driven stays one.
     pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
         let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
         self.handles.retain(|handle| Some(handle.at) == driven);
         self.handles.extend(handles);
+        self.traceable = false;
         self
     }
 
@@ -177,6 +146,10 @@ impl Moving {
 
     pub(crate) fn numbers(&self) -> &BTreeMap<String, String> {
         &self.numbers
+    }
+
+    pub(crate) fn traceable(&self) -> bool {
+        self.traceable
     }
 
     /// The number by which the input is called.
@@ -375,13 +348,6 @@ impl Moving {
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
         Ok(sides(self.mechanism(), &pose, order.min(2)))
     }
-}
-
-/// The role that a link with the point is drawn in; of the frame's points none is.
-fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
-    let mut links = mechanism.link_ids();
-    let link = links.find(|link| mechanism.points_of(*link).contains(&point));
-    link.map_or("ink", |link| figure.drawn_role(link).name())
 }
 
 /// What a view lays over the drawing.

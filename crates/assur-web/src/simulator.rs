@@ -11,8 +11,9 @@ use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, thrown, to_js};
+use crate::here::Here;
 use crate::kinds::open;
-use crate::moving::{Here, Moving};
+use crate::moving::Moving;
 use crate::table::SweepTable;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the

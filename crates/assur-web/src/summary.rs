@@ -54,6 +54,8 @@ pub(crate) struct MotionSummary<'a> {
     listed: Vec<ListedSummary<'a>>,
     plotted: Vec<String>,
     handles: Vec<HandleSummary<'a>>,
+    /// Whether points of its links can be traced.
+    traceable: bool,
     profile: Option<ProfileSummary>,
 }
 
@@ -267,6 +269,7 @@ impl<'a> MotionSummary<'a> {
                 .map(|reading| ListedSummary::new(moving, reading))
                 .collect(),
             handles: handles.collect(),
+            traceable: moving.traceable(),
             profile: first,
         }
     }

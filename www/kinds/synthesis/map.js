@@ -76,7 +76,7 @@ export class FamilyMap {
   /** @returns {Scales | null} */
   #scales() {
     if (!this.#snapshot) return null;
-    const { frame } = this.#snapshot.state.document;
+    const { frame } = this.#snapshot.summary;
     const [least, most] = [LINES[0], LINES[LINES.length - 1]].map(Math.log);
     const { width, height } = this.#surface;
     const [wide, high] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
@@ -109,8 +109,8 @@ export class FamilyMap {
     this.#surface.clear();
     const { context, width, height } = this.#surface;
     const { colours, font, weight } = this.#theme;
-    const { summary, state, words } = snapshot;
-    const { frame } = state.document;
+    const { summary, words } = snapshot;
+    const { frame } = summary;
     const bottom = height - MARGIN.bottom;
     context.font = `12px ${font}`;
     context.lineWidth = weight;

@@ -2,7 +2,9 @@
 import { CardList } from "assur/controls/card-list.js";
 import { NumberBox } from "assur/controls/number-box.js";
 import { NumberRow } from "assur/controls/number-row.js";
+import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
 import { section } from "assur/kinds/synthesis/section.js";
 import { edited } from "assur/state/state.js";
 
@@ -15,8 +17,8 @@ import { edited } from "assur/state/state.js";
 /** How many positions there may be on the page; more are solved, but cannot be told apart in a drawing. */
 const MOST = 12;
 
-/** Where another position is put, from the last one: degrees. */
-const NEXT = Object.freeze({ output_deg: 20, input_deg: 30 });
+/** Another position is put so far from the last one, or as often so far as it must be: degrees of the input. */
+const NEXT = 30;
 
 /** @type {readonly (import("assur/controls/number-row.js").RowKind & { field: "frame" | "phi0_deg" })[]} */
 const FRAME = Object.freeze([
@@ -31,15 +33,16 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
 
-/** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>} */
+/** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
 const POSITIONS = Object.freeze({
   kind: "synthesis", name: "positions", first: 1, least: 2, most: MOST, written: String,
-  words: { add: "positions.add", remove: "positions.remove" }, build: card, another,
+  words: { add: "positions.add", remove: "positions.remove" }, build: card,
 });
 
 export class PositionsView {
   /** @type {{ row: NumberRow, field: "frame" | "phi0_deg" }[]} */
   #frame;
+  #engine;
   #list;
   #free = make("input", { id: "free", type: "checkbox" });
   /** @type {readonly unknown[]} what was shown last */
@@ -47,10 +50,11 @@ export class PositionsView {
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
-    const { store, drafts } = page;
+    const { store, drafts, engine } = page;
     const edit = (/** @type {Partial<Document>} */ change) => store.update((state) => edited(state, "synthesis", () => change));
     this.#frame = FRAME.map((kind) => ({ field: kind.field, row: new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value })) }));
-    this.#list = new CardList(POSITIONS, page);
+    this.#engine = engine;
+    this.#list = new CardList({ ...POSITIONS, another: (snapshot) => this.#another(snapshot) }, page);
     this.#free.addEventListener("change", () => edit({ free: this.#free.checked }));
     section("positions.frame", "frame", this.#frame.map(({ row }) => row.element));
     section("positions.heading", "positions", [
@@ -69,6 +73,23 @@ export class PositionsView {
     for (const { row, field } of this.#frame) row.show(state.document[field], words, wrong.has(field));
     this.#list.show(snapshot, wrong);
     this.#free.checked = state.document.free;
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @returns {Position} one that the linkage that is drawn takes up, farther on than the last one
+   */
+  #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
+    const last = positions[positions.length - 1];
+    for (let by = NEXT; by < 360; by += NEXT) {
+      const input = (last.input_deg + by) % 360;
+      const here = attempt(() => this.#engine.at(radians(input) + inputStart)).value;
+      const output = here?.readouts?.["rocker.angle"];
+      if (output === undefined || positions.some(({ input_deg: given }) => given === input)) continue;
+      const turned = degrees(output - outputStart) % 360;
+      return { output_deg: turned < 0 ? turned + 360 : turned, input_deg: input, weight: 1 };
+    }
+    return { ...last, input_deg: (last.input_deg + NEXT) % 360 };
   }
 }
 
@@ -101,13 +122,4 @@ function card(index, put, drafts, remove) {
       }
     },
   };
-}
-
-/**
- * @param {Snapshot} snapshot
- * @returns {Position} farther than the last one
- */
-function another({ state: { document: { positions } } }) {
-  const { output_deg, input_deg } = positions[positions.length - 1];
-  return { output_deg: (output_deg + NEXT.output_deg) % 360, input_deg: (input_deg + NEXT.input_deg) % 360, weight: 1 };
 }

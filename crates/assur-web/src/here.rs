@@ -1,0 +1,33 @@
+//! A place of the motion, in numbers.
+
+/// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
+pub(crate) struct Here {
+    pub(crate) frame: Vec<f32>,
+    pub(crate) handles: Vec<f64>,
+    pub(crate) readouts: Vec<f64>,
+    pub(crate) plotted: Vec<f64>,
+}
+
+impl Here {
+    /// Of what never moves, by its frame.
+    pub(crate) fn still(frame: Vec<f32>) -> Self {
+        Self {
+            frame,
+            handles: Vec::new(),
+            readouts: Vec::new(),
+            plotted: Vec::new(),
+        }
+    }
+
+    /// The lengths of the lists, then the lists.
+    pub(crate) fn flat(&self) -> Vec<f64> {
+        let rest = [&self.handles, &self.readouts, &self.plotted];
+        let lengths = rest.map(|list| list.len() as f64);
+        let lengths = [self.frame.len() as f64].into_iter().chain(lengths);
+        let frame = self.frame.iter().copied().map(f64::from);
+        lengths
+            .chain(frame)
+            .chain(rest.into_iter().flatten().copied())
+            .collect()
+    }
+}
