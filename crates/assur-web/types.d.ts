@@ -97,6 +97,10 @@ number: number | null, drawn: SolutionSummary,
  */
 frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
+ * How many of the positions can be closed, over l₁ and l₂.
+ */
+closed: PlaneSummary, 
+/**
  * What the method of the paper comes to, where the document gives every coupler angle.
  */
 printed: PrintedSummary | null, 
@@ -178,14 +182,14 @@ best: number,
  */
 paths: Array<Array<[number, number]>>, 
 /**
- * Between which lengths they were sought.
+ * ΣJ, by its decimal logarithm, over l₂ and l₃.
  */
-bounds: [number, number], 
+sum: PlaneSummary, };
+export type PlaneSummary = { 
 /**
- * The decimal logarithm of ΣJ at the middles of equal parts of the logarithms of l₂, and for
- * each of l₃.
+ * Between which lengths they are.
  */
-surface: Array<Array<number>>, };
+bounds: [number, number], values: Array<Array<number>>, };
 export type WantedSummary = { 
 /**
  * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.

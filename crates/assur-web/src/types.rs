@@ -13,6 +13,7 @@ use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::SchemeSummary;
 use crate::kinds::synthesis::options::{FamilyCurve, FamilySummary, FoundSummary};
+use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, VerdictSummary};
 use crate::kinds::synthesis::wanted::{
     ConditionSummary, PrintedSummary, TheoremSummary, WantedSummary,
@@ -41,6 +42,7 @@ fn the_scripts_know_what_crosses_the_border() {
         FamilySummary::decl(&config),
         FamilyCurve::decl(&config),
         FoundSummary::decl(&config),
+        PlaneSummary::decl(&config),
         WantedSummary::decl(&config),
         ConditionSummary::decl(&config),
         TheoremSummary::decl(&config),

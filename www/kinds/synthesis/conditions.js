@@ -1,6 +1,7 @@
 // The conditions of the paper for one position at its coupler angle: each with its value and verdict, and beside them what is true.
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { Plane } from "assur/kinds/synthesis/plane.js";
 import { section } from "assur/kinds/synthesis/section.js";
 
 /**
@@ -10,22 +11,46 @@ import { section } from "assur/kinds/synthesis/section.js";
  */
 
 export class ConditionsView {
+  #theme;
+  #region;
   #content = make("div");
+  /** @type {Snapshot | null} */
+  #snapshot = null;
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
-  constructor() {
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ theme }) {
+    this.#theme = theme;
+    this.#region = new Plane("synthesis-region", theme, ["l₁", "l₂"], () => this.#paint());
     section("conditions.heading", "conditions", [
-      make("details", { id: "synthesis-conditions" }, [make("summary", { "data-t": "conditions.show" }), this.#content]),
+      make("details", { id: "synthesis-conditions" }, [
+        make("summary", { "data-t": "conditions.show" }), this.#content,
+        make("p", { class: "legend", "data-t": "region.heading" }), this.#region.element,
+      ]),
     ]);
   }
 
   /** @param {Snapshot} snapshot */
-  render({ summary, words }) {
-    const shown = [summary, words];
+  render(snapshot) {
+    const { summary, words } = snapshot;
+    const shown = [summary, words, this.#theme.revision];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
+    this.#snapshot = snapshot;
     this.#content.replaceChildren(...summary.wanted.map((one, k) => table(one, k + 1, words)));
+    this.#region.element.ariaLabel = words.text("region.label");
+    this.#paint();
+  }
+
+  /** The region in which some input closes the contour in every position, and the lengths that are drawn. */
+  #paint() {
+    if (!this.#snapshot) return;
+    const { summary: { frame, closed, wanted, drawn }, words } = this.#snapshot;
+    if (!this.#region.begin(frame, words)) return;
+    this.#region.shade(closed, (count) => (count / wanted.length) ** 2);
+    this.#region.dot(drawn.lengths, "ink");
+    this.#region.end();
   }
 }
 

@@ -7,4 +7,4 @@ import { synthesisStatus } from "assur/kinds/synthesis/status.js";
 import "assur/kinds/synthesis/style.js";
 
 /** @type {import("assur/app/views.js").Make} */
-export const views = (page) => [new PositionsView(page), new FamilyView(page), new SolutionsView(page), new ConditionsView(), synthesisStatus()];
+export const views = (page) => [new PositionsView(page), new FamilyView(page), new SolutionsView(page), new ConditionsView(page), synthesisStatus()];

@@ -1,6 +1,7 @@
 //! A four-bar for given positions on the page: what is wanted, drawn under one of those that do it.
 
 pub(crate) mod options;
+pub(crate) mod plane;
 pub(crate) mod summary;
 pub(crate) mod wanted;
 

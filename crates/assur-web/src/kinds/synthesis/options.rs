@@ -3,21 +3,16 @@
 use std::f64::consts::TAU;
 
 use assur::synthesis::four_bar::{
-    ChangeKind, Family, Minimum, Order, Passage, Proportions, Range, Surface, Task,
+    ChangeKind, Family, Minimum, Order, Passage, Proportions, Range, Task,
 };
 use serde::Serialize;
 
+use super::plane::PlaneSummary;
 use super::summary::lengths;
 use crate::summary::grashof;
 
 /// Members of the family that are told apart on its curve.
 const MEMBERS: usize = 240;
-
-/// Parts along each length into which the plane of lengths is divided for the picture of ΣJ, and
-/// the least ΣJ that is told from none, in squares of the frame's length.
-const PARTS: usize = 40;
-
-const LEAST: f64 = 1e-9;
 
 /// The linkages that two positions leave.
 #[derive(Serialize)]
@@ -57,11 +52,8 @@ pub(crate) struct FoundSummary {
     best: usize,
     /// l₂ and l₃ along the way to each of the solutions.
     paths: Vec<Vec<[f64; 2]>>,
-    /// Between which lengths they were sought.
-    bounds: [f64; 2],
-    /// The decimal logarithm of ΣJ at the middles of equal parts of the logarithms of l₂, and for
-    /// each of l₃.
-    surface: Vec<Vec<f64>>,
+    /// ΣJ, by its decimal logarithm, over l₂ and l₃.
+    sum: PlaneSummary,
 }
 
 impl FamilySummary {
@@ -127,21 +119,7 @@ impl FoundSummary {
             starts,
             best: minima.first().map_or(0, |best| best.reached),
             paths: minima.iter().map(path).collect(),
-            bounds: task.ratios().map(|ratio| ratio * task.frame().length),
-            surface: surface(task),
+            sum: PlaneSummary::sum(task),
         }
     }
-}
-
-/// ΣJ over the plane of l₂ and l₃.
-fn surface(task: &Task) -> Vec<Vec<f64>> {
-    let [least, most] = task.ratios();
-    let surface = Surface::new(task);
-    let length = |part: usize| least * (most / least).powf((part as f64 + 0.5) / PARTS as f64);
-    let value = |output: usize, input: usize| {
-        let value = surface.value(length(output), length(input));
-        value.map_or(0.0, |value| value.max(LEAST).log10())
-    };
-    let row = |output: usize| (0..PARTS).map(|input| value(output, input)).collect();
-    (0..PARTS).map(row).collect()
 }

@@ -5,6 +5,7 @@ use assur_file::{Document, Synthesis, SynthesisDocument};
 use serde::Serialize;
 
 use super::options::{FamilySummary, FoundSummary};
+use super::plane::PlaneSummary;
 use super::wanted::{PrintedSummary, WantedSummary, angles};
 use crate::moving::Moving;
 use crate::summary::{MotionSummary, grashof};
@@ -27,6 +28,8 @@ pub(crate) struct SynthesisSummary<'a> {
     family: Option<FamilySummary>,
     found: Option<FoundSummary>,
     wanted: Vec<WantedSummary>,
+    /// How many of the positions can be closed, over l₁ and l₂.
+    closed: PlaneSummary,
     /// What the method of the paper comes to, where the document gives every coupler angle.
     printed: Option<PrintedSummary>,
     /// What is drawn, as a linkage for the simulator.
@@ -117,6 +120,7 @@ impl<'a> SynthesisSummary<'a> {
             frame: task.frame().length,
             family,
             found,
+            closed: PlaneSummary::closed(task),
             wanted: WantedSummary::all(task, &angles, shown),
             printed: PrintedSummary::new(document, task, &angles, shown),
             linkage,
