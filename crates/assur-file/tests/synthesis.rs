@@ -23,7 +23,7 @@ fn read(more: &Value) -> SynthesisDocument {
 /// The codes of what is wrong, with all that is told of it.
 fn refused(more: &Value) -> Vec<Value> {
     let problems = read(more).linkage().unwrap_err();
-    let said = problems.iter().map(|problem| serde_json::to_value(problem));
+    let said = problems.iter().map(serde_json::to_value);
     said.map(Result::unwrap).collect()
 }
 
