@@ -49,6 +49,26 @@ pub(crate) fn setting(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
 }
 
+/// A driver of browsers and its port. It looks for a free port before it takes it: where another one
+/// takes it in between, it ends without one.
+fn driver() -> Option<(Child, u16)> {
+    let mut server = Command::new(setting("CHROMEDRIVER"))
+        .arg("--port=0")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let said = BufReader::new(server.stdout.take().unwrap());
+    let port = said.lines().map_while(Result::ok).find_map(|line| {
+        let (_, port) = line.split_once("successfully on port ")?;
+        port.trim_end_matches('.').parse().ok()
+    });
+    if port.is_none() {
+        server.wait().unwrap();
+    }
+    Some((server, port?))
+}
+
 impl Page {
     /// The served page in English.
     pub(crate) async fn open() -> Self {
@@ -78,21 +98,7 @@ impl Page {
 
     /// A browser that speaks a language, without a page.
     async fn browser(lang: &str) -> Self {
-        let server = Command::new(setting("CHROMEDRIVER"))
-            .arg("--port=0")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn();
-        let mut server = server.unwrap();
-        let said = BufReader::new(server.stdout.take().unwrap());
-        let port = said.lines().map_while(Result::ok).find_map(|line| {
-            line.split_once("successfully on port ")?
-                .1
-                .trim_end_matches('.')
-                .parse()
-                .ok()
-        });
-        let port: u16 = port.unwrap();
+        let (server, port) = (0..5).find_map(|_| driver()).unwrap();
         let downloads = env::temp_dir().join(format!("assur-page-{}-{port}", std::process::id()));
         fs::create_dir_all(&downloads).unwrap();
 
