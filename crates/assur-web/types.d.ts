@@ -160,10 +160,6 @@ lengths: [[number | null, number | null], [number | null, number | null], [numbe
  */
 couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /**
- * The classes of its members, each once.
- */
-classes: Array<string>, 
-/**
  * l₁, l₂, l₃ where the class changes.
  */
 changes: Array<[number, number, number]>, };

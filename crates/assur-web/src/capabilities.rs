@@ -2,7 +2,7 @@
 //! which a kind has those that it has.
 
 use assur::Point;
-use assur_draw::List;
+use assur_draw::Figure;
 use assur_file::Problem;
 use wasm_bindgen::prelude::JsValue;
 
@@ -14,11 +14,8 @@ pub(crate) trait Capabilities {
     /// What is said of it as a whole; it says by `moves` whether anything does.
     fn summary(&self) -> JsValue;
 
-    /// The names of the labels of the display lists.
-    fn labels(&self) -> &[String];
-
-    /// What is rigid.
-    fn scene(&self) -> &List;
+    /// Its drawing.
+    fn figure(&self) -> &Figure;
 
     /// The frame of what never moves, as of [`crate::Simulator::at`]; of what moves none.
     fn still(&self) -> Vec<f32> {

@@ -51,7 +51,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.document()?.labels().to_vec())
+        Ok(self.document()?.figure().names().to_vec())
     }
 
     /// The display list of everything rigid, grouped by body.
@@ -59,7 +59,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
-        Ok(self.document()?.scene().numbers().to_vec())
+        Ok(self.document()?.figure().rigid().numbers().to_vec())
     }
 
     /// Everything at an input, from one pose: how many numbers each of four lists has, then

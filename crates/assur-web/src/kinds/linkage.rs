@@ -3,7 +3,7 @@
 use assur::Point;
 use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
 use assur::motion::Changed;
-use assur_draw::{Annotations, List};
+use assur_draw::{Annotations, Figure};
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
     TracerDocument, dimension_field,
@@ -102,12 +102,8 @@ impl Capabilities for Linkage {
         })
     }
 
-    fn labels(&self) -> &[String] {
-        self.0.figure().names()
-    }
-
-    fn scene(&self) -> &List {
-        self.0.figure().rigid()
+    fn figure(&self) -> &Figure {
+        self.0.figure()
     }
 
     fn moving(&self) -> Option<&Moving> {

@@ -4,7 +4,7 @@ use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
-use assur_draw::{Annotations, List};
+use assur_draw::{Annotations, Figure};
 use assur_file::{
     LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
 };
@@ -149,12 +149,8 @@ impl Capabilities for Mixer {
         })
     }
 
-    fn labels(&self) -> &[String] {
-        self.moving.figure().names()
-    }
-
-    fn scene(&self) -> &List {
-        self.moving.figure().rigid()
+    fn figure(&self) -> &Figure {
+        self.moving.figure()
     }
 
     fn moving(&self) -> Option<&Moving> {
@@ -198,9 +194,7 @@ impl Edited for Mixer {
     }
 
     fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
-        let mut all = [Assembly::First, Assembly::Second]
-            .map(number_of)
-            .into_iter();
+        let mut all = Assembly::ALL.map(number_of).into_iter();
         let assembly = all.find(|one| usize::from(*one) == number);
         let assembly = assembly.ok_or_else(|| vec![unknown("assembly")])?;
         Ok(Change::document(&Assembled { assembly }))

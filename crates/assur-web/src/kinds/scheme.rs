@@ -1,7 +1,7 @@
 //! The scheme of a linkage on the page: the drawing as it stands, and its structure.
 
 use assur::mechanism::Mechanism;
-use assur_draw::{Annotations, Figure, List, Overlays, View};
+use assur_draw::{Annotations, Figure, Overlays, View};
 use assur_file::{LinkageProblem, Problem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -66,12 +66,8 @@ impl Capabilities for Scheme {
         })
     }
 
-    fn labels(&self) -> &[String] {
-        self.figure.names()
-    }
-
-    fn scene(&self) -> &List {
-        self.figure.rigid()
+    fn figure(&self) -> &Figure {
+        &self.figure
     }
 
     fn still(&self) -> Vec<f32> {

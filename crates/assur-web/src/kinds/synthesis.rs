@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use assur::mechanism::Quantity;
 use assur::synthesis::four_bar::{Drawn, Options, Proportions};
 use assur::{Point, Vector};
-use assur_draw::{Annotations, GivenPosition, List, Role};
+use assur_draw::{Annotations, Figure, GivenPosition, Role};
 use assur_file::{
     Document, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
 };
@@ -159,12 +159,8 @@ impl Capabilities for Synthesis {
         ))
     }
 
-    fn labels(&self) -> &[String] {
-        self.moving.figure().names()
-    }
-
-    fn scene(&self) -> &List {
-        self.moving.figure().rigid()
+    fn figure(&self) -> &Figure {
+        self.moving.figure()
     }
 
     fn moving(&self) -> Option<&Moving> {

@@ -9,7 +9,6 @@ use serde::Serialize;
 
 use super::plane::PlaneSummary;
 use super::summary::lengths;
-use crate::summary::grashof;
 
 /// Members of the family that are told apart on its curve.
 const MEMBERS: usize = 240;
@@ -23,8 +22,6 @@ pub(crate) struct FamilySummary {
     /// Between which angles the coupler is in each position, radians.
     couplers: [[f64; 2]; 2],
     curve: FamilyCurve,
-    /// The classes of its members, each once.
-    classes: Vec<&'static str>,
     /// l₁, l₂, l₃ where the class changes.
     changes: Vec<[f64; 3]>,
 }
@@ -68,7 +65,6 @@ impl FamilySummary {
             l3: Vec::new(),
             verdicts: Vec::new(),
         };
-        let mut classes: Vec<&'static str> = Vec::new();
         for member in &members {
             let Ok(verdict) = &member.verdict else {
                 continue;
@@ -82,10 +78,6 @@ impl FamilySummary {
                 (Passage::Continuous, _) => "rocks",
                 _ => "branch",
             });
-            let class = grashof(verdict.grashof);
-            if !classes.contains(&class) {
-                classes.push(class);
-            }
         }
         let changes = family.changes().into_iter();
         let changes = changes.filter(|change| change.kind == ChangeKind::Grashof);
@@ -100,7 +92,6 @@ impl FamilySummary {
                 [from - turns, to - turns]
             }),
             curve,
-            classes,
             changes: changes
                 .map(|change| lengths(task, change.proportions))
                 .collect(),
