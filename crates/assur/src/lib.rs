@@ -29,6 +29,7 @@ mod invalid;
 mod jet;
 pub mod mechanism;
 pub mod mixer;
+pub mod mobility;
 pub mod motion;
 mod position;
 pub mod structure;

@@ -1,0 +1,23 @@
+//! Mobility and redundant constraints: what counting says of a mechanism, in the plane and in
+//! space, and what its geometry says.
+//!
+//! A [`Scheme`] is links and the pairs that join them, each with the freedoms that it leaves.
+//! No motion is followed and no length is needed: W is counted by the formulas of Chebyshev and
+//! Grübler, of Somov and Malyshev, loop by loop, and by the *method of sections* (Ambartsumyants,
+//! Arabadzhi): pairs are cut until every contour is open, the freedoms of what is left are summed,
+//! and the constraints of the cut pairs are taken away again. Where places and axes of the pairs
+//! are known, the rank of the constraints is the referee: counting can lie.
+
+mod draft;
+mod kind;
+mod scheme;
+
+pub use draft::{PairDraft, SchemeDefect, SchemeDraft};
+pub use kind::PairKind;
+pub use scheme::{Pair, Scheme};
+
+/// A place in space, in the unit of the lengths.
+pub type Point3 = nalgebra::Point3<f64>;
+
+/// A direction or a displacement in space.
+pub type Vector3 = nalgebra::Vector3<f64>;
