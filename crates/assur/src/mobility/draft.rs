@@ -50,7 +50,8 @@ pub enum SchemeDefect {
         /// The link.
         link: String,
     },
-    /// The pair has fewer than two links, or more than two though it is no hinge.
+    /// The pair has fewer than two links, or more than two though it is not of a form in which many can meet
+    /// ([`PairKind::joins_many`]: hinges, and what hinges are replaced by).
     LinkCount {
         /// The pair.
         pair: String,
@@ -66,7 +67,7 @@ pub enum SchemeDefect {
     },
     /// The pair does not let its links move in the plane, though the scheme is planar.
     OutOfPlane(String),
-    /// A number of the pair is no finite number, its axis has no length, its second direction is along the axis, or
+    /// A number of the pair is no finite number or out of any range, its axis has no length, its second direction is along the axis, or
     /// the pitch of a screw is zero.
     Geometry(String),
     /// These links are not joined to the ground.

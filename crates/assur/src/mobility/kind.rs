@@ -71,4 +71,20 @@ impl PairKind {
     pub fn has_axis(self) -> bool {
         !matches!(self, Self::Spherical | Self::Class(_))
     }
+
+    /// Whether more than two links can meet in one: what any two of them may do, any two others may.
+    pub fn joins_many(self) -> bool {
+        matches!(
+            self,
+            Self::Revolute | Self::Cylindrical | Self::Spherical | Self::Class(1)
+        )
+    }
+
+    /// Whether it lets its links turn in the plane to which its axis is normal.
+    pub(super) fn turns_in_plane(self) -> bool {
+        matches!(
+            self,
+            Self::Revolute | Self::Cylindrical | Self::Universal | Self::SphereInCylinder
+        )
+    }
 }

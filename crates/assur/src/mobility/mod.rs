@@ -8,13 +8,27 @@
 //! and the constraints of the cut pairs are taken away again. Where places and axes of the pairs
 //! are known, the rank of the constraints is the referee: counting can lie.
 
+mod counts;
+mod cut;
 mod draft;
 mod kind;
+mod linkage;
+mod practice;
+mod referee;
+mod replacement;
 mod scheme;
+mod screw;
+mod sections;
 
+pub use counts::Counts;
+pub use cut::{Cut, CutError};
 pub use draft::{PairDraft, SchemeDefect, SchemeDraft};
 pub use kind::PairKind;
+pub use practice::generated;
+pub use referee::{Generic, NoRank, Redundancy, Space, Verdict};
+pub use replacement::{Change, Replacement, Replacements};
 pub use scheme::{Pair, Scheme};
+pub use sections::{Loop, Sections};
 
 /// A place in space, in the unit of the lengths.
 pub type Point3 = nalgebra::Point3<f64>;

@@ -1,6 +1,12 @@
 //! A scheme that is sound.
 
-use super::{PairKind, Point3, SchemeDefect, SchemeDraft, Vector3};
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::screw::{Form, across};
+use super::{PairDraft, PairKind, Point3, SchemeDefect, SchemeDraft, Vector3};
+
+/// Lengths beyond this are out of any range: their squares and products still are numbers.
+const RANGE: f64 = 1e60;
 
 /// Links and pairs that make one whole with the ground. Links are numbered in the order in which the pairs name
 /// them, the ground is number 0.
@@ -9,6 +15,8 @@ pub struct Scheme {
     planar: bool,
     links: Vec<String>,
     pairs: Vec<Pair>,
+    /// Of each pair its freedoms in the scheme's own space.
+    freedoms: Vec<u8>,
 }
 
 /// A pair of a scheme.
@@ -28,13 +36,83 @@ pub struct Pair {
     pub second: Option<Vector3>,
 }
 
+impl Pair {
+    /// How many pairs of two links it counts as.
+    pub fn count(&self) -> usize {
+        self.links.len() - 1
+    }
+
+    /// Whether more than two links meet in it.
+    pub fn is_compound(&self) -> bool {
+        self.links.len() > 2
+    }
+}
+
 impl Scheme {
     /// The scheme of a draft.
     ///
     /// # Errors
     /// Everything that is wrong with it.
-    pub fn new(_draft: &SchemeDraft) -> Result<Self, Vec<SchemeDefect>> {
-        todo!()
+    pub fn new(draft: &SchemeDraft) -> Result<Self, Vec<SchemeDefect>> {
+        let mut defects = vec![];
+        if draft.pairs.is_empty() {
+            return Err(vec![SchemeDefect::Empty]);
+        }
+        let mut names = BTreeMap::new();
+        for pair in &draft.pairs {
+            let times: &mut usize = names.entry(pair.name.as_str()).or_default();
+            *times += 1;
+            if *times == 2 || (*times == 1 && pair.name.is_empty()) {
+                defects.push(SchemeDefect::SameName(pair.name.clone()));
+            }
+        }
+        let links = links(draft);
+        let numbers = links.iter().enumerate();
+        let numbers: BTreeMap<&str, usize> = numbers.map(|(at, link)| (*link, at)).collect();
+        let mut pairs = vec![];
+        let mut freedoms = vec![];
+        for pair in &draft.pairs {
+            joins(pair, &mut defects);
+            let sound = directed(pair, draft.planar)
+                .and_then(|pair| Ok((own_freedoms(&pair, draft.planar)?, pair)));
+            match sound {
+                Err(defect) => defects.push(defect),
+                Ok((own, directed)) => {
+                    freedoms.push(own);
+                    pairs.push(Pair {
+                        name: pair.name.clone(),
+                        kind: pair.kind,
+                        links: pair
+                            .links
+                            .iter()
+                            .map(|link| numbers[link.as_str()])
+                            .collect(),
+                        place: pair.place,
+                        axis: directed.axis,
+                        second: directed.second,
+                    });
+                }
+            }
+        }
+        let named = |pair: &PairDraft| pair.links.contains(&draft.ground);
+        if draft.pairs.iter().any(named) {
+            let apart = apart(draft, &numbers);
+            if !apart.is_empty() {
+                let names = apart.into_iter().map(|link| links[link].to_owned());
+                defects.push(SchemeDefect::Apart(names.collect()));
+            }
+        } else {
+            defects.push(SchemeDefect::NoGround(draft.ground.clone()));
+        }
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        Ok(Self {
+            planar: draft.planar,
+            links: links.into_iter().map(str::to_owned).collect(),
+            pairs,
+            freedoms,
+        })
     }
 
     /// Whether all motion is in the plane.
@@ -51,4 +129,236 @@ impl Scheme {
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }
+
+    /// The name of a link.
+    pub fn link_name(&self, link: usize) -> &str {
+        &self.links[link]
+    }
+
+    /// The link of a name.
+    pub fn link(&self, name: &str) -> Option<usize> {
+        self.links.iter().position(|link| link == name)
+    }
+
+    /// The pair of a name.
+    pub fn pair(&self, name: &str) -> Option<usize> {
+        self.pairs.iter().position(|pair| pair.name == name)
+    }
+
+    /// i: how many freedoms a pair leaves in the scheme's own space, which is the plane or the whole.
+    pub fn freedoms(&self, pair: usize) -> u8 {
+        self.freedoms[pair]
+    }
+
+    /// S: how many constraints a pair has in the scheme's own space.
+    pub fn constraints(&self, pair: usize) -> u8 {
+        (if self.planar { 3 } else { 6 }) - self.freedoms[pair]
+    }
+
+    /// Where the places are and how large the scheme is.
+    pub(super) fn scale(&self) -> Scale {
+        Scale::of(&self.pairs)
+    }
+
+    /// A pair with its screws; none where its place or a direction is not told.
+    pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
+        let pair = &self.pairs[pair];
+        let kind = match pair.kind {
+            PairKind::Class(_) => return None,
+            PairKind::Screw { pitch } => PairKind::Screw {
+                pitch: pitch / scale.size,
+            },
+            kind => kind,
+        };
+        let place = (pair.place?.coords - scale.centre) / scale.size;
+        let axis = match pair.axis {
+            None if !kind.has_axis() => Vector3::z(),
+            axis => axis?,
+        };
+        let second = match pair.second {
+            None if kind.has_second() => return None,
+            second => second,
+        };
+        Some(Form::new(kind, place, axis, second))
+    }
+
+    /// The scheme as a draft. Directions are given that the first draft left to be understood.
+    pub fn draft(&self) -> SchemeDraft {
+        let pairs = self.pairs.iter().map(|pair| PairDraft {
+            name: pair.name.clone(),
+            kind: pair.kind,
+            links: pair
+                .links
+                .iter()
+                .map(|link| self.links[*link].clone())
+                .collect(),
+            place: pair.place,
+            axis: pair.axis,
+            second: pair.second,
+        });
+        SchemeDraft {
+            ground: self.links[0].clone(),
+            planar: self.planar,
+            pairs: pairs.collect(),
+        }
+    }
+}
+
+/// The middle of the places, and the length to which others are relative: rounding then matters the least.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    pub(super) centre: Vector3,
+    pub(super) size: f64,
+}
+
+impl Scale {
+    fn of(pairs: &[Pair]) -> Self {
+        let places = || pairs.iter().filter_map(|pair| pair.place);
+        let count = places().count().max(1) as f64;
+        let centre = places().map(|place| place.coords / count).sum::<Vector3>();
+        let distances = places().map(|place| (place.coords - centre).norm());
+        let pitches = pairs.iter().map(|pair| match pair.kind {
+            PairKind::Screw { pitch } => pitch.abs(),
+            _ => 0.0,
+        });
+        let size = distances.chain(pitches).fold(0.0, f64::max);
+        // Where all is at one place there is no length.
+        let size = if size > 0.0 { size } else { 1.0 };
+        Self { centre, size }
+    }
+}
+
+/// The names of the links, the ground first.
+fn links(draft: &SchemeDraft) -> Vec<&str> {
+    let ground = draft.ground.as_str();
+    let named = draft.pairs.iter().flat_map(|pair| &pair.links);
+    let mut seen = BTreeSet::from([ground]);
+    let others = named.map(String::as_str).filter(|link| seen.insert(link));
+    [ground].into_iter().chain(others).collect()
+}
+
+/// What is wrong with the links of a pair.
+fn joins(pair: &PairDraft, defects: &mut Vec<SchemeDefect>) {
+    let mut seen = BTreeSet::new();
+    let again = pair.links.iter().find(|link| !seen.insert(*link));
+    if let Some(link) = again {
+        let (pair, link) = (pair.name.clone(), link.clone());
+        defects.push(SchemeDefect::JoinsItself { pair, link });
+    } else if pair.links.len() < 2 || (pair.links.len() > 2 && !pair.kind.joins_many()) {
+        let (pair, links) = (pair.name.clone(), pair.links.len());
+        defects.push(SchemeDefect::LinkCount { pair, links });
+    }
+}
+
+/// A pair with its directions of length 1, and those that are understood.
+struct Directed<'a> {
+    pair: &'a PairDraft,
+    axis: Option<Vector3>,
+    second: Option<Vector3>,
+}
+
+fn directed(pair: &PairDraft, planar: bool) -> Result<Directed<'_>, SchemeDefect> {
+    let wrong = || SchemeDefect::Geometry(pair.name.clone());
+    let sound = |value: f64| value.is_finite() && value.abs() <= RANGE;
+    let pitch = match pair.kind {
+        PairKind::Screw { pitch } => sound(pitch) && pitch != 0.0,
+        _ => true,
+    };
+    let place = pair
+        .place
+        .is_none_or(|place| place.iter().all(|value| sound(*value)));
+    let given = [pair.axis, pair.second];
+    let directions = given.iter().flatten().flatten();
+    if !(pitch && place && directions.into_iter().all(|value| sound(*value))) {
+        return Err(wrong());
+    }
+    let normal = (planar && pair.kind.turns_in_plane()).then(Vector3::z);
+    let axis = match pair.axis {
+        _ if !pair.kind.has_axis() => None,
+        None => normal,
+        Some(axis) => Some(unit(axis).ok_or_else(wrong)?),
+    };
+    let second = match (axis, pair.second) {
+        _ if !pair.kind.has_second() => None,
+        (None, second) => second
+            .map(|second| unit(second).ok_or_else(wrong))
+            .transpose()?,
+        (Some(axis), Some(second)) => {
+            let second = unit(second).ok_or_else(wrong)?;
+            Some(unit_across(&axis, &second).ok_or_else(wrong)?)
+        }
+        (Some(axis), None) if planar => {
+            let across = unit_across(&axis, &Vector3::z()).or(unit_across(&axis, &Vector3::y()));
+            Some(across.ok_or_else(wrong)?)
+        }
+        (Some(_), None) => None,
+    };
+    Ok(Directed { pair, axis, second })
+}
+
+/// The direction in length 1.
+fn unit(direction: Vector3) -> Option<Vector3> {
+    // First to a length about 1, whose square is no zero.
+    let longest = direction.amax();
+    (longest > 0.0).then(|| (direction / longest).normalize())
+}
+
+/// The part of a direction at right angles to an axis, in length 1.
+fn unit_across(axis: &Vector3, direction: &Vector3) -> Option<Vector3> {
+    let across = direction - axis * axis.dot(direction);
+    (across.norm() > super::screw::ZERO).then(|| across.normalize())
+}
+
+/// How many freedoms the pair has in the plane, or in space.
+fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefect> {
+    let pair = directed.pair;
+    let freedoms = pair.kind.freedoms();
+    if let PairKind::Class(_) = pair.kind {
+        let most = if planar { 2 } else { 5 };
+        return if (1..=most).contains(&freedoms) {
+            Ok(freedoms)
+        } else {
+            let pair = pair.name.clone();
+            Err(SchemeDefect::Freedoms { pair, freedoms })
+        };
+    }
+    if !planar {
+        return Ok(freedoms);
+    }
+    // A direction that is not told fits the plane: a way, and the normal of a contact, is in it.
+    let axis = directed.axis.unwrap_or_else(Vector3::x);
+    let second = directed
+        .second
+        .and_then(|second| unit_across(&axis, &second));
+    let second = second
+        .unwrap_or_else(|| unit_across(&axis, &Vector3::z()).unwrap_or_else(|| across(&axis)));
+    let form = Form::new(pair.kind, Vector3::zeros(), axis, Some(second));
+    match form.constraints_in_plane().len() {
+        1 => Ok(2),
+        2 => Ok(1),
+        _ => Err(SchemeDefect::OutOfPlane(pair.name.clone())),
+    }
+}
+
+/// Links that no chain of pairs joins to the ground.
+fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
+    let mut leader: Vec<usize> = (0..numbers.len()).collect();
+    fn lead(leader: &mut [usize], mut link: usize) -> usize {
+        while leader[link] != link {
+            leader[link] = leader[leader[link]];
+            link = leader[link];
+        }
+        link
+    }
+    for pair in &draft.pairs {
+        let mut links = pair.links.iter().map(|link| numbers[link.as_str()]);
+        let Some(first) = links.next() else { continue };
+        for other in links {
+            let ends = [first, other].map(|link| lead(&mut leader, link));
+            // The ground, number 0, leads what it is joined to.
+            leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
+        }
+    }
+    let links = 0..numbers.len();
+    links.filter(|link| lead(&mut leader, *link) != 0).collect()
 }

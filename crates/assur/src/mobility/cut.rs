@@ -1,0 +1,147 @@
+//! Cutting pairs: by name, which to choose, and what is wrong with a choice.
+
+use super::Scheme;
+
+/// A link taken off a pair. Of a pair of two links it does not matter which of them: the pair is gone. A
+/// compound hinge loses one link at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Cut {
+    /// The pair.
+    pub pair: usize,
+    /// The link that leaves it.
+    pub link: usize,
+}
+
+/// Why cuts do not open a scheme into a chain that hangs on the ground.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CutError {
+    /// There is no pair of this name.
+    NoPair(String),
+    /// The pair does not have this link.
+    NoLink {
+        /// The pair.
+        pair: String,
+        /// The link.
+        link: String,
+    },
+    /// More than two links meet in this pair: it must be told which leaves it.
+    WhichLink(String),
+    /// This is cut already, there is nothing left of it.
+    Twice(String),
+    /// A contour that is still closed, the shortest, by its pairs in their order along it.
+    Closed {
+        /// The pairs.
+        pairs: Vec<String>,
+    },
+    /// Links that hang on nothing any more.
+    Apart {
+        /// The links.
+        links: Vec<String>,
+    },
+}
+
+impl Scheme {
+    /// The cut of a name: that of a pair, or of a compound hinge the pair and the link, `Q:3`.
+    ///
+    /// # Errors
+    /// There is no such pair, no such link in it, or the link of a compound hinge is not told.
+    pub fn cut_named(&self, name: &str) -> Result<Cut, CutError> {
+        if let Some(pair) = self.pair(name) {
+            let joined = &self.pairs()[pair];
+            return match joined.links[..] {
+                [_, link] => Ok(Cut { pair, link }),
+                _ => Err(CutError::WhichLink(name.to_owned())),
+            };
+        }
+        let no_pair = || CutError::NoPair(name.to_owned());
+        let (pair_name, link_name) = name.rsplit_once(':').ok_or_else(no_pair)?;
+        let pair = self.pair(pair_name).ok_or_else(no_pair)?;
+        let has = |link: &usize| self.pairs()[pair].links.contains(link);
+        let link = self.link(link_name).filter(has);
+        let link = link.ok_or_else(|| CutError::NoLink {
+            pair: pair_name.to_owned(),
+            link: link_name.to_owned(),
+        })?;
+        Ok(Cut { pair, link })
+    }
+
+    /// The name of a cut, as [`Scheme::cut_named`] reads it.
+    pub fn cut_name(&self, cut: Cut) -> String {
+        let pair = &self.pairs()[cut.pair];
+        if pair.is_compound() {
+            format!("{}:{}", pair.name, self.link_name(cut.link))
+        } else {
+            pair.name.clone()
+        }
+    }
+
+    /// Cuts that open every contour: the way goes from the ground as deep as it can, over the pairs in their
+    /// order; a pair that leads to a link where it has been is cut.
+    pub fn automatic(&self) -> Vec<Cut> {
+        let mut pairs_of = vec![vec![]; self.links().len()];
+        for (at, pair) in self.pairs().iter().enumerate() {
+            for &link in &pair.links {
+                pairs_of[link].push(at);
+            }
+        }
+        let mut been = vec![false; self.links().len()];
+        let mut passed = vec![false; self.pairs().len()];
+        let mut cuts = vec![];
+        // Where the way is, link by link and pair by pair, with what is left to try there.
+        let mut way = vec![Stop::Link(0, 0)];
+        been[0] = true;
+        while let Some(stop) = way.last_mut() {
+            match stop {
+                Stop::Link(link, next) => match pairs_of[*link].get(*next) {
+                    None => {
+                        way.pop();
+                    }
+                    Some(&pair) => {
+                        *next += 1;
+                        if !passed[pair] {
+                            passed[pair] = true;
+                            let from = *link;
+                            way.push(Stop::Pair {
+                                pair,
+                                from,
+                                next: 0,
+                            });
+                        }
+                    }
+                },
+                Stop::Pair { pair, from, next } => match self.pairs()[*pair].links.get(*next) {
+                    None => {
+                        way.pop();
+                    }
+                    Some(&link) => {
+                        *next += 1;
+                        if link == *from {
+                            continue;
+                        }
+                        if been[link] {
+                            cuts.push(Cut { pair: *pair, link });
+                        } else {
+                            been[link] = true;
+                            way.push(Stop::Link(link, 0));
+                        }
+                    }
+                },
+            }
+        }
+        cuts.sort_unstable();
+        cuts
+    }
+}
+
+/// A place on the way of [`Scheme::automatic`].
+enum Stop {
+    /// A link, and the number of the pair to try next.
+    Link(usize, usize),
+    /// A pair, the link from which it was entered, and the number of the link to try next.
+    Pair {
+        pair: usize,
+        from: usize,
+        next: usize,
+    },
+}

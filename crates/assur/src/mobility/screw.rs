@@ -1,0 +1,155 @@
+//! The freedoms and the constraints of a pair as screws.
+//!
+//! A twist is (ω, v): the angular velocity and the velocity of what is carried through the origin.
+//! A wrench is (m, f): it forbids the twists with m·ω + f·v ≠ 0. Those of a pair are each other's
+//! reciprocals (Hunt, *Kinematic Geometry of Mechanisms*, 1978, chapter 12).
+
+use std::f64::consts::TAU;
+
+use super::{PairKind, Vector3};
+
+/// A twist or a wrench: the part of turning, then the part along lines.
+pub(super) type Screw = nalgebra::Vector6<f64>;
+
+/// Of screws of length about 1: what is less is zero.
+pub(super) const ZERO: f64 = 1e-9;
+
+/// The components of a screw that matter in the plane: ω_z, v_x, v_y.
+pub(super) const IN_PLANE: [usize; 3] = [2, 3, 4];
+
+/// A pair with all that its screws need. Lengths are relative to the size of the scheme.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Form {
+    pub(super) kind: PairKind,
+    pub(super) place: Vector3,
+    /// The axis or normal, the second direction, and what is at right angles to both.
+    pub(super) frame: [Vector3; 3],
+}
+
+impl Form {
+    /// The pair of this kind with an axis and, at right angles to it, a second direction, both of
+    /// length 1. Without a second direction it has any: one that the kind does not tell from others.
+    pub(super) fn new(
+        kind: PairKind,
+        place: Vector3,
+        axis: Vector3,
+        second: Option<Vector3>,
+    ) -> Self {
+        let second = second.unwrap_or_else(|| across(&axis));
+        let frame = [axis, second, axis.cross(&second)];
+        Self { kind, place, frame }
+    }
+
+    /// Twists that the pair allows, as many as it has freedoms. None of a [`PairKind::Class`].
+    pub(super) fn freedoms(&self) -> Vec<Screw> {
+        let [axis, second, third] = self.frame;
+        let turn = |about: Vector3| screw(about, self.place.cross(&about));
+        let slide = |along: Vector3| screw(Vector3::zeros(), along);
+        match self.kind {
+            PairKind::Revolute => vec![turn(axis)],
+            PairKind::Prismatic => vec![slide(axis)],
+            PairKind::Screw { pitch } => vec![turn(axis) + slide(axis) * (pitch / TAU)],
+            PairKind::Cylindrical => vec![turn(axis), slide(axis)],
+            PairKind::Universal => vec![turn(axis), turn(second)],
+            PairKind::Spherical => self.frame.map(turn).to_vec(),
+            PairKind::Planar => vec![turn(axis), slide(second), slide(third)],
+            PairKind::SphereInCylinder => {
+                vec![turn(axis), turn(second), turn(third), slide(axis)]
+            }
+            PairKind::CylinderOnPlane => {
+                vec![turn(axis), turn(second), slide(second), slide(third)]
+            }
+            PairKind::SphereOnPlane => {
+                let [a, b, c] = self.frame.map(turn);
+                vec![a, b, c, slide(second), slide(third)]
+            }
+            PairKind::Class(_) => vec![],
+        }
+    }
+
+    /// Wrenches that the pair bears, 6 less its freedoms. None of a [`PairKind::Class`].
+    pub(super) fn constraints(&self) -> Vec<Screw> {
+        let [axis, second, third] = self.frame;
+        let force = |along: Vector3| screw(self.place.cross(&along), along);
+        let moment = |about: Vector3| screw(about, Vector3::zeros());
+        let forces = self.frame.map(force);
+        match self.kind {
+            PairKind::Revolute => {
+                let [a, b, c] = forces;
+                vec![a, b, c, moment(second), moment(third)]
+            }
+            PairKind::Prismatic => {
+                let [a, b, c] = self.frame.map(moment);
+                vec![force(second), force(third), a, b, c]
+            }
+            PairKind::Screw { pitch } => vec![
+                force(axis) - moment(axis) * (pitch / TAU),
+                force(second),
+                force(third),
+                moment(second),
+                moment(third),
+            ],
+            PairKind::Cylindrical => {
+                let moments = [moment(second), moment(third)];
+                [[force(second), force(third)], moments].concat()
+            }
+            PairKind::Universal => {
+                let [a, b, c] = forces;
+                vec![a, b, c, moment(third)]
+            }
+            PairKind::Spherical => forces.to_vec(),
+            PairKind::Planar => vec![force(axis), moment(second), moment(third)],
+            PairKind::SphereInCylinder => vec![force(second), force(third)],
+            PairKind::CylinderOnPlane => vec![force(axis), moment(third)],
+            PairKind::SphereOnPlane => vec![force(axis)],
+            PairKind::Class(_) => vec![],
+        }
+    }
+
+    /// Wrenches that the pair bears against motions in the plane, 3 less its freedoms there.
+    pub(super) fn constraints_in_plane(&self) -> Vec<Screw> {
+        let in_plane = |wrench: &Screw| {
+            Screw::from_fn(|row, _| {
+                if IN_PLANE.contains(&row) {
+                    wrench[row]
+                } else {
+                    0.0
+                }
+            })
+        };
+        basis(self.constraints().iter().map(in_plane).collect())
+    }
+}
+
+fn screw(turning: Vector3, along: Vector3) -> Screw {
+    Screw::new(turning.x, turning.y, turning.z, along.x, along.y, along.z)
+}
+
+/// A direction at right angles to one of length 1.
+pub(super) fn across(axis: &Vector3) -> Vector3 {
+    let unit = Vector3::ith(axis.iamin(), 1.0);
+    (unit - axis * axis.dot(&unit)).normalize()
+}
+
+/// Screws of length 1 at right angles to each other with the same span. Those given are of length
+/// about 1 or less; what is left of one, after the others are taken out, counts as nothing below
+/// [`ZERO`].
+pub(super) fn basis(mut screws: Vec<Screw>) -> Vec<Screw> {
+    let mut basis: Vec<Screw> = vec![];
+    while let Some(longest) = screws.iter().map(Screw::norm).reduce(f64::max) {
+        if longest < ZERO {
+            break;
+        }
+        let Some(at) = screws.iter().position(|screw| screw.norm() >= longest) else {
+            break;
+        };
+        let unit = screws.swap_remove(at) / longest;
+        for screw in &mut screws {
+            // Twice, so that rounding leaves nothing of the length of what was taken out.
+            *screw -= unit * unit.dot(screw);
+            *screw -= unit * unit.dot(screw);
+        }
+        basis.push(unit);
+    }
+    basis
+}

@@ -1,0 +1,8 @@
+//! Mobility and redundant constraints: the paper's table, the formulas against each other and the rank against
+//! the formulas.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod bad_input;
+mod paper;
+mod schemes;
