@@ -5,4 +5,5 @@
 
 mod bad_input;
 mod paper;
+mod rank;
 mod schemes;

@@ -80,6 +80,11 @@ impl PairKind {
         )
     }
 
+    /// Whether it is of surfaces that touch along a line or in a point: a higher pair.
+    pub fn touches(self) -> bool {
+        matches!(self, Self::CylinderOnPlane | Self::SphereOnPlane)
+    }
+
     /// Whether it lets its links turn in the plane to which its axis is normal.
     pub(super) fn turns_in_plane(self) -> bool {
         matches!(

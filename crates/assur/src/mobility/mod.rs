@@ -8,9 +8,13 @@
 //! and the constraints of the cut pairs are taken away again. Where places and axes of the pairs
 //! are known, the rank of the constraints is the referee: counting can lie.
 
+mod constraints;
 mod counts;
 mod cut;
+mod displaced;
 mod draft;
+mod elimination;
+mod generic;
 mod kind;
 mod linkage;
 mod practice;
@@ -23,9 +27,10 @@ mod sections;
 pub use counts::Counts;
 pub use cut::{Cut, CutError};
 pub use draft::{PairDraft, SchemeDefect, SchemeDraft};
+pub use generic::Generic;
 pub use kind::PairKind;
 pub use practice::generated;
-pub use referee::{Generic, NoRank, Redundancy, Space, Verdict};
+pub use referee::{NoRank, Redundancy, Space, Verdict};
 pub use replacement::{Change, Replacement, Replacements};
 pub use scheme::{Pair, Scheme};
 pub use sections::{Loop, Sections};

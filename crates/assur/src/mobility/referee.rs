@@ -1,6 +1,11 @@
 //! What the geometry says of a scheme: the rank of its constraints.
 
-use super::Scheme;
+use std::collections::BTreeSet;
+
+use super::constraints::Constraints;
+use super::elimination::Eliminated;
+use super::screw::Form;
+use super::{PairKind, Scheme};
 
 /// Where motions are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +14,16 @@ pub enum Space {
     Plane,
     /// In space.
     Whole,
+}
+
+impl Space {
+    /// Of a link that nothing holds.
+    pub(super) fn freedoms(self) -> usize {
+        match self {
+            Self::Plane => 3,
+            Self::Whole => 6,
+        }
+    }
 }
 
 /// Why a scheme has no rank.
@@ -25,7 +40,8 @@ pub enum NoRank {
     NotPlanar,
 }
 
-/// What the rank says of the drawn pose. All names are in the order of names, whatever the order of the scheme.
+/// What the rank says of the drawn pose. Pairs and links are in the order of their names, whatever their order in
+/// the scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verdict {
     /// W: how many motions are independent at once.
@@ -34,7 +50,7 @@ pub struct Verdict {
     pub rank: usize,
     /// Constraints that hold what is held already, in parts that have nothing to do with each other.
     pub redundancies: Vec<Redundancy>,
-    /// Links that move alone while all others stand still, by their names; two together where they are joined.
+    /// Links that move alone while all others stand still, two together where they are joined.
     pub idle: Vec<Vec<usize>>,
 }
 
@@ -47,33 +63,152 @@ pub struct Redundancy {
     pub pairs: Vec<usize>,
 }
 
-/// What the rank says where the scheme has moved away from the drawn pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Generic {
-    /// W at a pose nearby.
-    At {
-        /// W.
-        mobility: usize,
-    },
-    /// No other pose was reached: the freedoms at the drawn pose, if there are any, are of an instant.
-    Instantaneous,
-}
-
 impl Scheme {
     /// What the rank says of the drawn pose.
     ///
     /// # Errors
     /// What is missing for it.
-    pub fn judged(&self, _space: Space) -> Result<Verdict, NoRank> {
-        todo!()
+    pub fn judged(&self, space: Space) -> Result<Verdict, NoRank> {
+        let forms = self.forms(space)?;
+        let constraints = Constraints::new(self, &forms, space);
+        let equilibrium = constraints.equilibrium(self).eliminated(None);
+        let rank = equilibrium.rank();
+        let mobility = space.freedoms() * (self.links().len() - 1) - rank;
+        Ok(Verdict {
+            mobility,
+            rank,
+            redundancies: self.redundancies(&constraints, &equilibrium),
+            idle: self.idle(&constraints, space, mobility),
+        })
     }
 
-    /// What the rank says at a pose nearby.
+    /// The rank of the constraints in a pose, of which `forms` are the pairs.
+    pub(super) fn rank_of(&self, forms: &[Form], space: Space) -> usize {
+        let constraints = Constraints::new(self, forms, space);
+        constraints.equilibrium(self).eliminated(None).rank()
+    }
+
+    /// The pairs with their screws.
+    pub(super) fn forms(&self, space: Space) -> Result<Vec<Form>, NoRank> {
+        if space == Space::Plane && !self.is_planar() {
+            return Err(NoRank::NotPlanar);
+        }
+        let scale = self.scale();
+        let pairs = self.pairs().iter().enumerate();
+        let forms = pairs.map(|(at, pair)| {
+            self.form(at, &scale).ok_or_else(|| {
+                let name = pair.name.clone();
+                match pair.kind {
+                    PairKind::Class(_) => NoRank::NoForm(name),
+                    _ if pair.place.is_none() => NoRank::NoPlace(name),
+                    _ => NoRank::NoAxis(name),
+                }
+            })
+        });
+        forms.collect()
+    }
+
+    /// Self-stresses, apart from each other: two are together where they stress the same pair.
+    fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
+        let mut parts: Vec<Redundancy> = vec![];
+        for &free in equilibrium.free() {
+            let stress = equilibrium.solution(free);
+            let mut part = Redundancy {
+                count: 1,
+                pairs: constraints.stressed(&stress),
+            };
+            let touches = |other: &Redundancy| part.pairs.iter().any(|p| other.pairs.contains(p));
+            let (together, apart): (Vec<_>, _) = parts.into_iter().partition(touches);
+            parts = apart;
+            for other in together {
+                part.count += other.count;
+                part.pairs.extend(other.pairs);
+            }
+            part.pairs.sort_unstable();
+            part.pairs.dedup();
+            parts.push(part);
+        }
+        for part in &mut parts {
+            part.pairs.sort_by_key(|pair| &self.pairs()[*pair].name);
+        }
+        parts.sort_by_key(|part| self.pair_names(&part.pairs));
+        parts
+    }
+
+    fn pair_names(&self, pairs: &[usize]) -> Vec<&str> {
+        let names = pairs.iter().map(|pair| self.pairs()[*pair].name.as_str());
+        names.collect()
+    }
+
+    /// Links that move while all others stand still.
     ///
-    /// # Errors
-    /// What is missing for it.
-    pub fn generic(&self, _space: Space) -> Result<Generic, NoRank> {
-        todo!()
+    /// A link in a contour may do so alone, and two that are joined may together. Not idle is what hangs on the
+    /// ground by a pair of one freedom and is all that moves at this instant: a cam in its dwell; nor two links
+    /// of which one hangs so: a crank in its dead point, with its coupler.
+    fn idle(&self, constraints: &Constraints, space: Space, mobility: usize) -> Vec<Vec<usize>> {
+        let links = 1..self.links().len();
+        let mut pairs_of = vec![vec![]; self.links().len()];
+        for (at, pair) in self.pairs().iter().enumerate() {
+            for &link in &pair.links {
+                pairs_of[link].push(at);
+            }
+        }
+        let on_ground = |link: usize| {
+            pairs_of[link]
+                .iter()
+                .any(|pair| self.pairs()[*pair].links.contains(&0) && self.freedoms(*pair) == 1)
+        };
+        let alone: Vec<usize> = (0..self.links().len())
+            .map(|link| match link {
+                0 => 0,
+                _ => constraints.alone(self, space, &[link], &pairs_of[link]),
+            })
+            .collect();
+        let is_all = |freedoms: usize| freedoms == mobility;
+        let in_contour = |link: usize| pairs_of[link].len() > 1;
+        let mut idle: Vec<Vec<usize>> = links
+            .clone()
+            .filter(|&link| {
+                let own = on_ground(link) && is_all(alone[link]);
+                alone[link] > 0 && in_contour(link) && links.len() > 1 && !own
+            })
+            .map(|link| vec![link])
+            .collect();
+        let mut joined = BTreeSet::new();
+        for pair in self.pairs() {
+            for &one in &pair.links {
+                let others = pair.links.iter().filter(|other| one < **other);
+                joined.extend(
+                    others
+                        .map(|other| [one, *other])
+                        .filter(|[one, _]| *one > 0),
+                );
+            }
+        }
+        for [one, other] in joined {
+            let two = [one, other];
+            if two
+                .iter()
+                .any(|link| on_ground(*link) || !in_contour(*link))
+            {
+                continue;
+            }
+            let pairs: BTreeSet<usize> = two.iter().flat_map(|l| &pairs_of[*l]).copied().collect();
+            let pairs: Vec<usize> = pairs.into_iter().collect();
+            let together = constraints.alone(self, space, &two, &pairs);
+            if together > alone[one] + alone[other] && !is_all(together) {
+                idle.push(two.to_vec());
+            }
+        }
+        for links in &mut idle {
+            links.sort_by_key(|link| self.link_name(*link));
+        }
+        idle.sort_by_key(|links| {
+            links
+                .iter()
+                .map(|link| self.link_name(*link))
+                .collect::<Vec<_>>()
+        });
+        idle
     }
 }

@@ -1,0 +1,152 @@
+//! The constraints of a whole scheme, row by row.
+
+use super::elimination::System;
+use super::screw::{Form, IN_PLANE, Screw};
+use super::{Scheme, Space};
+
+/// Entries of a null vector relative to its greatest: what is less is zero.
+const NOTHING: f64 = 1e-7;
+
+/// Of each pair the wrenches that it bears between its first link and each other one, in the space where motions
+/// are looked for.
+pub(super) struct Constraints {
+    wrenches: Vec<Vec<Screw>>,
+    /// The components of a screw that matter.
+    components: &'static [usize],
+    /// The columns of each pair's unknowns.
+    starts: Vec<usize>,
+}
+
+impl Constraints {
+    pub(super) fn new(scheme: &Scheme, forms: &[Form], space: Space) -> Self {
+        let wrenches: Vec<_> = forms
+            .iter()
+            .map(|form| match space {
+                Space::Plane => form.constraints_in_plane(),
+                Space::Whole => form.constraints(),
+            })
+            .collect();
+        let sizes = scheme.pairs().iter().zip(&wrenches);
+        let starts = sizes.scan(0, |end, (pair, wrenches)| {
+            *end += pair.count() * wrenches.len();
+            Some(*end)
+        });
+        Self {
+            starts: [0].into_iter().chain(starts).collect(),
+            wrenches,
+            components: space.components(),
+        }
+    }
+
+    /// The equilibrium of every moving link under stresses of the pairs alone: the transposed constraints, whose
+    /// solutions are the self-stresses. Its rank is that of the constraints.
+    pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
+        let sizes = self
+            .starts
+            .windows(2)
+            .map(|columns| columns[1] - columns[0]);
+        let mut system = System::new(sizes);
+        let mut pairs_of = vec![vec![]; scheme.links().len()];
+        for (at, pair) in scheme.pairs().iter().enumerate() {
+            for &link in &pair.links {
+                pairs_of[link].push(at);
+            }
+        }
+        for (link, pairs) in pairs_of.into_iter().enumerate().skip(1) {
+            let mut entries = vec![];
+            for &component in self.components {
+                for &pair in &pairs {
+                    for sign in signs(&scheme.pairs()[pair].links, link) {
+                        let wrenches = self.wrenches[pair].iter();
+                        entries.extend(wrenches.map(|wrench| sign * wrench[component]));
+                    }
+                }
+            }
+            system.push(pairs, entries);
+        }
+        system
+    }
+
+    /// The constraints themselves, whose solutions are the motions: the unknowns are the twists of the moving links.
+    pub(super) fn motions(&self, scheme: &Scheme) -> System {
+        let moving = scheme.links().len() - 1;
+        let mut system = System::new((0..moving).map(|_| self.components.len()));
+        for (pair, wrenches) in scheme.pairs().iter().zip(&self.wrenches) {
+            let links = pair.links.iter().copied().filter(|link| *link > 0);
+            let links: Vec<usize> = links.collect();
+            let mut entries = vec![];
+            for other in 0..pair.count() {
+                for wrench in wrenches {
+                    for &link in &links {
+                        let sign = signs(&pair.links, link).nth(other).unwrap_or(0.0);
+                        let components = self.components.iter();
+                        entries.extend(components.map(|component| sign * wrench[*component]));
+                    }
+                }
+            }
+            system.push(links.into_iter().map(|link| link - 1).collect(), entries);
+        }
+        system
+    }
+
+    /// The pairs that are stressed.
+    pub(super) fn stressed(&self, stress: &[f64]) -> Vec<usize> {
+        let greatest = stress
+            .iter()
+            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        let bears = |pair: &usize| {
+            let own = &stress[self.starts[*pair]..self.starts[pair + 1]];
+            own.iter().any(|value| value.abs() > NOTHING * greatest)
+        };
+        (0..self.wrenches.len()).filter(bears).collect()
+    }
+
+    /// How many freedoms these links have while all others stand still; `pairs` are all that they have.
+    pub(super) fn alone(
+        &self,
+        scheme: &Scheme,
+        space: Space,
+        links: &[usize],
+        pairs: &[usize],
+    ) -> usize {
+        let mut system = System::new(links.iter().map(|_| space.freedoms()));
+        for &pair in pairs {
+            for other in 0..scheme.pairs()[pair].count() {
+                for wrench in &self.wrenches[pair] {
+                    let ends = links.iter().map(|link| {
+                        let mut signs = signs(&scheme.pairs()[pair].links, *link);
+                        signs.nth(other).unwrap_or(0.0)
+                    });
+                    let entries = ends.flat_map(|sign| {
+                        self.components
+                            .iter()
+                            .map(move |component| sign * wrench[*component])
+                    });
+                    system.push((0..links.len()).collect(), entries.collect());
+                }
+            }
+        }
+        system.eliminated(None).free().len()
+    }
+}
+
+impl Space {
+    /// The components of a screw that matter.
+    pub(super) fn components(self) -> &'static [usize] {
+        match self {
+            Self::Plane => &IN_PLANE,
+            Self::Whole => &[0, 1, 2, 3, 4, 5],
+        }
+    }
+}
+
+/// How a link takes part in the constraints between the first of these links and each other one.
+pub(super) fn signs(links: &[usize], link: usize) -> impl Iterator<Item = f64> {
+    let first = links.first() == Some(&link);
+    let others = links.iter().skip(1);
+    others.map(move |other| match (first, *other == link) {
+        (true, _) => -1.0,
+        (false, true) => 1.0,
+        (false, false) => 0.0,
+    })
+}

@@ -1,0 +1,98 @@
+//! Links away from the drawn pose, and by how much their pairs are open then.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Rotation3;
+
+use super::screw::{Form, Screw};
+use super::{PairKind, Vector3};
+
+/// Where a link is, relative to the drawn pose. Lengths are relative to the size of the scheme.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placement {
+    rotation: Rotation3<f64>,
+    shift: Vector3,
+}
+
+impl Placement {
+    /// As drawn.
+    pub(super) fn drawn() -> Self {
+        Self {
+            rotation: Rotation3::identity(),
+            shift: Vector3::zeros(),
+        }
+    }
+
+    /// Moved on along a twist.
+    pub(super) fn moved(&self, twist: &Screw) -> Self {
+        let turn = Rotation3::from_scaled_axis(Vector3::new(twist[0], twist[1], twist[2]));
+        let along = Vector3::new(twist[3], twist[4], twist[5]);
+        Self {
+            rotation: turn * self.rotation,
+            shift: turn * self.shift + along,
+        }
+    }
+
+    /// How far from the drawn pose: the angle turned, or the way of the middle, whichever is more.
+    pub(super) fn distance(&self) -> f64 {
+        self.rotation.angle().max(self.shift.norm())
+    }
+
+    fn carries(&self, form: &Form) -> Form {
+        Form {
+            kind: form.kind,
+            place: self.rotation * form.place + self.shift,
+            frame: form.frame.map(|direction| self.rotation * direction),
+        }
+    }
+}
+
+/// A pair between two links away from the drawn pose.
+pub(super) struct Displaced {
+    /// Its half on the first link: that with the cylinder in which a ball is, and with the plane of a contact. A
+    /// universal pair has its second axis on the second link.
+    pub(super) form: Form,
+    /// By how much each of [`Form::constraints`] is broken, in their order.
+    pub(super) gaps: Vec<f64>,
+}
+
+impl Displaced {
+    /// A pair of the drawn pose with its links at these places. Surfaces that touch are known to the first order
+    /// only: the second link has the line or the point in which they touch, the first the plane.
+    pub(super) fn new(drawn: &Form, [first, second]: [&Placement; 2]) -> Self {
+        let [a, b] = [first.carries(drawn), second.carries(drawn)];
+        let across = b.place - a.place;
+        let opening = |direction: usize| a.frame[direction].dot(&across);
+        // How far the second axis is turned from the first about each direction of the frame.
+        let axes = a.frame[0].cross(&b.frame[0]);
+        let leaning = |direction: usize| a.frame[direction].dot(&axes);
+        let twisted = a.frame[0].dot(&a.frame[1].cross(&b.frame[1]));
+        let squint = -a.frame[0].dot(&b.frame[1]);
+        let mut form = a;
+        let gaps = match drawn.kind {
+            PairKind::Revolute => {
+                vec![opening(0), opening(1), opening(2), leaning(1), leaning(2)]
+            }
+            PairKind::Prismatic => vec![opening(1), opening(2), twisted, leaning(1), leaning(2)],
+            PairKind::Screw { pitch } => {
+                let turned = twisted.atan2(a.frame[1].dot(&b.frame[1]));
+                let advance = opening(0) - turned * pitch / TAU;
+                vec![advance, opening(1), opening(2), leaning(1), leaning(2)]
+            }
+            PairKind::Cylindrical => vec![opening(1), opening(2), leaning(1), leaning(2)],
+            PairKind::Universal => {
+                form = Form::new(drawn.kind, a.place, a.frame[0], Some(b.frame[1]));
+                let along = [a.frame[0], b.frame[1], form.frame[2]];
+                let [x, y, z] = along.map(|direction| direction.dot(&across));
+                vec![x, y, z, squint]
+            }
+            PairKind::Spherical => vec![opening(0), opening(1), opening(2)],
+            PairKind::Planar => vec![opening(0), leaning(1), leaning(2)],
+            PairKind::SphereInCylinder => vec![opening(1), opening(2)],
+            PairKind::CylinderOnPlane => vec![opening(0), squint],
+            PairKind::SphereOnPlane => vec![opening(0)],
+            PairKind::Class(_) => vec![],
+        };
+        Self { form, gaps }
+    }
+}

@@ -1,0 +1,215 @@
+//! The mobility at a pose near the drawn one, where nothing is in line by chance.
+
+use super::constraints::{Constraints, signs};
+use super::displaced::{Displaced, Placement};
+use super::elimination::System;
+use super::screw::{Form, Screw};
+use super::{NoRank, Scheme, Space};
+
+/// Steps away from the drawn pose, angles and ways relative to the size.
+const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
+
+/// Gaps of this size, relative to that of the scheme, are closed.
+const CLOSED: f64 = 1e-12;
+
+/// How often gaps are closed further.
+const CORRECTIONS: usize = 40;
+
+/// What the rank says where the scheme has moved away from the drawn pose.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Generic {
+    /// W at a pose nearby.
+    At {
+        /// W.
+        mobility: usize,
+    },
+    /// No other pose was reached: the freedoms at the drawn pose are of an instant.
+    Instantaneous,
+    /// Redundant constraints are borne by surfaces that touch; whether they stay redundant depends on how these are
+    /// curved, which no scheme tells.
+    Contact {
+        /// The pairs with these surfaces, in the order of names.
+        pairs: Vec<usize>,
+    },
+}
+
+impl Scheme {
+    /// What the rank says at a pose nearby: a small step along a motion of the drawn pose, after which the pairs
+    /// are closed again.
+    ///
+    /// # Errors
+    /// What is missing for it.
+    pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
+        let verdict = self.judged(space)?;
+        let mut contacts: Vec<usize> = verdict
+            .redundancies
+            .iter()
+            .flat_map(|part| part.pairs.iter().copied())
+            .filter(|pair| self.pairs()[*pair].kind.touches())
+            .collect();
+        if verdict.mobility == 0 {
+            return Ok(Generic::At { mobility: 0 });
+        }
+        if !contacts.is_empty() {
+            contacts.sort_by_key(|pair| &self.pairs()[*pair].name);
+            return Ok(Generic::Contact { pairs: contacts });
+        }
+        let drawn = self.forms(space)?;
+        let way = self.way(&drawn, space);
+        for step in STEPS {
+            let start: Vec<Placement> = way
+                .iter()
+                .map(|twist| Placement::drawn().moved(&(twist * step)))
+                .collect();
+            if let Some((placements, forms)) = self.closed(&drawn, start, space) {
+                let distances = placements.iter().map(Placement::distance);
+                if distances.fold(0.0, f64::max) > step / 10.0 {
+                    let mobility =
+                        space.freedoms() * (self.links().len() - 1) - self.rank_of(&forms, space);
+                    return Ok(Generic::At { mobility });
+                }
+            }
+        }
+        Ok(Generic::Instantaneous)
+    }
+
+    /// One motion of the drawn pose in which all of them have a part: of each link the twist, the greatest 1.
+    fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
+        let motions = Constraints::new(self, forms, space)
+            .motions(self)
+            .eliminated(None);
+        let width = space.freedoms();
+        let mut way = vec![0.0; width * (self.links().len() - 1)];
+        for (at, &free) in motions.free().iter().enumerate() {
+            let motion = motions.solution(free);
+            // No two parts are in a simple ratio: multiples of the golden section without their whole parts.
+            let part = 0.5 + ((at + 1) as f64 * 0.618_033_988_749_895).fract();
+            let scale = part / greatest(&motion);
+            for (sum, value) in way.iter_mut().zip(&motion) {
+                *sum += scale * value;
+            }
+        }
+        let scale = 1.0 / greatest(&way);
+        let twists = way
+            .chunks_exact(width)
+            .map(|values| twist(values, space) * scale);
+        [Screw::zeros()].into_iter().chain(twists).collect()
+    }
+
+    /// Closes the pairs again with the least motion of the links (Gauss and Newton, damped as Levenberg and
+    /// Marquardt have it); the placements and the pairs then. None where that does not come to an end.
+    fn closed(
+        &self,
+        drawn: &[Form],
+        mut placements: Vec<Placement>,
+        space: Space,
+    ) -> Option<(Vec<Placement>, Vec<Form>)> {
+        for _ in 0..CORRECTIONS {
+            let halves = self.halves(drawn, &placements);
+            let gaps = halves.iter().flatten().flat_map(|half| &half.gaps);
+            let worst = gaps.fold(0.0, |worst: f64, gap| worst.max(gap.abs()));
+            if worst < CLOSED {
+                let forms = halves
+                    .into_iter()
+                    .filter_map(|halves| halves.into_iter().next());
+                return Some((placements, forms.map(|half| half.form).collect()));
+            }
+            // After a gap of this size links are no longer near the drawn pose.
+            if worst.is_nan() || worst > 1.0 {
+                return None;
+            }
+            let correction = self.correction(&halves, space, 1e-3 * worst);
+            let twists = correction.chunks_exact(space.freedoms());
+            for (placement, values) in placements.iter_mut().skip(1).zip(twists) {
+                *placement = placement.moved(&twist(values, space));
+            }
+        }
+        None
+    }
+
+    /// Of each pair what it is between its first link and each other one.
+    fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
+        let pairs = self.pairs().iter().zip(drawn);
+        let between = pairs.map(|(pair, form)| {
+            let others = pair.links.iter().skip(1);
+            let ends = others.map(|other| [pair.links[0], *other].map(|link| &placements[link]));
+            ends.map(|ends| Displaced::new(form, ends)).collect()
+        });
+        between.collect()
+    }
+
+    /// The least motion x of the links with J x + gaps = 0, from x = Jᵀλ and (J Jᵀ + damping) λ = − gaps.
+    fn correction(&self, halves: &[Vec<Displaced>], space: Space, damping: f64) -> Vec<f64> {
+        let (moving, width) = (self.links().len() - 1, space.freedoms());
+        let rows = |pair: usize| {
+            halves[pair]
+                .iter()
+                .map(|half| half.gaps.len())
+                .sum::<usize>()
+        };
+        let forces = (0..halves.len()).map(rows);
+        let sizes = std::iter::repeat_n(width, moving).chain(forces).chain([1]);
+        let (mut system, constant) = (System::new(sizes), moving + halves.len());
+        let mut pairs_of = vec![vec![]; moving + 1];
+        for (at, pair) in self.pairs().iter().enumerate() {
+            let mut blocks = vec![];
+            for &link in &pair.links {
+                pairs_of[link].push(at);
+                if link > 0 {
+                    blocks.push(link - 1);
+                }
+            }
+            let (mut entries, size, mut row) = (vec![], rows(at), 0);
+            for (other, half) in halves[at].iter().enumerate() {
+                for (wrench, gap) in half.form.constraints().iter().zip(&half.gaps) {
+                    for block in &blocks {
+                        let sign = signs(&pair.links, block + 1).nth(other).unwrap_or(0.0);
+                        entries.extend(space.components().iter().map(|at| sign * wrench[*at]));
+                    }
+                    entries.extend((0..size).map(|own| if own == row { damping } else { 0.0 }));
+                    entries.push(*gap);
+                    row += 1;
+                }
+            }
+            blocks.extend([moving + at, constant]);
+            system.push(blocks, entries);
+        }
+        for (link, pairs) in pairs_of.into_iter().enumerate().skip(1) {
+            let mut entries = vec![];
+            for (row, &component) in space.components().iter().enumerate() {
+                entries.extend((0..width).map(|own| if own == row { -1.0 } else { 0.0 }));
+                for &pair in &pairs {
+                    let signs = signs(&self.pairs()[pair].links, link);
+                    for (sign, half) in signs.zip(&halves[pair]) {
+                        let wrenches = half.form.constraints().into_iter();
+                        entries.extend(wrenches.map(|wrench| sign * wrench[component]));
+                    }
+                }
+            }
+            let forces = pairs.iter().map(|pair| moving + pair);
+            system.push([link - 1].into_iter().chain(forces).collect(), entries);
+        }
+        let column = system.start(constant);
+        let mut solution = system.eliminated(Some(constant)).solution(column);
+        solution.truncate(moving * width);
+        solution
+    }
+}
+
+/// The greatest size of a value, 1 where there is none but zero.
+fn greatest(values: &[f64]) -> f64 {
+    let greatest = values
+        .iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    if greatest > 0.0 { greatest } else { 1.0 }
+}
+
+/// A twist of its components that matter.
+fn twist(values: &[f64], space: Space) -> Screw {
+    let mut twist = Screw::zeros();
+    for (component, value) in space.components().iter().zip(values) {
+        twist[*component] = *value;
+    }
+    twist
+}
