@@ -6,5 +6,7 @@
 mod bad_input;
 mod linkages;
 mod paper;
+mod practice;
 mod rank;
+mod replacements;
 mod schemes;

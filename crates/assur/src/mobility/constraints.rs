@@ -101,6 +101,18 @@ impl Constraints {
         (0..self.wrenches.len()).filter(bears).collect()
     }
 
+    /// The wrenches that a stressed pair bears, between its first link and each other one.
+    pub(super) fn wrenches_of(&self, stress: &[f64], pair: usize) -> Vec<Screw> {
+        let wrenches = &self.wrenches[pair];
+        let own = &stress[self.starts[pair]..self.starts[pair + 1]];
+        let joints = own.chunks_exact(wrenches.len());
+        let sums = joints.map(|values| {
+            let parts = wrenches.iter().zip(values);
+            parts.map(|(wrench, value)| wrench * *value).sum()
+        });
+        sums.collect()
+    }
+
     /// How many freedoms these links have while all others stand still; `pairs` are all that they have.
     pub(super) fn alone(
         &self,
