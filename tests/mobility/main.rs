@@ -4,9 +4,13 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod bad_input;
+mod graphs;
 mod linkages;
+mod names;
+mod oracle;
 mod paper;
 mod practice;
+mod random;
 mod rank;
 mod replacements;
 mod schemes;
