@@ -190,6 +190,34 @@ export class Engine {
   }
 
   /**
+   * What pressing a handle without dragging it changes.
+   * @param {string} name of the handle
+   * @returns {Changed}
+   */
+  press(name) {
+    return this.ask((simulator) => simulator.press(name));
+  }
+
+  /**
+   * @param {number} number
+   * @returns {{ kind: "scheme", document: import("assur/state/state.js").Documents["scheme"] }} a task for practice
+   */
+  task(number) {
+    return this.ask(() => module.task(number));
+  }
+
+  /**
+   * What is open, at an input, as a document of another kind.
+   * @template {Kind} K
+   * @param {K} kind
+   * @param {number} input
+   * @returns {{ kind: K, document: import("assur/state/state.js").Documents[K] }}
+   */
+  asKind(kind, input) {
+    return this.ask((simulator) => simulator.asKind(kind, input));
+  }
+
+  /**
    * What setting a dimension changes; its assembly is kept by following it from the pose at hand.
    * @param {string} field of the dimension
    * @param {number} value

@@ -18,7 +18,7 @@ import { ReadoutTable } from "assur/plots/readouts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
  * @typedef {{ render(snapshot: Snapshot): void }} MotionView of what moves
- * @typedef {(page: Page) => readonly MotionView[]} Make what of the page only one kind of mechanism has
+ * @typedef {(page: Page) => readonly MotionView[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 
 export class Views {

@@ -5,33 +5,33 @@ import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/drafts.js").Drafts} Drafts
- * @typedef {import("assur/state/model.js").Moving} Moving
+ * @typedef {import("assur/state/state.js").Kind} Kind
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @typedef {import("assur/state/model.js").OwnSnapshot<K>} Snapshot
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @typedef {import("assur/state/state.js").Documents[K]} Documents
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @template E
  * @typedef {(entry: E, snapshot: Snapshot<K>, wrong: ReadonlySet<string | undefined>) => void} Show
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @template E
  * @typedef {(index: number, put: (change: Partial<E>) => void, drafts: Drafts, remove: HTMLButtonElement) => { lines: HTMLElement[], show: Show<K, E> }} Build
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @template E
  * @typedef {Readonly<{
  *   kind: K,
@@ -50,7 +50,7 @@ import { edited } from "assur/state/state.js";
  */
 
 /**
- * @template {Moving} K
+ * @template {Kind} K
  * @template E
  */
 export class CardList {

@@ -98,6 +98,8 @@ export class Model {
   #frameInput;
   /** How the input is counted. */
   #coordinate;
+  /** By which share of its way what was cut last has fallen open, of what does not move. */
+  #opened = 1;
   /** @type {Readouts | null} */
   #readouts = null;
   /** @type {Float64Array | null} */
@@ -161,6 +163,15 @@ export class Model {
   /** Whether the mechanism can be assembled where its driver is now. */
   get placed() {
     return this.#unplaced.length === 0;
+  }
+
+  /**
+   * Lets what was cut last fall open by a share of its way.
+   * @param {number} share
+   */
+  fallOpen(share) {
+    this.#opened = share;
+    if (this.#asked) this.#place(this.#asked);
   }
 
   /**
@@ -233,7 +244,7 @@ export class Model {
 
   /** @param {State} state */
   #place(state) {
-    const input = this.#coordinate.input(this.#coordinate.of(state));
+    const input = this.summary.moves ? this.#coordinate.input(this.#coordinate.of(state)) : this.#opened;
     const { value: here, problems } = attempt(() => this.#engine.at(input));
     this.#unplaced = problems;
     this.#unread = here && !here.readouts ? this.#engine.why(input) : [];

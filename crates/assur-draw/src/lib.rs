@@ -10,9 +10,11 @@ mod gear;
 mod list;
 mod overlays;
 mod parts;
+mod scheme;
 pub mod svg;
 
 pub use annotations::{Annotations, GivenPosition, Tag};
 pub use figure::{Figure, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
+pub use scheme::{SchemeFigure, SchemeHandle, SchemeView};

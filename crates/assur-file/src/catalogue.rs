@@ -7,7 +7,7 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 use crate::state::{json, part};
-use crate::{Document, LinkageDocument, MixerDocument, Problem, State};
+use crate::{Document, LinkageDocument, MixerDocument, Problem, SchemeDocument, State};
 
 /// Names of the cases of the mixer's figure; what they are is made by the engine.
 const MIXERS: [(&str, Case); 3] = [
@@ -101,15 +101,36 @@ const FILES: &[File] = catalogued! {
     "class5",
 };
 
+/// Schemes of links and pairs, without motion.
+macro_rules! schemes {
+    ($($name:literal,)+) => {
+        &[$(($name, include_str!(concat!("../catalogue/", $name, ".json"))),)+]
+    };
+}
+
+const SCHEMES: &[(&str, &str)] = schemes! {
+    "mobility-1a",
+    "mobility-1b",
+    "mobility-2a",
+    "mobility-2c",
+    "mobility-3",
+    "mobility-4",
+};
+
 /// The names of the linkages of the catalogue, without the mixers.
 pub fn gallery() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|file| file.name)
 }
 
-/// The names of the catalogue.
+/// The names of all that moves in the catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static str> {
     let mixers = MIXERS.iter().map(|(name, _)| *name);
     mixers.chain(gallery())
+}
+
+/// The names of the schemes of the catalogue, which do not move.
+pub fn schemes() -> impl Iterator<Item = &'static str> {
+    SCHEMES.iter().map(|(name, _)| *name)
 }
 
 /// All of the catalogue.
@@ -121,7 +142,10 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     let files = FILES
         .iter()
         .map(|file| (file.name, linkage(file).map(Document::Linkage)));
-    mixers.chain(files).map(|(id, document)| {
+    let schemes = SCHEMES
+        .iter()
+        .map(|(id, text)| (*id, scheme(id, text).map(Document::Scheme)));
+    mixers.chain(files).chain(schemes).map(|(id, document)| {
         Ok(Preset {
             id,
             document: document?,
@@ -129,13 +153,14 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Where the mechanisms of the catalogue are shown. Their structure tells it, so each is made
-/// for it: not what a page does before it shows anything.
+/// Where the mechanisms of the catalogue that move are shown. Their structure tells it, so each
+/// is made for it: not what a page does before it shows anything.
 ///
 /// # Errors
 /// What is wrong with one; a test sees to it that nothing is.
 pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
-    presets().map(|preset| {
+    let moving = MIXERS.len() + FILES.len();
+    presets().take(moving).map(|preset| {
         let Preset { id, document } = preset?;
         let mechanism = document.linkage()?.mechanism()?;
         let told = file(id).and_then(|file| file.group);
@@ -150,12 +175,23 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
 /// The linkage of a name of the catalogue; none where there is no such name.
 ///
 /// # Errors
-/// What is wrong with it; a test sees to it that nothing is.
+/// That it does not move; what is wrong with it, a test sees to it that nothing is.
 pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
+    Some(document(name)?.and_then(|document| document.linkage()))
+}
+
+/// What stands under a name in the catalogue.
+///
+/// # Errors
+/// What is wrong with it; a test sees to it that nothing is.
+pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
     if let Some((_, case)) = MIXERS.iter().find(|(one, _)| *one == name) {
-        return Some(mixer(*case).linkage());
+        return Some(Ok(mixer(*case)));
     }
-    file(name).map(linkage)
+    if let Some((id, text)) = SCHEMES.iter().find(|(one, _)| *one == name) {
+        return Some(scheme(id, text).map(Document::Scheme));
+    }
+    Some(linkage(file(name)?).map(Document::Linkage))
 }
 
 impl Group {
@@ -185,6 +221,13 @@ fn linkage(file: &File) -> Result<LinkageDocument, Vec<Problem>> {
     Ok(document)
 }
 
+fn scheme(name: &str, text: &str) -> Result<SchemeDocument, Vec<Problem>> {
+    let value = json(text).map_err(|problem| vec![problem])?;
+    let mut document: SchemeDocument = part(&value).map_err(|problem| vec![problem])?;
+    document.origin = Some(name.to_owned());
+    Ok(document)
+}
+
 fn file(name: &str) -> Option<&'static File> {
     FILES.iter().find(|file| file.name == name)
 }
@@ -202,8 +245,17 @@ pub(crate) fn title(name: &str) -> Option<String> {
 /// The linkage of a file: a state of the page, or the document of a linkage alone.
 ///
 /// # Errors
-/// What has not the form, with its path; what is wrong with a view or a mixer.
+/// What has not the form, with its path; what is wrong with a view or a mixer; that it does not move.
 pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
+    document_of(text)?.linkage()
+}
+
+/// What is in a file: a state of the page, or the document of a linkage or a scheme alone. Only a
+/// scheme has pairs.
+///
+/// # Errors
+/// What has not the form, with its path; what is wrong with a view.
+pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
     /// A state has one of these.
     #[derive(Deserialize)]
     struct Keys {
@@ -211,6 +263,7 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
         kind: Option<IgnoredAny>,
         lesson: Option<IgnoredAny>,
         document: Option<IgnoredAny>,
+        pairs: Option<IgnoredAny>,
     }
     let read = || -> Result<_, Problem> {
         let value = json(text)?;
@@ -220,15 +273,23 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
             kind,
             lesson,
             document,
+            pairs,
         } = keys;
         let keys = [format, kind, lesson, document];
-        if keys.iter().all(Option::is_none) {
-            return Ok(Err(part(&value)?));
+        if keys.iter().any(Option::is_some) {
+            return State::read(&value).map(Ok);
         }
-        State::read(&value).map(Ok)
+        Ok(Err(if pairs.is_some() {
+            Document::Scheme(part(&value)?)
+        } else {
+            Document::Linkage(part(&value)?)
+        }))
     };
     match read().map_err(|problem| vec![problem])? {
-        Ok(state) => state.linkage(),
+        Ok(state) => {
+            state.check()?;
+            Ok(state.document)
+        }
         Err(bare) => Ok(bare),
     }
 }

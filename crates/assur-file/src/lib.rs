@@ -11,13 +11,17 @@ mod types;
 mod view;
 
 pub use catalogue::{
-    Group, Preset, Shelf, catalogue, from_catalogue, from_text, gallery, presets, shelves,
+    Group, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text, gallery,
+    presets, schemes, shelves,
 };
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     PointDocument, SlideDocument, TracerDocument, dimension_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+pub use kinds::scheme::{
+    EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument, SchemeProblem,
+};
 pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, SynthesisProblem};
 pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};

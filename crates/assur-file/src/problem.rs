@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::{LinkageProblem, SynthesisProblem};
+use crate::{LinkageProblem, SchemeProblem, SynthesisProblem};
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -58,6 +58,9 @@ pub enum Problem {
     /// What is wrong with what is wanted of a linkage.
     #[serde(untagged)]
     Synthesis(SynthesisProblem),
+    /// What is wrong with a scheme of links and pairs.
+    #[serde(untagged)]
+    Scheme(SchemeProblem),
 }
 
 impl From<LinkageProblem> for Problem {

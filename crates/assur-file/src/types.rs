@@ -10,7 +10,9 @@ use crate::kinds::linkage::{
     TracerDocument,
 };
 use crate::kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
-use crate::kinds::scheme::SchemeDocument;
+use crate::kinds::scheme::{
+    EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
+};
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
 use crate::view::{Axes, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LinkageDocument, Preset, Shelf, View};
@@ -36,6 +38,10 @@ fn the_scripts_know_what_is_saved() {
         DriverDocument::decl(&config),
         TracerDocument::decl(&config),
         SchemeDocument::decl(&config),
+        PairDocument::decl(&config),
+        KindDocument::decl(&config),
+        PlaceDocument::decl(&config),
+        EndDocument::decl(&config),
         SynthesisDocument::decl(&config),
         PositionDocument::decl(&config),
         Preset::decl(&config),

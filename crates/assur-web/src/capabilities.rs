@@ -2,11 +2,12 @@
 //! which a kind has those that it has.
 
 use assur::Point;
-use assur_draw::Figure;
+use assur_draw::{Figure, List};
 use assur_file::Problem;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::change::Change;
+use crate::here::Here;
 use crate::moving::Moving;
 
 /// A document with all that is drawn of it.
@@ -14,12 +15,13 @@ pub(crate) trait Capabilities {
     /// What is said of it as a whole; it says by `moves` whether anything does.
     fn summary(&self) -> JsValue;
 
-    /// Its drawing.
-    fn figure(&self) -> &Figure;
+    /// What stands still in its drawing.
+    fn drawn(&self) -> Drawn<'_>;
 
-    /// The frame of what never moves, as of [`crate::Simulator::at`]; of what moves none.
-    fn still(&self) -> Vec<f32> {
-        Vec::new()
+    /// The place of what never moves, as of [`crate::Simulator::at`], where what falls open has
+    /// done so by a share of its way; of what moves none.
+    fn still(&self, _opened: f64) -> Here {
+        Here::default()
     }
 
     /// What moves, is read, listed and plotted, where anything is.
@@ -33,14 +35,38 @@ pub(crate) trait Capabilities {
     }
 }
 
+/// What stands still in a drawing.
+pub(crate) struct Drawn<'a> {
+    /// What the numbers of labels stand for.
+    pub(crate) names: &'a [String],
+    /// What is rigid.
+    pub(crate) rigid: &'a List,
+}
+
+impl<'a> From<&'a Figure> for Drawn<'a> {
+    fn from(figure: &'a Figure) -> Self {
+        Self {
+            names: figure.names(),
+            rigid: figure.rigid(),
+        }
+    }
+}
+
 /// What changes when a hand is laid on the drawing; problems are those that
 /// [`crate::Simulator`] throws.
 pub(crate) trait Edited {
     /// A point dragged to a place, with the input where it is.
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;
 
+    /// A handle pressed and let go where it is.
+    fn press(&self, handle: &str) -> Result<Change, Problem> {
+        Err(unknown(handle))
+    }
+
     /// The point at a place traced, with the input where it is.
-    fn trace(&self, input: f64, at: Point) -> Result<Change, Problem>;
+    fn trace(&self, _input: f64, _at: Point) -> Result<Change, Problem> {
+        Err(unknown("tracer"))
+    }
 
     /// A dimension, by its field, set to a value from the pose at an input.
     fn set(&self, field: &str, _value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
@@ -53,7 +79,9 @@ pub(crate) trait Edited {
     }
 
     /// An assembly chosen, by its number from 1; nothing becomes other where it is the drawn one.
-    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>>;
+    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
+        Err(vec![unknown("assembly")])
+    }
 }
 
 /// What is none of the points that can be dragged.

@@ -1,6 +1,9 @@
 //! A place of the motion, in numbers.
 
+use assur::Point;
+
 /// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
+#[derive(Default)]
 pub(crate) struct Here {
     pub(crate) frame: Vec<f32>,
     pub(crate) handles: Vec<f64>,
@@ -9,13 +12,12 @@ pub(crate) struct Here {
 }
 
 impl Here {
-    /// Of what never moves, by its frame.
-    pub(crate) fn still(frame: Vec<f32>) -> Self {
+    /// Of what never moves, by its frame and the places of its handles.
+    pub(crate) fn still(frame: Vec<f32>, handles: impl Iterator<Item = Point>) -> Self {
         Self {
             frame,
-            handles: Vec::new(),
-            readouts: Vec::new(),
-            plotted: Vec::new(),
+            handles: handles.flat_map(|at| [at.x, at.y]).collect(),
+            ..Self::default()
         }
     }
 

@@ -2,7 +2,7 @@
 
 use assur::Point;
 use assur_draw::ROLES;
-use assur_file::{Preset, Problem, Shelf};
+use assur_file::{Document, Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -11,8 +11,7 @@ use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, thrown, to_js};
-use crate::here::Here;
-use crate::kinds::open;
+use crate::kinds::{as_kind, open, scheme_task};
 use crate::moving::Moving;
 use crate::table::SweepTable;
 
@@ -51,7 +50,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.document()?.figure().names().to_vec())
+        Ok(self.document()?.drawn().names.to_vec())
     }
 
     /// The display list of everything rigid, grouped by body.
@@ -59,7 +58,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
-        Ok(self.document()?.figure().rigid().numbers().to_vec())
+        Ok(self.document()?.drawn().rigid.numbers().to_vec())
     }
 
     /// Everything at an input, from one pose: how many numbers each of four lists has, then
@@ -68,15 +67,15 @@ impl Simulator {
     /// y of each; the values of `readoutNames`; of each plotted quantity, in the order of
     /// the chart's series, the value and the first two derivatives. Derivatives are those
     /// of the axes, by the input or by time; where they are unbounded the last two lists
-    /// are empty, and `why` says it. What never moves is the same at every input, and has
-    /// the frame alone.
+    /// are empty, and `why` says it. What never moves has the frame and the handles alone;
+    /// its input is by which share of its way it has fallen open, where it does.
     ///
     /// # Errors
     /// Why there is no pose.
     pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
         let document = self.document()?;
         let Some(moving) = document.moving() else {
-            return Ok(Here::still(document.still()).flat());
+            return Ok(document.still(input).flat());
         };
         Ok(moving.at(input).map_err(one)?.flat())
     }
@@ -120,6 +119,26 @@ impl Simulator {
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drag(point, input, Point::new(x, y));
         Ok(change.map_err(one)?.into_js())
+    }
+
+    /// What pressing one of the handles without dragging it changes: `{document}` with the
+    /// fields that become others.
+    ///
+    /// # Errors
+    /// A handle of which nothing comes.
+    pub fn press(&self, handle: &str) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.press(handle);
+        Ok(change.map_err(one)?.into_js())
+    }
+
+    /// What is open, at an input, as a document of another kind: `{kind, document}`.
+    ///
+    /// # Errors
+    /// No document of that kind is made of it.
+    #[wasm_bindgen(js_name = asKind)]
+    pub fn as_kind(&self, kind: &str, input: f64) -> Result<JsValue, JsValue> {
+        let document = as_kind(kind, self.moving()?, input).map_err(one)?;
+        Ok(to_js(&document))
     }
 
     /// What tracing the point at a place changes with the input where it is: `{document}`
@@ -251,6 +270,12 @@ fn bad(path: &str, detail: &str) -> Problem {
 #[wasm_bindgen(js_name = roleNames)]
 pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
+}
+
+/// A task for practice, by its number: `{kind, document}`.
+#[wasm_bindgen]
+pub fn task(number: u32) -> JsValue {
+    to_js(&Document::Scheme(scheme_task(number)))
 }
 
 /// The catalogue: `{id, kind, document}` for each mechanism of it.

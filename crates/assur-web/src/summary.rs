@@ -159,8 +159,10 @@ pub(crate) struct ListedSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct HandleSummary<'a> {
-    name: &'a str,
-    role: &'static str,
+    pub(crate) name: &'a str,
+    pub(crate) role: &'static str,
+    /// Whether something comes of pressing it without a drag.
+    pub(crate) pressed: bool,
 }
 
 impl<'a> StructureSummary<'a> {
@@ -225,6 +227,7 @@ impl<'a> MotionSummary<'a> {
         let handles = moving.handles().iter().map(|handle| HandleSummary {
             name: &handle.name,
             role: handle.role,
+            pressed: false,
         });
         let plotted = moving.plotted().iter();
         // What is plotted first most often is an output: its motion is searched through once.

@@ -11,7 +11,10 @@ use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
-use crate::kinds::scheme::SchemeSummary;
+use crate::kinds::scheme::summary::{
+    ChangedPair, ClassSummary, CountSummary, JudgedSummary, LoopSummary, MendedSummary,
+    PairSummary, RedundancySummary, SchemeSummary, SectionsSummary,
+};
 use crate::kinds::synthesis::options::{FamilyCurve, FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, VerdictSummary};
@@ -36,6 +39,15 @@ fn the_scripts_know_what_crosses_the_border() {
         DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
         SchemeSummary::decl(&config),
+        PairSummary::decl(&config),
+        CountSummary::decl(&config),
+        ClassSummary::decl(&config),
+        SectionsSummary::decl(&config),
+        LoopSummary::decl(&config),
+        JudgedSummary::decl(&config),
+        RedundancySummary::decl(&config),
+        MendedSummary::decl(&config),
+        ChangedPair::decl(&config),
         SynthesisSummary::decl(&config),
         SolutionSummary::decl(&config),
         VerdictSummary::decl(&config),
@@ -76,7 +88,7 @@ fn the_scripts_know_what_crosses_the_border() {
         ReachedSummary::decl(&config),
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
-                 import { LinkageDocument } from \"assur/types/file.js\";\n\
+                 import { KindDocument, LinkageDocument } from \"assur/types/file.js\";\n\
                  export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))

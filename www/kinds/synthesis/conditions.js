@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Plane } from "assur/kinds/synthesis/plane.js";
-import { section } from "assur/kinds/synthesis/section.js";
+import { section } from "assur/controls/section.js";
 
 /**
  * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
@@ -23,7 +23,7 @@ export class ConditionsView {
   constructor({ theme }) {
     this.#theme = theme;
     this.#region = new Plane("synthesis-region", theme, ["l₁", "l₂"], () => this.#paint());
-    section("conditions.heading", "conditions", [
+    section("synthesis", "conditions.heading", "conditions", [
       make("details", { id: "synthesis-conditions" }, [
         make("summary", { "data-t": "conditions.show" }), this.#content,
         make("p", { class: "legend", "data-t": "region.heading" }), this.#region.element,

@@ -3,7 +3,7 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { FamilyMap, LOOKS } from "assur/kinds/synthesis/map.js";
-import { section } from "assur/kinds/synthesis/section.js";
+import { section } from "assur/controls/section.js";
 import { change, inputNow } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
@@ -42,7 +42,7 @@ export class FamilyView {
     });
     const kind = { field: "output", symbol: "l₂", role: "rocker", slider: { min: 0.1, max: 20, step: 0.01 } };
     this.#row = new NumberRow(kind, drafts, (value) => change(() => engine.setDimension("output", value, inputNow(page)), "output", page));
-    section("map.heading", "family", [this.#map.element, this.#legend, this.#row.element, this.#table]);
+    section("synthesis", "map.heading", "family", [this.#map.element, this.#legend, this.#row.element, this.#table]);
   }
 
   /** @param {Snapshot} snapshot */

@@ -5,7 +5,7 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { section } from "assur/kinds/synthesis/section.js";
+import { section } from "assur/controls/section.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -56,8 +56,8 @@ export class PositionsView {
     this.#engine = engine;
     this.#list = new CardList({ ...POSITIONS, another: (snapshot) => this.#another(snapshot) }, page);
     this.#free.addEventListener("change", () => edit({ free: this.#free.checked }));
-    section("positions.frame", "frame", this.#frame.map(({ row }) => row.element));
-    section("positions.heading", "positions", [
+    section("synthesis", "positions.frame", "frame", this.#frame.map(({ row }) => row.element));
+    section("synthesis", "positions.heading", "positions", [
       this.#list.cards, this.#list.add,
       make("label", { class: "check" }, [this.#free, " ", make("span", { "data-t": "positions.free" })]),
     ]);

@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { section } from "assur/kinds/synthesis/section.js";
+import { section } from "assur/controls/section.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -44,8 +44,8 @@ export class SolutionsView {
     save.addEventListener("click", () => this.#save());
     const table = make("table", { class: "solutions", "data-t-label": "solutions.heading" }, [this.#body]);
     const equation = make("details", { id: "main-equation", "data-field": "main-equation" }, [make("summary", { "data-t": "solutions.equation" }), this.#equation]);
-    section("solutions.heading", "solutions", [this.#said, table, this.#printed, send, save]);
-    section("solutions.equation_heading", "equation", [equation]);
+    section("synthesis", "solutions.heading", "solutions", [this.#said, table, this.#printed, send, save]);
+    section("synthesis", "solutions.equation_heading", "equation", [equation]);
   }
 
   /** @param {Snapshot} snapshot */

@@ -113,7 +113,7 @@ kinds! {
     "linkage" => Linkage(LinkageDocument),
     /// Crank-rocker and gears.
     "mixer" => Mixer(MixerDocument),
-    /// A linkage drawn still.
+    /// Links and pairs without motion.
     "scheme" => Scheme(SchemeDocument),
     /// A four-bar for given positions.
     "synthesis" => Synthesis(SynthesisDocument),

@@ -1,22 +1,398 @@
-//! The scheme of a linkage: it is drawn still, and its structure is told.
+//! Links and pairs without motion, as they are saved: what mobility is counted of.
 
+use assur::mobility::{
+    Cut, CutError, PairDraft, PairKind, Point3, Scheme, SchemeDefect, SchemeDraft, Vector3,
+};
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use crate::{LinkageDocument, Problem};
+use crate::{LinkageDocument, LinkageProblem, Problem};
 
-/// A linkage that is only looked at; saved as the linkage is.
+/// More pairs are not drawn so that they could be told apart.
+const MOST_PAIRS: usize = 300;
+
+/// The longest name of a pair or a link, and the longest text, in characters.
+const LONGEST_NAME: usize = 20;
+const LONGEST_TEXT: usize = 400;
+
+/// A scheme of links and pairs, and which of the pairs are cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(transparent)]
-pub struct SchemeDocument(pub LinkageDocument);
+#[serde(deny_unknown_fields)]
+pub struct SchemeDocument {
+    /// What it is called.
+    #[serde(default)]
+    pub title: String,
+    /// Where it comes from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[cfg_attr(test, ts(as = "Option<String>", optional))]
+    pub source: String,
+    /// The mechanism of the catalogue that it was made from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub origin: Option<String>,
+    /// Whether all motion is in one plane.
+    #[serde(default)]
+    pub planar: bool,
+    /// The link that does not move.
+    pub ground: String,
+    /// The pairs; links are named by them.
+    pub pairs: Vec<PairDocument>,
+    /// Points of links beyond their pairs, such as the end of an arm.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(as = "Option<Vec<EndDocument>>", optional))]
+    pub ends: Vec<EndDocument>,
+    /// The pairs that are cut: `D`, of a compound hinge with the link that is taken off it, `Q:3`.
+    #[serde(default)]
+    pub cut: Vec<String>,
+    /// From where a spatial scheme is looked at: to the left of the y-axis, and above the plane x, y.
+    #[serde(default = "from_the_front")]
+    pub look_deg: [f64; 2],
+    /// The number of the task that it is; what is asked is then not told.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub task: Option<u32>,
+}
+
+fn from_the_front() -> [f64; 2] {
+    [-30.0, 25.0]
+}
+
+/// A pair.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct PairDocument {
+    /// Its name.
+    pub name: String,
+    /// Its form.
+    pub kind: KindDocument,
+    /// The links that it joins.
+    pub links: Vec<String>,
+    /// Where it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub at: Option<PlaceDocument>,
+    /// The direction of its axis or normal, of any length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub axis: Option<[f64; 3]>,
+    /// The second axis of a universal pair, or the line along which two surfaces touch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub second: Option<[f64; 3]>,
+    /// The way of a screw with every turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub pitch: Option<f64>,
+    /// How many freedoms a pair of no certain form leaves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub freedoms: Option<u8>,
+}
+
+/// The forms of pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "as of the engine")]
+pub enum KindDocument {
+    Revolute,
+    Prismatic,
+    Screw,
+    Cylindrical,
+    Universal,
+    Spherical,
+    Planar,
+    SphereInCylinder,
+    CylinderOnPlane,
+    SphereOnPlane,
+    /// Of no certain form: `freedoms` says how many it leaves.
+    Class,
+}
+
+/// A place, of a planar scheme in the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(untagged)]
+#[expect(missing_docs, reason = "x and y, x, y and z")]
+pub enum PlaceDocument {
+    Plane([f64; 2]),
+    Space([f64; 3]),
+}
+
+/// A point of a link beyond its pairs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct EndDocument {
+    /// The link.
+    pub link: String,
+    /// Where it is.
+    pub at: PlaceDocument,
+}
+
+/// What can be wrong with a scheme; serialised as [`Problem`] is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum SchemeProblem {
+    /// There is no pair.
+    NoPairs,
+    /// No pair has the link that is the ground.
+    NoGround { link: String },
+    /// Two pairs have this name, or it is empty.
+    SamePair { pair: String },
+    /// A pair joins a link to itself.
+    PairWithItself { pair: String, link: String },
+    /// A pair has not two links, and is no compound hinge.
+    LinksOfPair { pair: String, count: usize },
+    /// A number of freedoms that no pair has.
+    FreedomsOfPair { pair: String, freedoms: u8 },
+    /// A pair that does not let its links move in the plane.
+    OutOfPlane { pair: String },
+    /// Numbers of a pair that make no place or no axes.
+    PairGeometry { pair: String },
+    /// Links that are not joined to the ground.
+    SchemeApart { links: Vec<String> },
+    /// A cut of what is no pair.
+    NoSuchPair { pair: String },
+    /// A cut that takes a link off a pair that has it not.
+    NotOfPair { pair: String, link: String },
+    /// More than two links meet in a pair that is cut: which of them is taken off?
+    WhichLink { pair: String },
+    /// A pair is cut twice.
+    CutTwice { pair: String },
+    /// After these cuts a contour is still closed, over these pairs.
+    StillClosed { pairs: Vec<String> },
+    /// After these cuts links hang on nothing.
+    CutOff { links: Vec<String> },
+    /// A scheme has no motion.
+    NoMotion,
+}
+
+impl From<SchemeProblem> for Problem {
+    fn from(problem: SchemeProblem) -> Self {
+        Self::Scheme(problem)
+    }
+}
+
+impl From<SchemeDefect> for SchemeProblem {
+    fn from(defect: SchemeDefect) -> Self {
+        match defect {
+            SchemeDefect::Empty => Self::NoPairs,
+            SchemeDefect::NoGround(link) => Self::NoGround { link },
+            SchemeDefect::SameName(pair) => Self::SamePair { pair },
+            SchemeDefect::JoinsItself { pair, link } => Self::PairWithItself { pair, link },
+            SchemeDefect::LinkCount { pair, links } => Self::LinksOfPair { pair, count: links },
+            SchemeDefect::Freedoms { pair, freedoms } => Self::FreedomsOfPair { pair, freedoms },
+            SchemeDefect::OutOfPlane(pair) => Self::OutOfPlane { pair },
+            SchemeDefect::Geometry(pair) => Self::PairGeometry { pair },
+            SchemeDefect::Apart(links) => Self::SchemeApart { links },
+        }
+    }
+}
+
+impl From<PairKind> for KindDocument {
+    fn from(kind: PairKind) -> Self {
+        match kind {
+            PairKind::Revolute => Self::Revolute,
+            PairKind::Prismatic => Self::Prismatic,
+            PairKind::Screw { .. } => Self::Screw,
+            PairKind::Cylindrical => Self::Cylindrical,
+            PairKind::Universal => Self::Universal,
+            PairKind::Spherical => Self::Spherical,
+            PairKind::Planar => Self::Planar,
+            PairKind::SphereInCylinder => Self::SphereInCylinder,
+            PairKind::CylinderOnPlane => Self::CylinderOnPlane,
+            PairKind::SphereOnPlane => Self::SphereOnPlane,
+            PairKind::Class(_) => Self::Class,
+        }
+    }
+}
+
+impl PlaceDocument {
+    fn point(self) -> Point3 {
+        match self {
+            Self::Plane([x, y]) => Point3::new(x, y, 0.0),
+            Self::Space([x, y, z]) => Point3::new(x, y, z),
+        }
+    }
+
+    fn of(point: Point3, planar: bool) -> Self {
+        if planar {
+            Self::Plane([point.x, point.y])
+        } else {
+            Self::Space(point.into())
+        }
+    }
+}
+
+impl PairDocument {
+    fn draft(&self) -> PairDraft {
+        let kind = match self.kind {
+            KindDocument::Revolute => PairKind::Revolute,
+            KindDocument::Prismatic => PairKind::Prismatic,
+            KindDocument::Screw => PairKind::Screw {
+                pitch: self.pitch.unwrap_or(1.0),
+            },
+            KindDocument::Cylindrical => PairKind::Cylindrical,
+            KindDocument::Universal => PairKind::Universal,
+            KindDocument::Spherical => PairKind::Spherical,
+            KindDocument::Planar => PairKind::Planar,
+            KindDocument::SphereInCylinder => PairKind::SphereInCylinder,
+            KindDocument::CylinderOnPlane => PairKind::CylinderOnPlane,
+            KindDocument::SphereOnPlane => PairKind::SphereOnPlane,
+            KindDocument::Class => PairKind::Class(self.freedoms.unwrap_or(0)),
+        };
+        PairDraft {
+            name: self.name.clone(),
+            kind,
+            links: self.links.clone(),
+            place: self.at.map(PlaceDocument::point),
+            axis: self.axis.map(Vector3::from),
+            second: self.second.map(Vector3::from),
+        }
+    }
+
+    fn of(draft: &PairDraft, planar: bool) -> Self {
+        let (pitch, freedoms) = match draft.kind {
+            PairKind::Screw { pitch } => (Some(pitch), None),
+            PairKind::Class(freedoms) => (None, Some(freedoms)),
+            _ => (None, None),
+        };
+        Self {
+            name: draft.name.clone(),
+            kind: draft.kind.into(),
+            links: draft.links.clone(),
+            at: draft.place.map(|place| PlaceDocument::of(place, planar)),
+            axis: draft.axis.map(Into::into),
+            second: draft.second.map(Into::into),
+            pitch,
+            freedoms,
+        }
+    }
+}
+
+impl SchemeDocument {
+    /// The document of a draft, without a cut.
+    pub fn new(draft: &SchemeDraft, title: &str) -> Self {
+        let pairs = draft.pairs.iter();
+        Self {
+            title: title.to_owned(),
+            source: String::new(),
+            origin: None,
+            planar: draft.planar,
+            ground: draft.ground.clone(),
+            pairs: pairs
+                .map(|pair| PairDocument::of(pair, draft.planar))
+                .collect(),
+            ends: Vec::new(),
+            cut: Vec::new(),
+            look_deg: from_the_front(),
+            task: None,
+        }
+    }
+
+    /// The scheme.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn scheme(&self) -> Result<Scheme, Vec<Problem>> {
+        self.check()?;
+        let draft = SchemeDraft {
+            ground: self.ground.clone(),
+            planar: self.planar,
+            pairs: self.pairs.iter().map(PairDocument::draft).collect(),
+        };
+        let scheme = Scheme::new(&draft).map_err(|defects| {
+            let problems = defects.into_iter().map(SchemeProblem::from);
+            problems.map(Problem::from).collect::<Vec<_>>()
+        })?;
+        let mut strangers = self.ends.iter().map(|end| &end.link);
+        if let Some(link) = strangers.find(|link| !scheme.links().contains(link)) {
+            let name = link.clone();
+            return Err(vec![LinkageProblem::UnknownName { name }.into()]);
+        }
+        Ok(scheme)
+    }
+
+    /// The pairs that are cut.
+    ///
+    /// # Errors
+    /// What is no pair, or none of a pair's links.
+    pub fn cuts(&self, scheme: &Scheme) -> Result<Vec<Cut>, Vec<Problem>> {
+        let cuts = self.cut.iter().map(|name| scheme.cut_named(name));
+        let cuts: Result<_, _> = cuts.collect();
+        cuts.map_err(|error| vec![SchemeProblem::from(error).into()])
+    }
+
+    /// Where an end is.
+    pub fn ends(&self) -> impl Iterator<Item = (&str, Point3)> {
+        let ends = self.ends.iter();
+        ends.map(|end| (end.link.as_str(), end.at.point()))
+    }
+
+    /// Checks what the engine does not ask about.
+    fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems: Vec<Problem> = Vec::new();
+        if self.pairs.len() > MOST_PAIRS {
+            let (path, max) = ("pairs".to_owned(), MOST_PAIRS);
+            problems.push(LinkageProblem::TooMany { path, max }.into());
+        }
+        let fits =
+            |text: &str, max: usize| text.chars().count() <= max && !text.contains(char::is_control);
+        for (path, text) in [("title", &self.title), ("source", &self.source)] {
+            if !fits(text, LONGEST_TEXT) {
+                let (path, max) = (path.to_owned(), LONGEST_TEXT);
+                problems.push(LinkageProblem::BadText { path, max }.into());
+            }
+        }
+        for (index, pair) in self.pairs.iter().enumerate() {
+            let names = pair.links.iter().chain([&pair.name]);
+            // A colon parts a hinge from the link that is taken off it.
+            let good = |name: &String| fits(name, LONGEST_NAME) && !name.contains([':', ',']);
+            if !names.clone().all(good) {
+                let (path, max) = (format!("pairs[{index}]"), LONGEST_NAME);
+                problems.push(LinkageProblem::BadName { path, max }.into());
+            }
+        }
+        let ends = self.ends.iter().map(|end| end.at.point());
+        let numbers = ends.flat_map(|at| [at.x, at.y, at.z]);
+        if !numbers.chain(self.look_deg).all(f64::is_finite) {
+            let field = "look_deg".into();
+            problems.push(Problem::NotANumber { field });
+        }
+        if problems.is_empty() {
+            Ok(())
+        } else {
+            Err(problems)
+        }
+    }
+}
+
+impl From<CutError> for SchemeProblem {
+    fn from(error: CutError) -> Self {
+        match error {
+            CutError::NoPair(pair) => Self::NoSuchPair { pair },
+            CutError::NoLink { pair, link } => Self::NotOfPair { pair, link },
+            CutError::WhichLink(pair) => Self::WhichLink { pair },
+            CutError::Twice(pair) => Self::CutTwice { pair },
+            CutError::Closed { pairs } => Self::StillClosed { pairs },
+            CutError::Apart { links } => Self::CutOff { links },
+        }
+    }
+}
 
 impl Kind for SchemeDocument {
     fn origin(&self) -> Option<&str> {
-        self.0.origin.as_deref()
+        self.origin.as_deref()
     }
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        Ok(self.0.clone())
+        Err(vec![SchemeProblem::NoMotion.into()])
     }
 }

@@ -3,7 +3,7 @@
 use assur::Point;
 use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
 use assur::motion::Changed;
-use assur_draw::{Annotations, Figure};
+use assur_draw::{Annotations};
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
     TracerDocument, dimension_field,
@@ -11,7 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, unknown};
+use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::dimensions::DimensionSummary;
@@ -102,8 +102,8 @@ impl Capabilities for Linkage {
         })
     }
 
-    fn figure(&self) -> &Figure {
-        self.0.figure()
+    fn drawn(&self) -> Drawn<'_> {
+        self.0.figure().into()
     }
 
     fn moving(&self) -> Option<&Moving> {

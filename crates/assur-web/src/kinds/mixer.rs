@@ -4,14 +4,14 @@ use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
-use assur_draw::{Annotations, Figure};
+use assur_draw::{Annotations};
 use assur_file::{
     LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, unknown};
+use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::moving::Moving;
@@ -149,8 +149,8 @@ impl Capabilities for Mixer {
         })
     }
 
-    fn figure(&self) -> &Figure {
-        self.moving.figure()
+    fn drawn(&self) -> Drawn<'_> {
+        self.moving.figure().into()
     }
 
     fn moving(&self) -> Option<&Moving> {

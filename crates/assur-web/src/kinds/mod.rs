@@ -7,10 +7,12 @@ pub(crate) mod scheme;
 pub(crate) mod synthesis;
 
 pub(crate) use linkage::Redrawn;
+pub(crate) use scheme::task as scheme_task;
 
 use assur_file::{Document, Problem, State};
 
-use crate::capabilities::Capabilities;
+use crate::capabilities::{Capabilities, unknown};
+use crate::moving::Moving;
 
 /// The document of a state with all that is drawn of it.
 ///
@@ -21,6 +23,17 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
         Document::Synthesis(document) => Box::new(synthesis::Synthesis::new(state, document)?),
-        Document::Scheme(_) => Box::new(scheme::Scheme::new(state)?),
+        Document::Scheme(document) => Box::new(scheme::Scheme::new(state, document)?),
     })
+}
+
+/// What moves, at an input, as a document of another kind.
+///
+/// # Errors
+/// No such kind, or none that is made of what moves; no pose.
+pub(crate) fn as_kind(kind: &str, moving: &Moving, input: f64) -> Result<Document, Problem> {
+    match kind {
+        "scheme" => scheme::of(moving, input).map(Document::Scheme),
+        other => Err(unknown(other)),
+    }
 }

@@ -1,76 +1,168 @@
-//! The scheme of a linkage on the page: the drawing as it stands, and its structure.
+//! Links and pairs on the page: the drawing, whole or cut open, and what counting and geometry
+//! say of its mobility.
 
-use assur::mechanism::Mechanism;
-use assur_draw::{Annotations, Figure, Overlays, View};
-use assur_file::{LinkageProblem, Problem, State};
+pub(crate) mod summary;
+
+use std::f64::consts::PI;
+
+use assur::Point;
+use assur::mobility::{Cut, SchemeDraft, Sections, generated};
+use assur_draw::{SchemeFigure, SchemeHandle, SchemeView};
+use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemeProblem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::Capabilities;
+use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
+use crate::change::Change;
 use crate::convert::to_js;
-use crate::summary::StructureSummary;
+use crate::here::Here;
+use crate::moving::Moving;
+use summary::SchemeSummary;
 
-/// A linkage drawn where it stands.
+/// A scheme with all that is drawn of it.
 pub(crate) struct Scheme {
-    mechanism: Mechanism,
-    figure: Figure,
-    frame: Vec<f32>,
-}
-
-#[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct SchemeSummary<'a> {
-    /// Nothing does.
-    #[cfg_attr(test, ts(type = "null"))]
-    moves: Option<&'static str>,
-    #[serde(flatten)]
-    structure: StructureSummary<'a>,
-    /// Nothing is dragged.
-    #[cfg_attr(test, ts(type = "never[]"))]
-    handles: [(); 0],
+    document: SchemeDocument,
+    scheme: assur::mobility::Scheme,
+    cuts: Vec<Cut>,
+    /// What the cuts come to, or why they are not all that is needed, or too many.
+    sections: Result<Sections, SchemeProblem>,
+    figure: SchemeFigure,
+    handles: Vec<SchemeHandle>,
 }
 
 impl Scheme {
-    pub(crate) fn new(state: &State) -> Result<Self, Vec<Problem>> {
-        let motion = state.moved()?.motion;
-        let mechanism = motion.mechanism();
-        let view = View {
-            overlays: Overlays {
-                groups: state.view.groups,
-                ..Overlays::default()
-            },
-            traced: Vec::new(),
-            annotations: Annotations::default(),
+    pub(crate) fn new(state: &State, document: &SchemeDocument) -> Result<Self, Vec<Problem>> {
+        state.check()?;
+        let scheme = document.scheme()?;
+        let cuts = document.cuts(&scheme)?;
+        let sections = scheme.sections(&cuts).map_err(SchemeProblem::from);
+        if let Err(SchemeProblem::CutTwice { .. }) = &sections {
+            return Err(sections.err().map(Problem::from).into_iter().collect());
+        }
+        let marked = match &sections {
+            Err(SchemeProblem::StillClosed { pairs }) if !cuts.is_empty() => {
+                pairs.iter().filter_map(|pair| scheme.pair(pair)).collect()
+            }
+            _ => Vec::new(),
         };
-        let drawn = Figure::new(&motion, &view).and_then(|figure| {
-            let pose = motion.pose::<1>(motion.home())?;
-            let frame = figure.frame(&pose);
-            Ok((figure, frame))
-        });
-        let (figure, frame) = drawn
-            .map_err(|unsolved| vec![LinkageProblem::unsolved(&unsolved, mechanism).into()])?;
+        let ends = document.ends();
+        let ends = ends.filter_map(|(link, at)| Some((scheme.link(link)?, at)));
+        let view = SchemeView {
+            cuts: cuts.clone(),
+            ends: ends.collect(),
+            look: document.look_deg.map(|angle| angle * PI / 180.0),
+            marked,
+            counted: sections.is_ok() && document.task.is_none(),
+        };
+        let figure = SchemeFigure::new(&scheme, view);
         Ok(Self {
-            mechanism: mechanism.clone(),
+            document: document.clone(),
+            handles: figure.handles(),
+            scheme,
+            cuts,
+            sections,
             figure,
-            frame,
         })
     }
+}
+
+/// What moves, at an input, as links and pairs.
+///
+/// # Errors
+/// No pose there.
+pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem> {
+    let pose = moving.pose(input)?;
+    let draft = SchemeDraft::of(moving.mechanism(), &pose);
+    let linkage = moving.document();
+    let mut document = SchemeDocument::new(&draft, &linkage.title);
+    document.source.clone_from(&linkage.source);
+    Ok(document)
+}
+
+/// A task for practice, by its number.
+pub(crate) fn task(number: u32) -> SchemeDocument {
+    let mut document = SchemeDocument::new(&generated(number), "");
+    document.task = Some(number);
+    document
 }
 
 impl Capabilities for Scheme {
     fn summary(&self) -> JsValue {
-        to_js(&SchemeSummary {
-            moves: None,
-            structure: StructureSummary::new(&self.mechanism, &self.figure),
-            handles: [],
-        })
+        to_js(&SchemeSummary::new(self))
     }
 
-    fn figure(&self) -> &Figure {
-        &self.figure
+    fn drawn(&self) -> Drawn<'_> {
+        Drawn {
+            names: self.figure.names(),
+            rigid: self.figure.rigid(),
+        }
     }
 
-    fn still(&self) -> Vec<f32> {
-        self.frame.clone()
+    fn still(&self, opened: f64) -> Here {
+        let handles = self.figure.held_at(opened);
+        Here::still(self.figure.frame(opened), handles.into_iter())
+    }
+
+    fn edited(&self) -> Option<&dyn Edited> {
+        Some(self)
+    }
+}
+
+/// The pairs that are cut, where others are.
+#[derive(Serialize)]
+struct Cuts {
+    cut: Vec<String>,
+}
+
+/// The pairs, where one of them is another.
+#[derive(Serialize)]
+struct Pairs {
+    pairs: Vec<PairDocument>,
+}
+
+impl Edited for Scheme {
+    /// A pair is moved where nothing is cut: an open chain is not where its pairs are.
+    fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
+        let handle = self.handles.iter().find(|handle| handle.name == point);
+        let finite = to.coords.iter().all(|x| x.is_finite());
+        let handle = handle.filter(|_| finite).ok_or_else(|| unknown(point))?;
+        if !self.cuts.is_empty() || self.scheme.pairs()[handle.pair].links.len() > 2 {
+            return Ok(Change::default());
+        }
+        let mut pairs = self.document.pairs.clone();
+        let at = self.figure.dragged(handle.pair, to);
+        pairs[handle.pair].at = Some(if self.scheme.is_planar() {
+            PlaceDocument::Plane([at.x, at.y])
+        } else {
+            PlaceDocument::Space(at.into())
+        });
+        Ok(Change::document(&Pairs { pairs }))
+    }
+
+    /// A pair is cut, or joined again.
+    fn press(&self, handle: &str) -> Result<Change, Problem> {
+        if !self.handles.iter().any(|one| one.name == handle) {
+            return Err(unknown(handle));
+        }
+        let mut cut = self.document.cut.clone();
+        match cut.iter().position(|name| name == handle) {
+            Some(place) => {
+                cut.remove(place);
+            }
+            None => cut.push(handle.to_owned()),
+        }
+        Ok(Change::document(&Cuts { cut }))
+    }
+
+    /// The pairs as one of the ways to mend it has them, from 1.
+    fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
+        let mended = self.scheme.replacements(summary::MENDED);
+        let mended = mended.map_err(|_| vec![unknown(field)])?;
+        let mut list = (1..).zip(&mended.list);
+        let chosen = list.find(|(number, _)| field == "mended" && f64::from(*number) == value);
+        let (_, chosen) = chosen.ok_or_else(|| vec![unknown(field)])?;
+        let document = SchemeDocument::new(&self.scheme.replaced(chosen), "");
+        let pairs = document.pairs;
+        Ok(Change::document(&Pairs { pairs }))
     }
 }

@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 use assur::mechanism::Quantity;
 use assur::synthesis::four_bar::{Drawn, Options, Proportions};
 use assur::{Point, Vector};
-use assur_draw::{Annotations, Figure, GivenPosition, Role};
+use assur_draw::{Annotations, GivenPosition, Role};
 use assur_file::{
     Document, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, unknown};
+use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
@@ -159,8 +159,8 @@ impl Capabilities for Synthesis {
         ))
     }
 
-    fn figure(&self) -> &Figure {
-        self.moving.figure()
+    fn drawn(&self) -> Drawn<'_> {
+        self.moving.figure().into()
     }
 
     fn moving(&self) -> Option<&Moving> {
@@ -206,10 +206,6 @@ impl Edited for Synthesis {
         Ok(Change::document(&Positions { positions }))
     }
 
-    fn trace(&self, _input: f64, _at: Point) -> Result<Change, Problem> {
-        Err(unknown("tracer"))
-    }
-
     /// The output's length of a member of the family is its only dimension.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         let Options::Family(family) = &self.solved.options else {
@@ -233,10 +229,6 @@ impl Edited for Synthesis {
             member,
             trial: None,
         }))
-    }
-
-    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
-        Err(vec![unknown("assembly")])
     }
 }
 

@@ -14,7 +14,6 @@ pub struct Cut {
 
 /// Why cuts do not open a scheme into a chain that hangs on the ground.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum CutError {
     /// There is no pair of this name.
     NoPair(String),

@@ -35,7 +35,6 @@ pub struct PairDraft {
 
 /// Why a draft is no scheme.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum SchemeDefect {
     /// There is no pair.
     Empty,

@@ -1,0 +1,394 @@
+//! A scheme of links and pairs, in the plane or in space, whole or cut open.
+
+mod opening;
+mod projection;
+mod symbols;
+
+use assur::Point;
+use assur::mobility::{Cut, Pair, Point3, Scheme, Vector3};
+
+use crate::list::{List, Look, Role};
+use crate::parts;
+use opening::{Chain, Displacement};
+use projection::Projection;
+use symbols::Pen;
+
+/// Half the width of a bar, in units.
+const BAR: f64 = 0.75;
+
+/// A pair of which no place is told stands off by this, relative to the size.
+const ASIDE: f64 = 0.15;
+
+/// The colours of links, again from the first where there are more.
+const ROLES: [Role; 10] = [
+    Role::Crank,
+    Role::Coupler,
+    Role::Rocker,
+    Role::Accent1,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent4,
+    Role::Accent5,
+    Role::Accent6,
+    Role::Accent7,
+];
+
+/// What is shown of a scheme.
+#[derive(Clone, Debug, Default)]
+pub struct SchemeView {
+    /// The pairs that are cut, in turn.
+    pub cuts: Vec<Cut>,
+    /// Points of links beyond their pairs.
+    pub ends: Vec<(usize, Point3)>,
+    /// From where a spatial scheme is looked at: turned about z, and from above, radians.
+    pub look: [f64; 2],
+    /// Pairs that are told of, such as those of a contour that is still closed.
+    pub marked: Vec<usize>,
+    /// Whether the freedoms of pairs that are left, and the constraints of those that were
+    /// cut, are written at them.
+    pub counted: bool,
+}
+
+/// What a hand can take hold of: a pair, or one link of a compound hinge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SchemeHandle {
+    /// As a cut is called: `D`, `Q:3`.
+    pub name: String,
+    /// The pair.
+    pub pair: usize,
+    /// The colour of the link it is taken off.
+    pub role: Role,
+}
+
+/// A scheme as a drawing.
+#[derive(Clone, Debug)]
+pub struct SchemeFigure {
+    scheme: Scheme,
+    view: SchemeView,
+    projection: Projection,
+    /// Where the pairs are, of all of them.
+    places: Vec<Point3>,
+    names: Vec<String>,
+    size: f64,
+    unit: f64,
+    bounds: [f64; 4],
+    still: List,
+}
+
+/// What a link's body goes through.
+struct Body {
+    link: usize,
+    /// Where its pairs and ends are, displaced.
+    nodes: Vec<Point3>,
+}
+
+impl SchemeFigure {
+    /// The drawing of a scheme.
+    pub fn new(scheme: &Scheme, view: SchemeView) -> Self {
+        let projection = if scheme.is_planar() {
+            Projection::plane()
+        } else {
+            Projection::space(view.look)
+        };
+        let places = placed(scheme);
+        let nodes = places.iter().chain(view.ends.iter().map(|(_, at)| at));
+        let size = around(nodes.map(|at| projection.place(*at))).1;
+        let pairs = scheme.pairs().iter().enumerate();
+        let named = pairs.map(|(index, pair)| {
+            let cut = view.cuts.iter().any(|cut| cut.pair == index);
+            let freedoms = scheme.freedoms(index);
+            if !view.counted {
+                pair.name.clone()
+            } else if cut {
+                format!("{} −{}", pair.name, scheme.constraints(index))
+            } else {
+                format!("{} +{freedoms}", pair.name)
+            }
+        });
+        let names = named.chain(scheme.links().iter().cloned()).collect();
+        let mut figure = Self {
+            scheme: scheme.clone(),
+            projection,
+            names,
+            size,
+            unit: size / 100.0,
+            bounds: [0.0; 4],
+            still: List::default(),
+            places,
+            view,
+        };
+        figure.bounds = figure.measured();
+        figure
+    }
+
+    /// The rectangle that holds the drawing, closed and open: left, bottom, right, top.
+    pub fn bounds(&self) -> [f64; 4] {
+        self.bounds
+    }
+
+    /// What the labels' numbers stand for.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The display list of what is rigid: nothing, all may open.
+    pub fn rigid(&self) -> &List {
+        &self.still
+    }
+
+    /// The colour of a link.
+    pub fn role(&self, link: usize) -> Role {
+        match link {
+            0 => Role::Secondary,
+            moving => ROLES[(moving - 1) % ROLES.len()],
+        }
+    }
+
+    /// What a hand can take hold of.
+    pub fn handles(&self) -> Vec<SchemeHandle> {
+        let pairs = self.scheme.pairs().iter().enumerate();
+        let handles = pairs.flat_map(|(index, pair)| {
+            let compound = pair.links.len() > 2;
+            let links = pair.links.iter().filter(move |_| compound).copied();
+            let whole = (!compound).then(|| pair.links.iter().copied().max().unwrap_or(0));
+            links.chain(whole).map(move |link| (index, link))
+        });
+        let handles = handles.map(|(pair, link)| SchemeHandle {
+            name: self.scheme.cut_name(Cut { pair, link }),
+            pair,
+            role: self.role(link),
+        });
+        handles.collect()
+    }
+
+    /// Where the handles are when the last cut is open by a share of its way.
+    pub fn held_at(&self, opened: f64) -> Vec<Point> {
+        let moved = self.opened(opened);
+        let held = self.scheme.pairs().iter().enumerate();
+        let held = held.flat_map(|(index, pair)| {
+            let at = |link: usize| self.projection.place(moved[link] * self.places[index]);
+            if pair.links.len() == 2 {
+                return vec![at(self.holder(index))];
+            }
+            // Those of a compound hinge stand apart, each on its link.
+            let aside = |link: &usize| at(*link) + self.inward(index, *link, &moved) * 4.0;
+            pair.links.iter().map(aside).collect()
+        });
+        held.collect()
+    }
+
+    /// A pair dragged to a place on the sheet: where it is then.
+    pub fn dragged(&self, pair: usize, to: Point) -> Point3 {
+        self.projection.raised(to, self.places[pair])
+    }
+
+    /// The drawing when the last cut is open by a share of its way: `n, x, y, θ` of the one
+    /// body, the sheet, then a display list.
+    pub fn frame(&self, opened: f64) -> Vec<f32> {
+        let moved = self.opened(opened);
+        let mut list = List::default();
+        self.draw(&mut list, &moved);
+        let sheet = [1.0, 0.0, 0.0, 0.0];
+        sheet.into_iter().chain(list.numbers().iter().copied()).collect()
+    }
+
+    fn opened(&self, share: f64) -> Vec<Displacement> {
+        let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
+        Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
+    }
+
+    /// The link that keeps a pair's symbol: none that was taken off.
+    fn holder(&self, pair: usize) -> usize {
+        let off = |link: &&usize| {
+            let cut = |cut: &Cut| cut.pair == pair && cut.link == **link;
+            !self.view.cuts.iter().any(cut)
+        };
+        let links = &self.scheme.pairs()[pair].links;
+        links.iter().find(off).or(links.first()).copied().unwrap_or(0)
+    }
+
+    /// From a pair towards the rest of a link, one unit long on the sheet.
+    fn inward(&self, pair: usize, link: usize, moved: &[Displacement]) -> assur::Vector {
+        let here = self.projection.place(moved[link] * self.places[pair]);
+        let body = self.body(link, moved);
+        let rest = body.nodes.iter().map(|at| self.projection.place(*at) - here);
+        let rest = rest.sum::<assur::Vector>();
+        rest.try_normalize(1e-9).unwrap_or_else(assur::Vector::zeros) * self.unit
+    }
+
+    fn body(&self, link: usize, moved: &[Displacement]) -> Body {
+        let pairs = self.scheme.pairs().iter().zip(&self.places);
+        let joined = pairs.filter(|(pair, _)| pair.links.contains(&link));
+        let joined = joined.map(|(_, at)| at);
+        let ends = self.view.ends.iter().filter(|(of, _)| *of == link);
+        let nodes = joined.chain(ends.map(|(_, at)| at));
+        Body {
+            link,
+            nodes: nodes.map(|at| moved[link] * at).collect(),
+        }
+    }
+
+    fn draw(&self, list: &mut List, moved: &[Displacement]) {
+        let unit = self.unit;
+        list.body(0);
+        for index in self.grounded() {
+            let at = self.projection.place(moved[0] * self.places[index]);
+            parts::support(list, at, 1.4 * unit);
+        }
+        let links = 1..self.scheme.links().len();
+        let mut bodies: Vec<Body> = links.map(|link| self.body(link, moved)).collect();
+        let near = |body: &Body| {
+            let all = body.nodes.iter().map(|at| self.projection.nearness(*at));
+            all.sum::<f64>() / body.nodes.len().max(1) as f64
+        };
+        bodies.sort_by(|a, b| near(a).total_cmp(&near(b)));
+        for body in &bodies {
+            self.draw_body(list, body);
+        }
+        for index in 0..self.scheme.pairs().len() {
+            self.draw_pair(list, index, moved);
+        }
+        self.label(list, &bodies, moved);
+    }
+
+    /// The pairs at which the ground is drawn.
+    fn grounded(&self) -> impl Iterator<Item = usize> + '_ {
+        let pairs = self.scheme.pairs().iter().enumerate();
+        pairs.filter(|(_, pair)| pair.links.contains(&0)).map(|(index, _)| index)
+    }
+
+    fn draw_body(&self, list: &mut List, body: &Body) {
+        let (role, half) = (self.role(body.link), BAR * self.unit);
+        let nodes: Vec<Point> = body.nodes.iter().map(|at| self.projection.place(*at)).collect();
+        match parts::hull(nodes.clone())[..] {
+            [] => {}
+            [only] => list.circle(role, Look::Solid, only, half),
+            [from, to] => parts::bar(list, role, from, to, half),
+            ref corners => {
+                parts::plate(list, role, corners, half);
+                // What lies within the plate hangs on its middle.
+                let middle = parts::centroid(corners);
+                for (node, middle) in nodes.iter().zip(middle.into_iter().cycle()) {
+                    if !corners.contains(node) {
+                        list.polyline(role, Look::Line, &[middle, *node]);
+                    }
+                }
+            }
+        }
+    }
+
+    fn draw_pair(&self, list: &mut List, index: usize, moved: &[Displacement]) {
+        let pair = &self.scheme.pairs()[index];
+        let (place, holder) = (self.places[index], self.holder(index));
+        let cuts = self.view.cuts.iter().filter(|cut| cut.pair == index);
+        let here = self.projection.place(moved[holder] * place);
+        if self.view.marked.contains(&index) {
+            list.circle(Role::Acceleration, Look::Soft, here, 3.0 * self.unit);
+        }
+        for cut in cuts {
+            let there = self.projection.place(moved[cut.link] * place);
+            list.polyline(Role::Acceleration, Look::Dashed, &[here, there]);
+            let role = self.role(cut.link);
+            let off = &moved[cut.link];
+            Pen::new(list, &self.projection, self.unit, role, pair, place, off).stump();
+        }
+        let held = &moved[holder];
+        Pen::new(list, &self.projection, self.unit, Role::Ink, pair, place, held).draw(pair.kind);
+    }
+
+    /// The names of pairs, away from the links that meet there, and the numbers of links.
+    fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
+        let pairs = self.scheme.pairs();
+        for (index, pair) in pairs.iter().enumerate() {
+            let at = self.projection.place(moved[self.holder(index)] * self.places[index]);
+            let inward = pair.links.iter().filter(|link| **link > 0);
+            let away = inward.map(|link| -self.inward(index, *link, moved));
+            let away = away.sum::<assur::Vector>().try_normalize(0.05 * self.unit);
+            let away = match away {
+                Some(away) if pair.links.contains(&0) && away.y < -0.3 => {
+                    // Not upon the support.
+                    assur::Vector::new(1.0_f64.copysign(away.x), 0.1)
+                }
+                Some(away) => away,
+                None => assur::Vector::new(-0.7, 0.7),
+            };
+            list.name(Role::Ink, index, at, [away.x * 1.9, away.y * 1.6]);
+        }
+        for body in bodies {
+            let nodes: Vec<Point> = body.nodes.iter().map(|at| self.projection.place(*at)).collect();
+            let hull = parts::hull(nodes);
+            let Some(middle) = parts::centroid(&hull) else {
+                continue;
+            };
+            let off = match hull[..] {
+                [from, to] => {
+                    let along = (to - from).normalize();
+                    [-along.y * 0.9, along.x * 0.9]
+                }
+                _ => [0.0, 0.0],
+            };
+            let role = self.role(body.link);
+            list.name(role, pairs.len() + body.link, middle, off);
+        }
+    }
+
+    /// The rectangle around all, with room for symbols.
+    fn measured(&self) -> [f64; 4] {
+        let shares = [0.0, 1.0];
+        let seen = shares.iter().flat_map(|share| {
+            let moved = self.opened(*share);
+            let links = 0..self.scheme.links().len();
+            let nodes = links.flat_map(|link| self.body(link, &moved).nodes);
+            let nodes: Vec<Point> = nodes.map(|at| self.projection.place(at)).collect();
+            nodes
+        });
+        let ([left, bottom, right, top], _) = around(seen);
+        let room = 6.0 * self.unit;
+        [left - room, bottom - room, right + room, top + room]
+    }
+}
+
+/// Where pairs are. One of which it is not told is beside those that its links have too; where it
+/// is told of none, they stand on a circle, in turn.
+fn placed(scheme: &Scheme) -> Vec<Point3> {
+    let pairs = scheme.pairs();
+    let known = || pairs.iter().filter_map(|pair| pair.place);
+    if known().next().is_none() {
+        let circle = parts::round(1.0, pairs.len()).into_iter();
+        return circle.map(|at| Point3::new(at.x, at.y, 0.0)).collect();
+    }
+    let mean = |places: &[Point3]| {
+        let sum: Vector3 = places.iter().map(|place| place.coords).sum();
+        sum / places.len() as f64
+    };
+    let all: Vec<Point3> = known().collect();
+    let (_, size) = around(all.iter().map(|at| Point::new(at.x, at.y)));
+    let beside = |index: usize, pair: &Pair| {
+        let joined = pairs.iter().filter(|other| {
+            let mut links = other.links.iter();
+            links.any(|link| pair.links.contains(link))
+        });
+        let joined: Vec<Point3> = joined.filter_map(|other| other.place).collect();
+        let near = if joined.is_empty() { &all } else { &joined };
+        let aside = index as f64;
+        let aside = Vector3::new(aside.cos(), aside.sin(), 0.0) * (ASIDE * size);
+        Point3::from(mean(near) + aside)
+    };
+    let pairs = pairs.iter().enumerate();
+    let placed = pairs.map(|(index, pair)| pair.place.unwrap_or_else(|| beside(index, pair)));
+    placed.collect()
+}
+
+/// The rectangle around places, and its longer side (1 where they are all one).
+fn around(places: impl Iterator<Item = Point>) -> ([f64; 4], f64) {
+    let none = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    let bounds = places.fold(none, |[left, bottom, right, top], at| {
+        [left.min(at.x), bottom.min(at.y), right.max(at.x), top.max(at.y)]
+    });
+    let size = (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]);
+    if size.is_finite() && size > 0.0 {
+        (bounds, size)
+    } else {
+        ([0.0, 0.0, 1.0, 1.0], 1.0)
+    }
+}

@@ -1,0 +1,218 @@
+//! How a chain falls open where pairs are cut: the pairs that are left move a little, each as its
+//! freedoms let it, so that the halves of what is cut part.
+
+use std::collections::VecDeque;
+
+use assur::mobility::{Cut, Pair, PairKind, Point3, Scheme, Vector3};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+/// The halves of a cut pair part by this, relative to the size of the drawing, and no pair turns
+/// by more than that for it.
+const GAP: f64 = 0.14;
+const MOST: f64 = 0.45;
+
+/// A slide goes as far as a turn moves what is so far off, relative to the size.
+const LEVER: f64 = 0.3;
+
+/// A displacement in space.
+pub(super) type Displacement = Isometry3<f64>;
+
+/// What is left of the pairs after cuts: of each pair the links that still have it.
+pub(super) struct Chain<'a> {
+    scheme: &'a Scheme,
+    pub(super) places: &'a [Point3],
+    left: Vec<Vec<usize>>,
+    cuts: &'a [Cut],
+    size: f64,
+}
+
+/// A way from the ground: the pair by which a link was reached, and from which link.
+type Reached = Option<(usize, usize)>;
+
+impl<'a> Chain<'a> {
+    pub(super) fn new(
+        scheme: &'a Scheme,
+        places: &'a [Point3],
+        cuts: &'a [Cut],
+        size: f64,
+    ) -> Self {
+        let pairs = scheme.pairs().iter().enumerate();
+        let left = pairs.map(|(index, pair)| {
+            let off = |link: &&usize| !cuts.iter().any(|cut| cut.pair == index && cut.link == **link);
+            pair.links.iter().filter(off).copied().collect()
+        });
+        Self {
+            scheme,
+            places,
+            left: left.collect(),
+            cuts,
+            size,
+        }
+    }
+
+    /// Where every link goes: the cuts open in turn, all but the last wide, the last by a share of
+    /// its way.
+    pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
+        let pairs = self.scheme.pairs();
+        let (reached, order) = self.reach();
+        let mut moved = vec![Displacement::identity(); pairs.len()];
+        for (k, cut) in self.cuts.iter().enumerate() {
+            let share = if k + 1 == self.cuts.len() { last } else { 1.0 };
+            self.part(*cut, share, &reached, &mut moved);
+        }
+        let mut links = vec![Displacement::identity(); self.scheme.links().len()];
+        let fallen = Translation3::new(0.0, if self.scheme.is_planar() { -1.0 } else { 0.0 }, -1.0)
+            .vector
+            * (GAP * self.size * last);
+        for (link, way) in reached.iter().enumerate() {
+            if link > 0 && way.is_none() {
+                links[link] = Translation3::from(fallen).into();
+            }
+        }
+        for link in order {
+            if let Some((pair, from)) = reached[link] {
+                links[link] = links[from] * moved[pair];
+            }
+        }
+        links
+    }
+
+    /// Lets the pairs between the halves of a cut pair move.
+    fn part(&self, cut: Cut, share: f64, reached: &[Reached], moved: &mut [Displacement]) {
+        let Some(&kept) = self.left[cut.pair].first() else {
+            return;
+        };
+        let [off, on] = [cut.link, kept].map(|link| way_to(link, reached));
+        // What both ways share moves both halves alike.
+        let both = |pair: &usize| !(off.contains(pair) && on.contains(pair));
+        let at = self.places[cut.pair];
+        let around: Vec<Point3> = off.iter().chain(&on).map(|pair| self.places[*pair]).collect();
+        let middle = around.iter().map(|place| place.coords).sum::<Vector3>() / around.len().max(1) as f64;
+        let away = (at.coords - middle).try_normalize(1e-12).unwrap_or_else(Vector3::x);
+        let free = off.iter().map(|pair| (*pair, 1.0)).chain(on.iter().map(|pair| (*pair, -1.0)));
+        let free = free.filter(|(pair, _)| both(pair) && self.parts(*pair));
+        let ways: Vec<(usize, f64, Small)> = free
+            .map(|(pair, sense)| {
+                let small = Small::of(&self.scheme.pairs()[pair], self.places[pair], at, away, self.size);
+                (pair, sense * small.along(self.places[pair], at, away), small)
+            })
+            .collect();
+        let whole: f64 = ways.iter().map(|(_, along, _)| along.abs()).sum();
+        if whole < 1e-9 * self.size {
+            return;
+        }
+        let by = (GAP * self.size / whole).min(MOST);
+        for (pair, along, small) in ways {
+            let by = share * by * along.signum();
+            moved[pair] = small.displacement(self.places[pair], by) * moved[pair];
+        }
+    }
+
+    /// Whether the chain falls apart without a pair.
+    fn parts(&self, pair: usize) -> bool {
+        let [one, other] = self.left[pair][..] else {
+            return false;
+        };
+        let mut seen = vec![false; self.scheme.links().len()];
+        let mut waiting = VecDeque::from([one]);
+        while let Some(link) = waiting.pop_front() {
+            if std::mem::replace(&mut seen[link], true) {
+                continue;
+            }
+            for (index, left) in self.left.iter().enumerate() {
+                if index != pair && left.contains(&link) {
+                    waiting.extend(left);
+                }
+            }
+        }
+        !seen[other]
+    }
+
+    /// The ways from the ground, and the links in the order in which they are reached.
+    fn reach(&self) -> (Vec<Reached>, Vec<usize>) {
+        let mut reached = vec![None; self.scheme.links().len()];
+        let mut order = vec![0];
+        let mut next = 0;
+        while let Some(&link) = order.get(next) {
+            next += 1;
+            for (pair, left) in self.left.iter().enumerate() {
+                if !left.contains(&link) {
+                    continue;
+                }
+                for &other in left {
+                    if other != 0 && reached[other].is_none() && other != link {
+                        reached[other] = Some((pair, link));
+                        order.push(other);
+                    }
+                }
+            }
+        }
+        (reached, order)
+    }
+}
+
+/// The pairs between a link and the ground.
+fn way_to(mut link: usize, reached: &[Reached]) -> Vec<usize> {
+    let mut way = Vec::new();
+    while let Some((pair, from)) = reached[link] {
+        way.push(pair);
+        link = from;
+    }
+    way
+}
+
+/// A small motion that a pair lets its links have: a turn about an axis of length 1, or a way.
+enum Small {
+    Turn(Vector3),
+    Slide(Vector3),
+}
+
+impl Small {
+    /// The one that moves a place most in a direction, of those that are easily seen.
+    fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
+        let axis = pair.axis.unwrap_or_else(Vector3::z);
+        let best = || {
+            let turn = (at - here).cross(&away);
+            Self::Turn(turn.try_normalize(1e-12).unwrap_or(axis))
+        };
+        match pair.kind {
+            PairKind::Prismatic => Self::Slide(axis * (LEVER * size)),
+            PairKind::Planar => {
+                let along = away - axis * away.dot(&axis);
+                Self::Slide(along.try_normalize(1e-12).unwrap_or(axis) * (LEVER * size))
+            }
+            PairKind::Revolute
+            | PairKind::Screw { .. }
+            | PairKind::Cylindrical
+            | PairKind::Universal
+            | PairKind::CylinderOnPlane => Self::Turn(pair.second.filter(|_| pair.kind == PairKind::CylinderOnPlane).unwrap_or(axis)),
+            PairKind::Spherical
+            | PairKind::SphereInCylinder
+            | PairKind::SphereOnPlane
+            | PairKind::Class(_) => best(),
+        }
+    }
+
+    /// How far it moves a place in a direction: by a radian, or its way.
+    fn along(&self, here: Point3, at: Point3, away: Vector3) -> f64 {
+        match self {
+            Self::Turn(axis) => axis.cross(&(at - here)).dot(&away),
+            Self::Slide(axis) => axis.dot(&away),
+        }
+    }
+
+    fn displacement(&self, here: Point3, by: f64) -> Displacement {
+        match self {
+            Self::Turn(axis) => {
+                let turn = UnitQuaternion::from_scaled_axis(axis * by);
+                turned_about(turn, here)
+            }
+            Self::Slide(axis) => Translation3::from(axis * by).into(),
+        }
+    }
+}
+
+/// A turn about an axis through a place.
+fn turned_about(turn: UnitQuaternion<f64>, here: Point3) -> Displacement {
+    Displacement::from_parts(Translation3::from(here - turn * here), turn)
+}

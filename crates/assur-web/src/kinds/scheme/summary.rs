@@ -1,0 +1,332 @@
+//! What the page shows of a scheme: the counts, what its cuts come to, what its geometry says.
+
+use std::collections::BTreeMap;
+
+use assur::mobility::{Cut, Generic, NoRank, Replacement, Sections, Space, Verdict};
+use assur_file::{KindDocument, SchemeProblem};
+use serde::Serialize;
+
+use super::Scheme;
+use crate::summary::HandleSummary;
+
+/// So many ways to mend it are told of at most.
+pub(crate) const MENDED: usize = 40;
+
+/// All that is said of a scheme. W and q are those that are counted in its own space.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SchemeSummary<'a> {
+    /// Nothing does.
+    #[cfg_attr(test, ts(type = "null"))]
+    moves: Option<&'static str>,
+    bounds: [f64; 4],
+    handles: Vec<HandleSummary<'a>>,
+    roles: BTreeMap<&'a str, &'static str>,
+    planar: bool,
+    /// The ground is the first.
+    links: Vec<&'a str>,
+    pairs: Vec<PairSummary<'a>>,
+    counts: CountSummary,
+    mobility: isize,
+    redundant: isize,
+    /// (6), where it holds.
+    redundant_by_plane: Option<isize>,
+    /// What the cuts come to, where they open every contour.
+    sections: Option<SectionsSummary<'a>>,
+    /// The pairs of a contour that is still closed.
+    closed: &'a [String],
+    /// Links that hang on nothing after the cuts.
+    apart: &'a [String],
+    /// Cuts that open every contour.
+    automatic: Vec<String>,
+    plane: Option<JudgedSummary<'a>>,
+    space: Option<JudgedSummary<'a>>,
+    /// A pair of which too little is known for the rank.
+    missing: Option<String>,
+    mended: Option<MendedSummary<'a>>,
+}
+
+/// A pair. Freedoms and constraints are those in the scheme's own space.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PairSummary<'a> {
+    name: &'a str,
+    freedoms: u8,
+    constraints: u8,
+    spatial_freedoms: u8,
+    /// What is cut of it when it is cut: itself, or one link of a compound hinge.
+    cuts: Vec<String>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct CountSummary {
+    /// n: moving links.
+    links: usize,
+    /// Pᵢ in the scheme's own space, and in space.
+    pairs: Vec<ClassSummary>,
+    spatial_pairs: Vec<ClassSummary>,
+    planar: Option<isize>,
+    spatial: isize,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ClassSummary {
+    freedoms: u8,
+    count: usize,
+}
+
+/// What is counted of the open chain.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SectionsSummary<'a> {
+    cuts: Vec<String>,
+    /// Of the pairs that are left: i, and how many.
+    left: Vec<ClassSummary>,
+    open: usize,
+    removed: usize,
+    open_spatial: usize,
+    removed_spatial: usize,
+    mobility: isize,
+    redundant: isize,
+    by_loops: isize,
+    loops: Vec<LoopSummary<'a>>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LoopSummary<'a> {
+    cut: String,
+    pairs: Vec<&'a str>,
+    constraints: u8,
+    spatial_constraints: u8,
+    motion_space: u8,
+    redundant: u8,
+}
+
+/// What the rank of the constraints says in the plane, or in space.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct JudgedSummary<'a> {
+    mobility: usize,
+    rank: usize,
+    redundant: usize,
+    redundancies: Vec<RedundancySummary<'a>>,
+    idle: Vec<Vec<&'a str>>,
+    /// W in a pose near by.
+    generic: Option<usize>,
+    /// There is none near by, though W is not 0.
+    instantaneous: bool,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct RedundancySummary<'a> {
+    count: usize,
+    pairs: Vec<&'a str>,
+}
+
+/// Ways to be without redundant constraints.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MendedSummary<'a> {
+    list: Vec<Vec<ChangedPair<'a>>>,
+    /// Whether these are all.
+    complete: bool,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ChangedPair<'a> {
+    pair: &'a str,
+    kind: KindDocument,
+}
+
+impl<'a> SchemeSummary<'a> {
+    pub(crate) fn new(of: &'a Scheme) -> Self {
+        let Scheme {
+            document,
+            scheme,
+            sections,
+            figure,
+            handles,
+            ..
+        } = of;
+        let counts = scheme.counts();
+        let handles = handles.iter().map(|handle| HandleSummary {
+            name: &handle.name,
+            role: handle.role.name(),
+            pressed: true,
+        });
+        let links = scheme.links().iter().enumerate();
+        let roles = links.map(|(link, name)| (name.as_str(), figure.role(link).name()));
+        let (closed, apart): (&[String], &[String]) = match sections {
+            Err(SchemeProblem::StillClosed { pairs }) => (pairs, &[]),
+            Err(SchemeProblem::CutOff { links }) => (&[], links),
+            Ok(_) | Err(_) => (&[], &[]),
+        };
+        let automatic = scheme.automatic().into_iter();
+        let judged = |space: Space| JudgedSummary::new(scheme, space);
+        let plane = scheme.is_planar().then(|| judged(Space::Plane).ok());
+        let space = judged(Space::Whole);
+        let missing = space.as_ref().err().and_then(lacking);
+        let mended = scheme.replacements(MENDED).ok();
+        Self {
+            moves: None,
+            bounds: figure.bounds(),
+            handles: handles.collect(),
+            roles: roles.collect(),
+            planar: document.planar,
+            links: scheme.links().iter().map(String::as_str).collect(),
+            pairs: PairSummary::all(scheme),
+            mobility: counts.mobility(),
+            redundant: counts.redundant(counts.mobility()),
+            redundant_by_plane: counts.redundant_by_plane(),
+            counts: CountSummary {
+                links: counts.links,
+                pairs: ClassSummary::all(&counts.pairs),
+                spatial_pairs: ClassSummary::all(&counts.spatial_pairs),
+                planar: counts.planar,
+                spatial: counts.spatial,
+            },
+            sections: sections.as_ref().ok().map(|open| SectionsSummary::new(scheme, open)),
+            closed,
+            apart,
+            automatic: automatic.map(|cut| scheme.cut_name(cut)).collect(),
+            plane: plane.flatten(),
+            space: space.ok(),
+            missing,
+            mended: mended.map(|mended| MendedSummary {
+                complete: mended.complete,
+                list: mended
+                    .list
+                    .iter()
+                    .map(|one| ChangedPair::all(scheme, one))
+                    .collect(),
+            }),
+        }
+    }
+}
+
+/// The pair of which something is not known.
+fn lacking(why: &NoRank) -> Option<String> {
+    match why {
+        NoRank::NoPlace(pair) | NoRank::NoAxis(pair) | NoRank::NoForm(pair) => Some(pair.clone()),
+        NoRank::NotPlanar => None,
+    }
+}
+
+/// The names of pairs.
+fn named<'a>(scheme: &'a assur::mobility::Scheme, pairs: &[usize]) -> Vec<&'a str> {
+    let pairs = pairs.iter().map(|pair| scheme.pairs()[*pair].name.as_str());
+    pairs.collect()
+}
+
+impl<'a> PairSummary<'a> {
+    fn all(scheme: &'a assur::mobility::Scheme) -> Vec<Self> {
+        let pairs = scheme.pairs().iter().enumerate();
+        let summed = pairs.map(|(index, pair)| {
+            let several = if pair.is_compound() {
+                &pair.links[..]
+            } else {
+                &pair.links[1..]
+            };
+            let cuts = several.iter().map(|link| scheme.cut_name(Cut { pair: index, link: *link }));
+            Self {
+                name: &pair.name,
+                freedoms: scheme.freedoms(index),
+                constraints: scheme.constraints(index),
+                spatial_freedoms: pair.kind.freedoms(),
+                cuts: cuts.collect(),
+            }
+        });
+        summed.collect()
+    }
+}
+
+impl ClassSummary {
+    fn all(counts: &BTreeMap<u8, usize>) -> Vec<Self> {
+        let counts = counts.iter();
+        let classes = counts.map(|(freedoms, count)| Self {
+            freedoms: *freedoms,
+            count: *count,
+        });
+        classes.collect()
+    }
+}
+
+impl<'a> SectionsSummary<'a> {
+    fn new(scheme: &'a assur::mobility::Scheme, open: &Sections) -> Self {
+        let mut left = scheme.counts().pairs;
+        for cut in &open.cuts {
+            if let Some(count) = left.get_mut(&scheme.freedoms(cut.pair)) {
+                *count -= 1;
+            }
+        }
+        left.retain(|_, count| *count > 0);
+        let loops = open.loops.iter().map(|closed| LoopSummary {
+            cut: scheme.cut_name(closed.cut),
+            pairs: named(scheme, &closed.pairs),
+            constraints: closed.constraints,
+            spatial_constraints: closed.spatial_constraints,
+            motion_space: closed.motion_space,
+            redundant: closed.redundant,
+        });
+        Self {
+            cuts: open.cuts.iter().map(|cut| scheme.cut_name(*cut)).collect(),
+            left: ClassSummary::all(&left),
+            open: open.open,
+            removed: open.removed,
+            open_spatial: open.open_spatial,
+            removed_spatial: open.removed_spatial,
+            mobility: open.mobility,
+            redundant: open.redundant,
+            by_loops: open.by_loops(),
+            loops: loops.collect(),
+        }
+    }
+}
+
+impl<'a> JudgedSummary<'a> {
+    fn new(scheme: &'a assur::mobility::Scheme, space: Space) -> Result<Self, NoRank> {
+        let Verdict {
+            mobility,
+            rank,
+            redundancies,
+            idle,
+        } = scheme.judged(space)?;
+        let generic = scheme.generic(space)?;
+        let links = |links: &Vec<usize>| {
+            let links = links.iter().map(|link| scheme.link_name(*link));
+            links.collect()
+        };
+        let borne = redundancies.iter().map(|one| RedundancySummary {
+            count: one.count,
+            pairs: named(scheme, &one.pairs),
+        });
+        Ok(Self {
+            mobility,
+            rank,
+            redundant: redundancies.iter().map(|one| one.count).sum(),
+            redundancies: borne.collect(),
+            idle: idle.iter().map(links).collect(),
+            generic: match generic {
+                Generic::At { mobility } => Some(mobility),
+                Generic::Instantaneous => None,
+            },
+            instantaneous: mobility > 0 && generic == Generic::Instantaneous,
+        })
+    }
+}
+
+impl<'a> ChangedPair<'a> {
+    fn all(scheme: &'a assur::mobility::Scheme, replacement: &Replacement) -> Vec<Self> {
+        let changes = replacement.changes.iter();
+        let changed = changes.map(|change| Self {
+            pair: &scheme.pairs()[change.pair].name,
+            kind: KindDocument::from(change.kind),
+        });
+        changed.collect()
+    }
+}

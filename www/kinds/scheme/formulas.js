@@ -1,0 +1,89 @@
+// The same numbers by the formulas of the textbooks, and contour by contour.
+import { section } from "assur/controls/section.js";
+import { make } from "assur/core/dom.js";
+import { freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {Snapshot["summary"]} Summary
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+export class FormulasView {
+  #body = make("div", { id: "scheme-formulas" });
+  #element;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  constructor() {
+    this.#element = section("scheme", "formulas.heading", "formulas", [this.#body]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state, summary, words, stale }) {
+    this.#element.hidden = state.document.task != null;
+    const shown = [summary, words, stale];
+    if (stale || shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    const lines = [...classical(summary, words), ...byLoops(summary, words)];
+    this.#body.replaceChildren(...lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]));
+  }
+}
+
+/**
+ * @param {Summary} summary
+ * @param {Words} words
+ * @returns {string[][]} what it is called, then its lines
+ */
+function classical({ counts, mobility, redundant, redundant_by_plane: byPlane, planar }, words) {
+  const { numbers } = words;
+  const lines = [];
+  if (planar && counts.planar !== null) {
+    const [symbols, values] = structural(3, counts.links, counts.pairs, words);
+    lines.push([words.text("formulas.planar"), `W = ${symbols} = ${values} = ${numbers.exact(counts.planar)}`]);
+  }
+  const [symbols, values] = structural(6, counts.links, counts.spatial_pairs, words);
+  lines.push([words.text("formulas.spatial"), `W = ${symbols} = ${values} = ${numbers.exact(counts.spatial)}`]);
+  const [constraints, constrained] = counts.spatial_pairs.reduce(
+    ([one, other], { freedoms, count }) => {
+      const by = 6 - freedoms;
+      const more = (/** @type {string} */ name) => (by === 1 ? name : `${by}${name}`);
+      return [[...one, more(symbolOf(freedoms))], [...other, by === 1 ? numbers.exact(count) : `${by}·${numbers.exact(count)}`]];
+    },
+    [/** @type {string[]} */ ([]), /** @type {string[]} */ ([])],
+  );
+  const all = `${constraints.join(" + ")} − 6n + W`;
+  lines.push([
+    words.text("formulas.redundant"),
+    `q = ${all} = ${constrained.join(" + ")} − 6·${numbers.exact(counts.links)} + ${numbers.exact(mobility)} = ${numbers.exact(redundant)}`,
+  ]);
+  if (byPlane !== null) {
+    const pairs = counts.pairs.reduce((total, { count }) => total + count, 0);
+    const removed = 5 * (pairs - counts.links);
+    const inner = `(${numbers.exact(counts.links)} − ${numbers.exact(pairs)})`;
+    lines[lines.length - 1].push(`q = ΣS + 2(n − P₁) = ${numbers.exact(removed)} + 2·${inner} = ${numbers.exact(byPlane)}`);
+  }
+  return lines;
+}
+
+/**
+ * @param {Summary} summary
+ * @param {Words} words
+ * @returns {string[][]}
+ */
+function byLoops({ sections, counts }, words) {
+  const { numbers } = words;
+  const name = words.text("formulas.loops");
+  if (!sections) return [[name, words.text("formulas.needs_open")]];
+  if (sections.loops.length === 0) return [];
+  const all = counts.spatial_pairs.reduce((total, { freedoms, count }) => total + freedoms * count, 0);
+  const spaces = sections.loops.map((loop) => loop.motion_space);
+  const said = sections.loops.map(({ cut, pairs, motion_space: space, redundant }) => words.text("formulas.loop", {
+    cut, pairs: pairs.join(", "), space: numbers.exact(space), q: numbers.exact(redundant),
+  }));
+  return [[
+    name, ...said,
+    `ΣiP = ${freedomsOf(counts.spatial_pairs, all, words)}; Σλ = ${sum(spaces, words)}`,
+    `W = ΣiP − Σλ = ${numbers.exact(all)} − ${numbers.exact(spaces.reduce((total, one) => total + one, 0))} = ${numbers.exact(sections.by_loops)}`,
+  ]];
+}

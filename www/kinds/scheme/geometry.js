@@ -1,0 +1,85 @@
+// What the rank of the constraints says of this very geometry, and which other pairs leave no redundant constraint.
+import { section } from "assur/controls/section.js";
+import { make } from "assur/core/dom.js";
+import { change } from "assur/state/change.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {Snapshot["summary"]} Summary
+ * @typedef {NonNullable<Summary["space"]>} Judged
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** So many ways to mend it are shown; more of them would not be read. */
+const SHOWN = 12;
+
+export class GeometryView {
+  #page;
+  #body = make("div", { id: "scheme-geometry" });
+  #mended = make("div", { id: "scheme-mended" });
+  #sections;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#sections = [
+      section("scheme", "geometry.heading", "geometry", [this.#body]),
+      section("scheme", "replace.heading", "replace", [this.#mended]),
+    ];
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state, summary, words, stale }) {
+    const [geometry, mended] = this.#sections;
+    geometry.hidden = state.document.task != null;
+    mended.hidden = geometry.hidden || !summary.mended || (summary.space?.redundant ?? 0) === 0;
+    const shown = [summary, words, stale];
+    if (stale || shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#body.replaceChildren(...lines(summary, words).map((line) => make("p", {}, [line])));
+    this.#showMended(summary, words);
+  }
+
+  /**
+   * @param {Summary} summary
+   * @param {Words} words
+   */
+  #showMended({ mended }, words) {
+    const { list, complete } = mended ?? { list: [], complete: true };
+    const rows = list.slice(0, SHOWN).map((changes, i) => {
+      const n = i + 1;
+      const said = changes.map(({ pair, kind }) => words.text("replace.change", { pair, kind: words.text(`pair.${kind}`) })).join("; ");
+      const take = make("button", { id: `mended-${n}`, class: "control", type: "button", "aria-label": `${words.text("replace.take")}: ${said}` }, [words.text("replace.take")]);
+      take.addEventListener("click", () => change(() => this.#page.engine.setDimension("mended", n, 0), "pairs", this.#page));
+      return make("li", {}, [make("span", {}, [said]), take]);
+    });
+    const more = list.length > SHOWN || !complete ? [make("p", {}, [words.text("replace.more")])] : [];
+    const said = words.text(rows.length > 0 ? "replace.said" : "replace.none");
+    this.#mended.replaceChildren(make("p", {}, [said]), make("ul", { class: "mended" }, rows), ...more);
+  }
+}
+
+/**
+ * @param {Summary} summary
+ * @param {Words} words
+ * @returns {string[]}
+ */
+function lines({ plane, space, missing, mobility }, words) {
+  const { numbers } = words;
+  if (!space) return missing === null ? [] : [words.text("geometry.unknown", { pair: missing })];
+  const said = [];
+  const own = plane ?? space;
+  if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: numbers.exact(plane.mobility) }));
+  const places = { rank: numbers.exact(space.rank), w: numbers.exact(space.mobility), q: numbers.exact(space.redundant) };
+  said.push(words.text("geometry.space", places));
+  const right = own.mobility === mobility;
+  said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: numbers.exact(mobility) }));
+  const borne = [...(plane?.redundancies ?? []), ...(plane && plane.redundant > 0 ? [] : space.redundancies)];
+  for (const { count, pairs } of borne) said.push(words.counted("geometry.redundant", count, { pairs: pairs.join(", ") }));
+  for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.join(", ") }));
+  if (own.instantaneous) said.push(words.text("geometry.instantaneous"));
+  else if (own.generic !== null && own.generic !== own.mobility) said.push(words.text("geometry.generic", { w: numbers.exact(own.generic) }));
+  return said;
+}

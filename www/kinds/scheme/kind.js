@@ -1,0 +1,17 @@
+// What the page shows of a scheme of links and pairs only.
+import { FormulasView } from "assur/kinds/scheme/formulas.js";
+import { GeometryView } from "assur/kinds/scheme/geometry.js";
+import { LookView } from "assur/kinds/scheme/look.js";
+import { MethodView } from "assur/kinds/scheme/method.js";
+import { Opening } from "assur/kinds/scheme/opening.js";
+import { PairsView } from "assur/kinds/scheme/pairs.js";
+import { PracticeView } from "assur/kinds/scheme/practice.js";
+import { schemeStatus } from "assur/kinds/scheme/status.js";
+import { Told } from "assur/kinds/scheme/told.js";
+import "assur/kinds/scheme/style.js";
+
+/** @type {import("assur/app/views.js").Make<"scheme">} */
+export const views = (page) => [
+  new Opening(page), new PracticeView(page), new MethodView(page), new FormulasView(), new GeometryView(page), new PairsView(page), new LookView(page),
+  schemeStatus(), new Told(),
+];

@@ -1,0 +1,130 @@
+// The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
+import { section } from "assur/controls/section.js";
+import { make, write } from "assur/core/dom.js";
+import { freedomsOf, sum } from "assur/kinds/scheme/sums.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {NonNullable<Snapshot["summary"]["sections"]>} Sections
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** Between two cuts, in milliseconds: the first has fallen open, and was looked at. */
+const PAUSE = 1600;
+
+export class MethodView {
+  #page;
+  #step = make("button", { id: "cut-step", class: "control add", type: "button", "data-t": "method.step" });
+  #join = make("button", { id: "cut-join", class: "control add", type: "button", "data-t": "method.join" });
+  #said = make("div", { id: "method-said", "aria-live": "polite" });
+  /** @type {readonly string[]} cuts that are still to be shown */
+  #coming = [];
+  #timer = 0;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#step.addEventListener("click", () => this.#begin());
+    this.#join.addEventListener("click", () => this.#put([]));
+    section("scheme", "method.heading", "method", [make("div", { class: "buttons" }, [this.#step, this.#join]), this.#said]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state: { document }, summary, words, stale } = snapshot;
+    const shown = [document, summary, words, stale];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#snapshot = snapshot;
+    // Whoever cuts another pair meanwhile does it by hand from there.
+    if (this.#coming.length > 0 && !document.cut.every((name, i) => name === summary.automatic[i])) this.#stop();
+    this.#step.hidden = document.task != null;
+    this.#step.disabled = summary.automatic.length === 0;
+    this.#join.disabled = document.cut.length === 0;
+    const lines = stale ? [] : this.#lines(snapshot);
+    this.#said.replaceChildren(...lines.map((line) => make("p", {}, [line])));
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @returns {string[]}
+   */
+  #lines({ state: { document }, summary: { sections, closed, apart, planar, counts, mobility }, words }) {
+    const { numbers } = words;
+    if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
+    if (apart.length > 0) return [words.text("method.apart", { links: apart.join(", ") })];
+    if (!sections || document.task != null) return [];
+    const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, sections.open, words)}`];
+    if (sections.cuts.length > 0) {
+      lines.push(
+        words.text(planar ? "method.removed_plane" : "method.removed_space"), `ΣS = ${sum(sections.loops.map((loop) => loop.constraints), words)}`,
+        words.text("method.mobility"), `W = W₀ − ΣS = ${numbers.exact(sections.open)} − ${numbers.exact(sections.removed)} = ${numbers.exact(mobility)}`,
+      );
+    }
+    if (planar && counts.links > 0 && sections.cuts.length > 0) lines.push(words.text("method.redundant"), redundant(sections, words));
+    lines.push(drives(mobility, words));
+    return lines;
+  }
+
+  #begin() {
+    const { automatic } = this.#snapshot?.summary ?? { automatic: [] };
+    this.#stop();
+    this.#coming = automatic;
+    this.#put([]);
+    this.#coming = automatic;
+    this.#timer = setTimeout(() => this.#next(0), PAUSE / 4);
+  }
+
+  /** @param {number} count of the cuts that are there */
+  #next(count) {
+    if (this.#coming.length <= count) {
+      this.#stop();
+      return;
+    }
+    this.#cut(this.#coming.slice(0, count + 1));
+    this.#timer = setTimeout(() => this.#next(count + 1), PAUSE);
+  }
+
+  #stop() {
+    clearTimeout(this.#timer);
+    this.#coming = [];
+  }
+
+  /** @param {readonly string[]} cut */
+  #put(cut) {
+    this.#stop();
+    this.#cut(cut);
+  }
+
+  /** @param {readonly string[]} cut */
+  #cut(cut) {
+    this.#page.store.update((state) => edited(state, "scheme", () => ({ cut: [...cut] })));
+  }
+}
+
+/**
+ * @param {Sections} sections of a planar scheme
+ * @param {Words} words
+ * @returns {string} q = ΣS + W − W₀, both in space
+ */
+function redundant({ loops, removed_spatial: removed, open_spatial: open, mobility, redundant: q }, words) {
+  const { numbers } = words;
+  const terms = loops.length > 1 ? `(${loops.map((loop) => numbers.exact(loop.spatial_constraints)).join(" + ")})` : numbers.exact(removed);
+  return `q = ΣS + W − W₀ = ${terms} + ${numbers.exact(mobility)} − ${numbers.exact(open)} = ${numbers.exact(q)}`;
+}
+
+/**
+ * @param {number} mobility
+ * @param {Words} words
+ */
+function drives(mobility, words) {
+  if (mobility < 1) return words.text("method.locked");
+  if (mobility === 1) return words.text("method.one");
+  const [count, more] = [mobility, mobility - 1].map((one) => words.numbers.exact(one));
+  return words.text("method.drives", { count, more });
+}

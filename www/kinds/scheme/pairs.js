@@ -1,0 +1,244 @@
+// The table of pairs: what form each has, which links it joins, whether it is cut, where it is.
+import { CardList } from "assur/controls/card-list.js";
+import { NumberBox } from "assur/controls/number-box.js";
+import { section } from "assur/controls/section.js";
+import { make, write } from "assur/core/dom.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["scheme"]} Document
+ * @typedef {Document["pairs"][number]} Pair
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** More pairs do not fit a drawing. */
+const MOST = 60;
+
+/** @type {readonly Pair["kind"][]} */
+const FORMS = Object.freeze([
+  "revolute", "prismatic", "screw", "cylindrical", "universal", "spherical", "planar", "sphere_in_cylinder", "cylinder_on_plane", "sphere_on_plane", "class",
+]);
+
+/** The value of the choice of a link that is not there yet. */
+const NEW = "";
+
+/** What of a pair is a list of numbers, with how each is called. */
+const TRIPLES = Object.freeze(/** @type {const} */ ([
+  { part: "at", names: ["x", "y", "z"] },
+  { part: "axis", names: ["x", "y", "z"] },
+]));
+
+export class PairsView {
+  #page;
+  #list;
+  #planar = make("input", { id: "scheme-planar", type: "checkbox" });
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#list = new CardList({
+      kind: "scheme", name: "pairs", first: 1, least: 1, most: MOST, written: String,
+      words: { add: "pairs.add", remove: "pairs.remove" },
+      build: (index, _, drafts, remove) => this.#card(index, drafts, remove),
+      another: ({ state: { document } }) => another(document),
+      without: (index, { pairs, cut }) => ({ pairs: pairs.filter((_, at) => at !== index), cut: cut.filter((name) => !isOf(name, pairs[index].name)) }),
+    }, page);
+    this.#planar.addEventListener("change", () => this.#edit(() => ({ planar: this.#planar.checked })));
+    section("scheme", "pairs.heading", "pairs", [
+      this.#list.cards, this.#list.add,
+      make("label", { class: "check" }, [this.#planar, " ", make("span", { "data-t": "pairs.planar" })]),
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, problems, words, summary } = snapshot;
+    const wrong = new Set(problems.map(({ field }) => field));
+    const shown = [state.document, words, summary, ...wrong];
+    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#list.show(snapshot, wrong);
+    this.#planar.checked = state.document.planar;
+  }
+
+  /** @param {(document: Document) => Partial<Document>} change */
+  #edit(change) {
+    this.#page.store.update((state) => edited(state, "scheme", change));
+  }
+
+  /**
+   * @param {number} index
+   * @param {(pair: Pair) => Pair} change
+   */
+  #put(index, change) {
+    this.#edit(({ pairs }) => ({ pairs: pairs.map((pair, at) => (at === index ? change(pair) : pair)) }));
+  }
+
+  /**
+   * @param {number} index
+   * @param {number} place of the link in the pair
+   * @param {string} link
+   */
+  #join(index, place, link) {
+    this.#edit((document) => {
+      const { pairs, cut } = document;
+      const name = link === NEW ? newLink(document) : link;
+      const links = pairs[index].links.map((one, at) => (at === place ? name : one));
+      return { pairs: pairs.map((pair, at) => (at === index ? { ...pair, links } : pair)), cut: cut.filter((one) => !isOf(one, pairs[index].name)) };
+    });
+  }
+
+  /**
+   * @param {number} index
+   * @param {import("assur/state/drafts.js").Drafts} drafts
+   * @param {HTMLButtonElement} remove
+   * @returns {{ lines: HTMLElement[], show: (pair: Pair, snapshot: Snapshot, wrong: ReadonlySet<string | undefined>) => void }}
+   */
+  #card(index, drafts, remove) {
+    const n = String(index + 1);
+    const name = make("b");
+    const form = make("select", { id: `pair-form-${n}`, class: "control", "data-t-label": "field.pairs.kind", "data-n": n }, FORMS.map((value) => make("option", { value, "data-t": `pair.${value}` })));
+    form.addEventListener("change", () => this.#put(index, (pair) => shaped(pair, /** @type {Pair["kind"]} */ (form.value))));
+    const freedoms = make("select", { id: `pair-freedoms-${n}`, class: "control", "data-t-label": "field.pairs.freedoms", "data-n": n }, ["1", "2", "3", "4", "5"].map((value) => make("option", { value }, [value])));
+    freedoms.addEventListener("change", () => this.#put(index, (pair) => ({ ...pair, freedoms: Number(freedoms.value) })));
+    const links = make("span", { class: "pair-links" });
+    const cuts = make("span", { class: "pair-cuts" });
+    const boxes = TRIPLES.flatMap(({ part, names }) => names.map((axis, k) => {
+      const field = `pairs[${index}].${part}.${axis}`;
+      const input = make("input", {
+        id: `pair-${part}-${axis}-${n}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
+        "data-t-label": `field.pairs.${part}.${axis}`, "data-n": n,
+      });
+      const box = new NumberBox(input, field, drafts, (value) => {
+        this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }));
+        return value;
+      });
+      return { part, k, box, field, element: make("label", { class: "pair-number" }, [make("b", {}, [axis]), input]) };
+    }));
+    const triples = TRIPLES.map(({ part }) => make("div", { class: "pair-numbers" }, [
+      make("span", { "data-t": `pairs.${part}` }), ...boxes.filter((box) => box.part === part).map(({ element }) => element),
+    ]));
+    const more = make("details", {}, [make("summary", { "data-t": "pairs.more" }), ...triples]);
+    return {
+      lines: [make("div", { class: "pair" }, [name, form, freedoms, links, cuts, remove]), more],
+      show: (pair, { state: { document }, summary, words }, wrong) => {
+        write(name, pair.name);
+        form.value = pair.kind;
+        freedoms.hidden = pair.kind !== "class";
+        freedoms.value = String(pair.freedoms ?? 1);
+        this.#showLinks(links, index, pair, document, words);
+        const known = summary.pairs.find((one) => one.name === pair.name)?.cuts ?? [];
+        this.#showCuts(cuts, n, known, document, words);
+        for (const { part, k, box, field, element } of boxes) {
+          const value = pair[part]?.[k];
+          element.hidden = part === "at" && k === 2 && document.planar;
+          box.show(value ?? 0, value === undefined ? { brief: "", full: "" } : { brief: words.numbers.brief(value), full: words.numbers.exact(value) }, wrong.has(field));
+        }
+      },
+    };
+  }
+
+  /**
+   * @param {HTMLElement} place
+   * @param {number} index
+   * @param {Pair} pair
+   * @param {Document} document
+   * @param {Words} words
+   */
+  #showLinks(place, index, pair, document, words) {
+    const all = [...new Set([document.ground, ...document.pairs.flatMap(({ links }) => links)])];
+    const made = JSON.stringify([words.lang, all, pair.links.length]);
+    if (place.dataset.made !== made) {
+      place.dataset.made = made;
+      const focused = place.contains(window.document.activeElement) ? window.document.activeElement?.id : undefined;
+      place.replaceChildren(...pair.links.map((_, at) => {
+        const id = `pair-link-${index + 1}-${at + 1}`;
+        const select = make("select", { id, class: "control", "aria-label": words.text("field.pairs.link", { n: String(index + 1), place: String(at + 1) }) }, [
+          ...all.map((link) => make("option", { value: link }, [link])), make("option", { value: NEW }, [words.text("pairs.new_link")]),
+        ]);
+        select.addEventListener("change", () => this.#join(index, at, select.value));
+        return select;
+      }));
+      if (focused) window.document.getElementById(focused)?.focus();
+    }
+    [...place.querySelectorAll("select")].forEach((select, at) => (select.value = pair.links[at]));
+  }
+
+  /**
+   * @param {HTMLElement} place
+   * @param {string} n
+   * @param {readonly string[]} known the cuts that there are of the pair
+   * @param {Document} document
+   * @param {Words} words
+   */
+  #showCuts(place, n, known, { cut }, words) {
+    const made = JSON.stringify([words.lang, known]);
+    if (place.dataset.made !== made) {
+      place.dataset.made = made;
+      place.replaceChildren(...known.map((name, at) => {
+        const id = known.length > 1 ? `cut-${n}-${at + 1}` : `cut-${n}`;
+        const box = make("input", { id, type: "checkbox", "data-cut": name });
+        box.addEventListener("change", () => this.#edit((document) => (
+          { cut: box.checked ? [...document.cut, name] : document.cut.filter((one) => one !== name) }
+        )));
+        return make("label", { class: "check" }, [box, " ", known.length > 1 ? `✂ ${name}` : words.text("pairs.cut")]);
+      }));
+    }
+    for (const box of place.querySelectorAll("input")) box.checked = cut.includes(box.dataset.cut ?? "");
+  }
+}
+
+/**
+ * @param {string} cut
+ * @param {string} pair
+ * @returns {boolean} whether the cut is one of this pair
+ */
+function isOf(cut, pair) {
+  return cut === pair || cut.startsWith(`${pair}:`);
+}
+
+/**
+ * @param {Pair} pair
+ * @param {Pair["kind"]} kind
+ * @returns {Pair} the same of another form: how the old one was turned is not how this one is
+ */
+function shaped({ name, links, at }, kind) {
+  const place = at ? { at } : {};
+  return { name, kind, links, ...place, ...(kind === "class" ? { freedoms: 1 } : {}), ...(kind === "screw" ? { pitch: 1 } : {}) };
+}
+
+/**
+ * @param {readonly number[] | null | undefined} before
+ * @param {number} k which of the numbers
+ * @param {number} value
+ * @param {boolean} flat whether there are two
+ */
+function placed(before, k, value, flat) {
+  const numbers = [0, 0, 0].map((zero, i) => (i === k ? value : (before?.[i] ?? zero)));
+  return /** @type {[number, number, number]} */ (flat ? numbers.slice(0, 2) : numbers);
+}
+
+/**
+ * @param {Document} document
+ * @returns {Pair} a hinge between the fixed link and a new one
+ */
+function another(document) {
+  const taken = new Set(document.pairs.map(({ name }) => name));
+  let name = [..."ABCDEFGHIJKLMNPQRSTUVWXYZ"].find((letter) => !taken.has(letter));
+  for (let n = 1; name === undefined; n += 1) if (!taken.has(`P${n}`)) name = `P${n}`;
+  return { name, kind: "revolute", links: [document.ground, newLink(document)] };
+}
+
+/**
+ * @param {Document} document
+ * @returns {string} the first number that no link has
+ */
+function newLink({ pairs }) {
+  const taken = new Set(pairs.flatMap(({ links }) => links));
+  let n = 1;
+  while (taken.has(String(n))) n += 1;
+  return String(n);
+}

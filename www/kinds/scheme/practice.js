@@ -1,0 +1,138 @@
+// Practice: a mechanism that nobody has counted yet. Every step of the method is asked for and checked.
+import { NumberBox } from "assur/controls/number-box.js";
+import { section } from "assur/controls/section.js";
+import { make, write } from "assur/core/dom.js";
+import { symbolOf } from "assur/kinds/scheme/sums.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {Snapshot["summary"]} Summary
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ id: string, said: (words: Words) => string, answer: (summary: Summary) => number, opened: boolean }} Question
+ * `opened`: whether it can be answered only when every contour is open.
+ */
+
+/** How many tasks there are: numbers of theirs are short. */
+const TASKS = 100000;
+
+/** @type {readonly Question[]} */
+const FIRST = Object.freeze([{ id: "links", said: (words) => words.text("practice.links"), answer: ({ counts }) => counts.links, opened: false }]);
+
+/** @type {readonly Question[]} */
+const THEN = Object.freeze([
+  { id: "open", said: (words) => words.text("practice.open"), answer: ({ sections }) => sections?.open ?? NaN, opened: true },
+  { id: "removed", said: (words) => words.text("practice.removed"), answer: ({ sections }) => sections?.removed ?? NaN, opened: true },
+  { id: "w", said: (words) => words.text("practice.w"), answer: ({ mobility }) => mobility, opened: false },
+  { id: "q", said: (words) => words.text("practice.q"), answer: ({ redundant }) => redundant, opened: false },
+]);
+
+export class PracticeView {
+  #page;
+  #new = make("button", { id: "practice-new", class: "control add", type: "button", "data-t": "practice.new" });
+  #end = make("button", { id: "practice-end", class: "control add", type: "button", "data-t": "practice.end" });
+  #said = make("p", { id: "practice-said" });
+  #rows = make("div", { id: "practice-rows" });
+  /** What is asked, and of which task. */
+  #asked = "";
+  /** @type {Map<string, number>} what was answered, by the question */
+  #answers = new Map();
+  /** @type {{ question: Question, box: NumberBox, verdict: HTMLElement, input: HTMLInputElement }[]} */
+  #questions = [];
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** @type {readonly unknown[]} what was shown last */
+  #shown = [];
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#new.addEventListener("click", () => this.#task());
+    this.#end.addEventListener("click", () => page.store.update((state) => edited(state, "scheme", () => ({ task: null }))));
+    section("scheme", "practice.heading", "practice", [this.#said, this.#rows, make("div", { class: "buttons" }, [this.#new, this.#end])]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state: { document }, summary, words, stale } = snapshot;
+    const shown = [document, summary, words, stale];
+    if (shown.every((part, i) => part === this.#shown[i])) return;
+    this.#shown = shown;
+    this.#snapshot = snapshot;
+    const task = document.task ?? null;
+    this.#end.hidden = this.#said.hidden = this.#rows.hidden = task === null;
+    if (task === null || stale) return;
+    const classes = summary.counts.pairs.map(({ freedoms }) => freedoms);
+    const asked = JSON.stringify([words.lang, task, classes]);
+    if (asked !== this.#asked) {
+      const [, before] = JSON.parse(this.#asked || "[]");
+      if (before !== task) this.#answers.clear();
+      this.#asked = asked;
+      this.#build(classes, words);
+    }
+    this.#judge();
+  }
+
+  /** Another mechanism, other than the one there is. */
+  #task() {
+    const { engine, store } = this.#page;
+    const { document } = store.get();
+    const before = "task" in document ? document.task : null;
+    let number = Math.floor(Math.random() * TASKS);
+    if (number === before) number = (number + 1) % TASKS;
+    const { kind, document: task } = engine.task(number);
+    this.#page.choose(kind, task);
+  }
+
+  /**
+   * @param {readonly number[]} classes of the pairs that there are
+   * @param {Words} words
+   */
+  #build(classes, words) {
+    /** @type {Question[]} */
+    const counted = classes.map((freedoms) => ({
+      id: `pairs-${freedoms}`,
+      said: () => words.counted("practice.pairs", freedoms, { symbol: symbolOf(freedoms) }),
+      answer: ({ counts }) => counts.pairs.find((one) => one.freedoms === freedoms)?.count ?? 0,
+      opened: false,
+    }));
+    this.#questions = [...FIRST, ...counted, ...THEN].map((question) => {
+      const field = `practice.${question.id}`;
+      const input = make("input", { id: `practice-${question.id}`, class: "control number", type: "text", inputmode: "numeric", autocomplete: "off", spellcheck: "false" });
+      const box = new NumberBox(input, field, this.#page.drafts, (value) => {
+        this.#answers.set(question.id, value);
+        this.#judge();
+        return value;
+      });
+      input.addEventListener("input", () => {
+        if (input.value.trim() !== "") return;
+        this.#page.drafts.drop(field);
+        this.#answers.delete(question.id);
+        this.#judge();
+      });
+      return { question, input, box, verdict: make("span", { class: "verdict", "aria-live": "polite" }) };
+    });
+    this.#rows.replaceChildren(...this.#questions.map(({ question, input, verdict }) => (
+      make("div", { class: "practice-row" }, [make("label", { for: input.id }, [question.said(words)]), input, verdict])
+    )));
+  }
+
+  #judge() {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return;
+    const { summary, words } = snapshot;
+    let right = 0;
+    for (const { question, box, verdict, input } of this.#questions) {
+      const value = this.#answers.get(question.id);
+      const written = value === undefined ? "" : words.numbers.exact(value);
+      box.show(value ?? NaN, { brief: written, full: written }, false);
+      const early = question.opened && !summary.sections;
+      const good = value !== undefined && !early && value === question.answer(summary);
+      right += good ? 1 : 0;
+      const key = value === undefined ? "" : early ? "practice.first" : good ? "practice.right" : "practice.wrong";
+      write(verdict, key ? words.text(key) : "");
+      input.dataset.verdict = key.replace("practice.", "");
+    }
+    write(this.#said, words.text(right === this.#questions.length ? "practice.done" : "practice.said"));
+  }
+}

@@ -1,0 +1,32 @@
+// The status line of a scheme: what is counted, and what the rank says.
+import { StatusLine } from "assur/controls/status.js";
+import { symbolOf } from "assur/kinds/scheme/sums.js";
+
+/**
+ * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: Words) => import("assur/controls/status.js").Entry | null>>} */
+const ENTRIES = Object.freeze({
+  w: ({ mobility }, { numbers }) => ({ text: numbers.exact(mobility), value: mobility }),
+  q: ({ redundant }, { numbers }) => ({ text: numbers.exact(redundant), value: redundant }),
+  rank: ({ plane, space }, { numbers }) => {
+    const judged = plane ?? space;
+    return judged && { text: numbers.exact(judged.mobility), value: judged.mobility };
+  },
+  links: ({ counts }, { numbers }) => ({ text: numbers.exact(counts.links), value: counts.links }),
+  pairs: ({ counts }, { numbers }) => ({ text: counts.pairs.map(({ freedoms, count }) => `${symbolOf(freedoms)} = ${numbers.exact(count)}`).join(", ") }),
+});
+
+/** Of a task it is not told. */
+const ASKED = Object.freeze(["w", "q", "rank", "links", "pairs"]);
+
+/** @returns {StatusLine<Snapshot>} */
+export function schemeStatus() {
+  return new StatusLine("scheme", Object.entries(ENTRIES).map(([name, say]) => ({
+    name: `scheme-${name}`,
+    title: `status.scheme.${name}`,
+    say: ({ summary, words, state }) => (state.document.task != null && ASKED.includes(name) ? null : say(summary, words)),
+  })));
+}

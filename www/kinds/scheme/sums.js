@@ -1,0 +1,52 @@
+// Sums as they are written: 2·1 + 1·3 = 5.
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {Readonly<{ freedoms: number, count: number }>} Class how many pairs leave so many freedoms
+ */
+
+const SMALL = "₀₁₂₃₄₅₆₇₈₉";
+
+/** @param {number} freedoms */
+export function symbolOf(freedoms) {
+  return `P${SMALL[freedoms]}`;
+}
+
+/**
+ * @param {readonly number[]} terms
+ * @param {Words} words
+ * @returns {string} their sum with its terms, where there are several
+ */
+export function sum(terms, { numbers }) {
+  const total = numbers.exact(terms.reduce((all, one) => all + one, 0));
+  return terms.length > 1 ? `${terms.map(numbers.exact.bind(numbers)).join(" + ")} = ${total}` : total;
+}
+
+/**
+ * @param {readonly Class[]} classes
+ * @param {number} total Σ i·Pᵢ
+ * @param {Words} words
+ */
+export function freedomsOf(classes, total, { numbers }) {
+  const terms = classes.map(({ freedoms, count }) => `${numbers.exact(freedoms)}·${numbers.exact(count)}`);
+  return terms.length > 0 ? `${terms.join(" + ")} = ${numbers.exact(total)}` : numbers.exact(total);
+}
+
+/**
+ * Of so many freedoms of each link what pairs leave: 3·3 − 2·4.
+ * @param {3 | 6} space freedoms of a link
+ * @param {number} links
+ * @param {readonly Class[]} classes
+ * @param {Words} words
+ * @returns {[string, string]} with symbols, with numbers
+ */
+export function structural(space, links, classes, { numbers }) {
+  const [symbols, values] = [[`${space}n`], [`${space}·${numbers.exact(links)}`]];
+  for (const { freedoms, count } of classes) {
+    const by = space - freedoms;
+    if (by === 0) continue;
+    symbols.push(by === 1 ? symbolOf(freedoms) : `${by}${symbolOf(freedoms)}`);
+    values.push(by === 1 ? numbers.exact(count) : `${by}·${numbers.exact(count)}`);
+  }
+  return [symbols.join(" − "), values.join(" − ")];
+}

@@ -1,0 +1,23 @@
+// What a screen reader is told of the drawing.
+import { byId, write } from "assur/core/dom.js";
+
+/** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
+
+export class Told {
+  #drawing = byId("mechanism-description", HTMLElement);
+  /** @type {readonly unknown[]} what was told last */
+  #told = [];
+
+  /** @param {Snapshot} snapshot */
+  render({ state: { document }, summary: { links, pairs, mobility, redundant }, words }) {
+    const told = [document, words];
+    if (told.every((part, i) => part === this.#told[i])) return;
+    this.#told = told;
+    const { numbers } = words;
+    const said = [links.length - 1, pairs.length, mobility, redundant].map((one) => numbers.exact(one));
+    const [moving, joined, w, q] = said;
+    const parts = [document.task == null ? words.text("told.scheme", { links: moving, pairs: joined, w, q }) : ""];
+    if (document.cut.length > 0) parts.push(words.text("told.cut", { pairs: document.cut.join(", ") }));
+    write(this.#drawing, parts.join(" ").trim());
+  }
+}
