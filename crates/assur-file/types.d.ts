@@ -323,7 +323,91 @@ link: string,
  * to the left.
  */
 at: [number, number], };
-export type SchemeDocument = LinkageDocument;
+export type SchemeDocument = { 
+/**
+ * What it is called.
+ */
+title?: string | null, 
+/**
+ * Where it comes from.
+ */
+source?: string | null, 
+/**
+ * The mechanism of the catalogue that it was made from.
+ */
+origin?: string | null, 
+/**
+ * Whether all motion is in one plane.
+ */
+planar: boolean, 
+/**
+ * The link that does not move.
+ */
+ground: string, 
+/**
+ * The pairs; links are named by them.
+ */
+pairs: Array<PairDocument>, 
+/**
+ * Points of links beyond their pairs, such as the end of an arm.
+ */
+ends?: Array<EndDocument>, 
+/**
+ * The pairs that are cut: `D`, of a compound hinge with the link that is taken off it, `Q:3`.
+ */
+cut: Array<string>, 
+/**
+ * From where a spatial scheme is looked at: to the left of the y-axis, and above the plane x, y.
+ */
+look_deg: [number, number], 
+/**
+ * The number of the task that it is; what is asked is then not told.
+ */
+task?: number | null, };
+export type PairDocument = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Its form.
+ */
+kind: KindDocument, 
+/**
+ * The links that it joins.
+ */
+links: Array<string>, 
+/**
+ * Where it is.
+ */
+at?: PlaceDocument | null, 
+/**
+ * The direction of its axis or normal, of any length.
+ */
+axis?: [number, number, number] | null, 
+/**
+ * The second axis of a universal pair, or the line along which two surfaces touch.
+ */
+second?: [number, number, number] | null, 
+/**
+ * The way of a screw with every turn.
+ */
+pitch?: number | null, 
+/**
+ * How many freedoms a pair of no certain form leaves.
+ */
+freedoms?: number | null, };
+export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | "universal" | "spherical" | "planar" | "sphere_in_cylinder" | "cylinder_on_plane" | "sphere_on_plane" | "class";
+export type PlaceDocument = [number, number] | [number, number, number];
+export type EndDocument = { 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * Where it is.
+ */
+at: PlaceDocument, };
 export type SynthesisDocument = { 
 /**
  * l₀.

@@ -1,5 +1,5 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
-import { LinkageDocument } from "assur/types/file.js";
+import { KindDocument, LinkageDocument } from "assur/types/file.js";
 export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionSummary = { 
@@ -74,11 +74,72 @@ export type SchemeSummary = {
 /**
  * Nothing does.
  */
-moves: null, 
+moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /**
- * Nothing is dragged.
+ * The ground is the first.
  */
-handles: never[], bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
+/**
+ * (6), where it holds.
+ */
+redundant_by_plane: number | null, 
+/**
+ * What the cuts come to, where they open every contour.
+ */
+sections: SectionsSummary | null, 
+/**
+ * The pairs of a contour that is still closed.
+ */
+closed: Array<string>, 
+/**
+ * Links that hang on nothing after the cuts.
+ */
+apart: Array<string>, 
+/**
+ * Cuts that open every contour.
+ */
+automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
+/**
+ * A pair of which too little is known for the rank.
+ */
+missing: string | null, mended: MendedSummary | null, };
+export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
+/**
+ * What is cut of it when it is cut: itself, or one link of a compound hinge.
+ */
+cuts: Array<string>, };
+export type CountSummary = { 
+/**
+ * n: moving links.
+ */
+links: number, 
+/**
+ * Pᵢ in the scheme's own space, and in space.
+ */
+pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
+export type ClassSummary = { freedoms: number, count: number, };
+export type SectionsSummary = { cuts: Array<string>, 
+/**
+ * Of the pairs that are left: i, and how many.
+ */
+left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
+export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
+export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
+/**
+ * W in a pose near by.
+ */
+generic: number | null, 
+/**
+ * There is none near by, though W is not 0.
+ */
+instantaneous: boolean, };
+export type RedundancySummary = { count: number, pairs: Array<string>, };
+export type MendedSummary = { list: Array<Array<ChangedPair>>, 
+/**
+ * Whether these are all.
+ */
+complete: boolean, };
+export type ChangedPair = { pair: string, kind: KindDocument, };
 export type SynthesisSummary = { 
 /**
  * What there is to choose from.
@@ -246,7 +307,11 @@ what: "angle" | "x" | "y" | "transmission", of: Array<string>,
  * The number by which the angle is called.
  */
 number: string | null, role: string, };
-export type HandleSummary = { name: string, role: string, };
+export type HandleSummary = { name: string, role: string, 
+/**
+ * Whether something comes of pressing it without a drag.
+ */
+pressed: boolean, };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type ProfileSummary = { 
 /**

@@ -16,7 +16,7 @@ pub(crate) trait Capabilities {
     fn summary(&self) -> JsValue;
 
     /// What stands still in its drawing.
-    fn drawn(&self) -> Drawn<'_>;
+    fn rigid(&self) -> Rigid<'_>;
 
     /// The place of what never moves, as of [`crate::Simulator::at`], where what falls open has
     /// done so by a share of its way; of what moves none.
@@ -36,18 +36,18 @@ pub(crate) trait Capabilities {
 }
 
 /// What stands still in a drawing.
-pub(crate) struct Drawn<'a> {
+pub(crate) struct Rigid<'a> {
     /// What the numbers of labels stand for.
     pub(crate) names: &'a [String],
-    /// What is rigid.
-    pub(crate) rigid: &'a List,
+    /// Its display list.
+    pub(crate) list: &'a List,
 }
 
-impl<'a> From<&'a Figure> for Drawn<'a> {
+impl<'a> From<&'a Figure> for Rigid<'a> {
     fn from(figure: &'a Figure) -> Self {
         Self {
             names: figure.names(),
-            rigid: figure.rigid(),
+            list: figure.rigid(),
         }
     }
 }

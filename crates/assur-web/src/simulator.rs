@@ -50,7 +50,7 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
-        Ok(self.document()?.drawn().names.to_vec())
+        Ok(self.document()?.rigid().names.to_vec())
     }
 
     /// The display list of everything rigid, grouped by body.
@@ -58,7 +58,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
-        Ok(self.document()?.drawn().rigid.numbers().to_vec())
+        Ok(self.document()?.rigid().list.numbers().to_vec())
     }
 
     /// Everything at an input, from one pose: how many numbers each of four lists has, then

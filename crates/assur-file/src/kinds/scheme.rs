@@ -21,12 +21,13 @@ const LONGEST_TEXT: usize = 400;
 #[serde(deny_unknown_fields)]
 pub struct SchemeDocument {
     /// What it is called.
-    #[serde(default)]
-    pub title: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub title: Option<String>,
     /// Where it comes from.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    #[cfg_attr(test, ts(as = "Option<String>", optional))]
-    pub source: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
@@ -279,11 +280,11 @@ impl PairDocument {
 
 impl SchemeDocument {
     /// The document of a draft, without a cut.
-    pub fn new(draft: &SchemeDraft, title: &str) -> Self {
+    pub fn new(draft: &SchemeDraft) -> Self {
         let pairs = draft.pairs.iter();
         Self {
-            title: title.to_owned(),
-            source: String::new(),
+            title: None,
+            source: None,
             origin: None,
             planar: draft.planar,
             ground: draft.ground.clone(),
@@ -346,7 +347,7 @@ impl SchemeDocument {
         let fits =
             |text: &str, max: usize| text.chars().count() <= max && !text.contains(char::is_control);
         for (path, text) in [("title", &self.title), ("source", &self.source)] {
-            if !fits(text, LONGEST_TEXT) {
+            if !text.as_deref().is_none_or(|text| fits(text, LONGEST_TEXT)) {
                 let (path, max) = (path.to_owned(), LONGEST_TEXT);
                 problems.push(LinkageProblem::BadText { path, max }.into());
             }

@@ -11,7 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
+use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::dimensions::DimensionSummary;
@@ -102,7 +102,7 @@ impl Capabilities for Linkage {
         })
     }
 
-    fn drawn(&self) -> Drawn<'_> {
+    fn rigid(&self) -> Rigid<'_> {
         self.0.figure().into()
     }
 

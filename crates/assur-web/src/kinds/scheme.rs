@@ -12,7 +12,7 @@ use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemePro
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
+use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::here::Here;
@@ -74,14 +74,15 @@ pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem>
     let pose = moving.pose(input)?;
     let draft = SchemeDraft::of(moving.mechanism(), &pose);
     let linkage = moving.document();
-    let mut document = SchemeDocument::new(&draft, &linkage.title);
+    let mut document = SchemeDocument::new(&draft);
+    document.title.clone_from(&linkage.title);
     document.source.clone_from(&linkage.source);
     Ok(document)
 }
 
 /// A task for practice, by its number.
 pub(crate) fn task(number: u32) -> SchemeDocument {
-    let mut document = SchemeDocument::new(&generated(number), "");
+    let mut document = SchemeDocument::new(&generated(number));
     document.task = Some(number);
     document
 }
@@ -91,10 +92,10 @@ impl Capabilities for Scheme {
         to_js(&SchemeSummary::new(self))
     }
 
-    fn drawn(&self) -> Drawn<'_> {
-        Drawn {
+    fn rigid(&self) -> Rigid<'_> {
+        Rigid {
             names: self.figure.names(),
-            rigid: self.figure.rigid(),
+            list: self.figure.rigid(),
         }
     }
 
@@ -161,7 +162,7 @@ impl Edited for Scheme {
         let mut list = (1..).zip(&mended.list);
         let chosen = list.find(|(number, _)| field == "mended" && f64::from(*number) == value);
         let (_, chosen) = chosen.ok_or_else(|| vec![unknown(field)])?;
-        let document = SchemeDocument::new(&self.scheme.replaced(chosen), "");
+        let document = SchemeDocument::new(&self.scheme.replaced(chosen));
         let pairs = document.pairs;
         Ok(Change::document(&Pairs { pairs }))
     }

@@ -17,7 +17,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Drawn, Edited, unknown};
+use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
@@ -159,7 +159,7 @@ impl Capabilities for Synthesis {
         ))
     }
 
-    fn drawn(&self) -> Drawn<'_> {
+    fn rigid(&self) -> Rigid<'_> {
         self.moving.figure().into()
     }
 

@@ -17,7 +17,6 @@ const CORRECTIONS: usize = 40;
 
 /// What the rank says where the scheme has moved away from the drawn pose.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Generic {
     /// W at a pose nearby.
     At {

@@ -28,7 +28,6 @@ impl Space {
 
 /// Why a scheme has no rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum NoRank {
     /// The first pair without a place.
     NoPlace(String),

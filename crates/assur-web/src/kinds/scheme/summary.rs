@@ -140,6 +140,7 @@ pub(crate) struct MendedSummary<'a> {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChangedPair<'a> {
     pair: &'a str,
+    #[cfg_attr(test, ts(type = "KindDocument"))]
     kind: KindDocument,
 }
 
@@ -313,7 +314,7 @@ impl<'a> JudgedSummary<'a> {
             idle: idle.iter().map(links).collect(),
             generic: match generic {
                 Generic::At { mobility } => Some(mobility),
-                Generic::Instantaneous => None,
+                Generic::Instantaneous | Generic::Contact { .. } => None,
             },
             instantaneous: mobility > 0 && generic == Generic::Instantaneous,
         })
