@@ -18,7 +18,7 @@ import { ReadoutTable } from "assur/plots/readouts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
  * @typedef {{ render(snapshot: Snapshot): void }} MotionView of what moves
- * @typedef {(page: Page) => readonly MotionView[]} Make what of the page only one kind of mechanism has; its views are given what is of it
+ * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 
 export class Views {
@@ -63,8 +63,7 @@ export class Views {
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
     if (!own) this.#bring(kind);
-    // Views of a kind are given what is of it.
-    for (const view of own ?? []) view.render(/** @type {Snapshot} */ (snapshot));
+    for (const view of own ?? []) view.render(snapshot);
   }
 
   /**

@@ -14,6 +14,9 @@ import { TRACERS, withDocument, withView } from "assur/state/state.js";
 const REACH = 18;
 const FINGER_REACH = 28;
 
+/** A pointer that goes no farther than this does not drag, but presses, in pixels. */
+const STILL = 4;
+
 /** One press of + or −. */
 const STEP = 1.3;
 
@@ -31,7 +34,8 @@ export class MechanismPointer {
   #model;
   /** @type {Map<number, Place>} the pointers that are down */
   #pointers = new Map();
-  /** @type {{ name: Joint["name"], dx: number, dy: number } | null} the joint in hand, and where it was taken */
+  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint in hand, whether it may still be only
+   * pressed, and where it was taken */
   #taken = null;
   /** Whether the next press puts a traced point. */
   #tracing = false;
@@ -97,7 +101,7 @@ export class MechanismPointer {
       return;
     }
     const [left, top] = this.#view.view.toScreen(joint.x, joint.y);
-    this.#taken = { name: joint.name, dx: left - at.x, dy: top - at.y };
+    this.#taken = { name: joint.name, pressed: joint.pressed, dx: left - at.x, dy: top - at.y, from: at };
     this.#view.hold();
     this.#show(joint.name);
     // What is taken hold of stands still.
@@ -113,6 +117,8 @@ export class MechanismPointer {
       return;
     }
     this.#pointers.set(event.pointerId, at);
+    if (this.#taken?.pressed) this.#taken.pressed = Math.hypot(at.x - this.#taken.from.x, at.y - this.#taken.from.y) <= STILL;
+    if (this.#taken?.pressed) return;
     if (this.#taken) this.#drag(this.#taken, at);
     else if (this.#pointers.size === 2) this.#pinch(event.pointerId, from, at);
     else if (this.#pointers.size === 1) this.#pan(event.pointerType, from, at);
@@ -121,8 +127,15 @@ export class MechanismPointer {
   /** @param {PointerEvent} event */
   #up(event) {
     if (!this.#pointers.delete(event.pointerId)) return;
+    if (this.#taken?.pressed && event.type === "pointerup") this.#press(this.#taken.name);
     this.#drop();
     this.#show("");
+  }
+
+  /** @param {string} name of a handle that is pressed, and not dragged */
+  #press(name) {
+    const change = attempt(() => this.#engine.press(name)).value;
+    if (change) take(change, this.#page);
   }
 
   #drop() {
@@ -144,7 +157,7 @@ export class MechanismPointer {
     this.trace(false);
     const { tracers } = put.document;
     const { name = `P${tracers.length}`, link } = tracers[tracers.length - 1];
-    return { name, role: this.#model.summary.roles[link] ?? "ink", x, y };
+    return { name, role: this.#model.summary.roles[link] ?? "ink", pressed: false, x, y };
   }
 
   /**

@@ -9,7 +9,8 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {{ name: string, role: string, x: number, y: number }} Joint a joint or a traced point in model coordinates
+ * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint a joint or a traced point in model coordinates; `pressed`: whether
+ * something comes of pressing it without a drag
  */
 
 /** Free room around the drawing, in pixels. */

@@ -20,11 +20,10 @@ const BAR: f64 = 0.75;
 const ASIDE: f64 = 0.15;
 
 /// The colours of links, again from the first where there are more.
-const ROLES: [Role; 10] = [
+const ROLES: [Role; 9] = [
     Role::Crank,
     Role::Coupler,
     Role::Rocker,
-    Role::Accent1,
     Role::Accent2,
     Role::Accent3,
     Role::Accent4,
@@ -312,7 +311,7 @@ impl SchemeFigure {
                 Some(away) => away,
                 None => assur::Vector::new(-0.7, 0.7),
             };
-            list.name(Role::Ink, index, at, [away.x * 1.9, away.y * 1.6]);
+            list.name(Role::Ink, index, at, [away.x * 2.3, away.y * 1.7]);
         }
         for body in bodies {
             let nodes: Vec<Point> = body.nodes.iter().map(|at| self.projection.place(*at)).collect();

@@ -10,8 +10,8 @@ import { schemeStatus } from "assur/kinds/scheme/status.js";
 import { Told } from "assur/kinds/scheme/told.js";
 import "assur/kinds/scheme/style.js";
 
-/** @type {import("assur/app/views.js").Make<"scheme">} */
+/** @type {import("assur/app/views.js").Make} */
 export const views = (page) => [
-  new Opening(page), new PracticeView(page), new MethodView(page), new FormulasView(), new GeometryView(page), new PairsView(page), new LookView(page),
+  new Opening(page), new MethodView(page), new FormulasView(), new GeometryView(page), new PairsView(page), new LookView(page), new PracticeView(page),
   schemeStatus(), new Told(),
 ];

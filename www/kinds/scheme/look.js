@@ -16,9 +16,10 @@ export class LookView {
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store, drafts }) {
-    this.#rows = ROWS.map((kind, at) => new NumberRow(kind, drafts, (value) => store.update((state) => edited(state, "scheme", ({ look_deg: [round, above] }) => (
-      { look_deg: at === 0 ? [value, above] : [round, value] }
-    )))));
+    const looked = (/** @type {number} */ at, /** @type {number} */ value) => store.update((state) => edited(state, "scheme", ({ look_deg: [round, above] }) => (
+      at === 0 ? { look_deg: [value, above] } : { look_deg: [round, value] }
+    )));
+    this.#rows = ROWS.map((kind, at) => new NumberRow(kind, drafts, (value) => looked(at, value)));
     this.#element = section("scheme", "look.heading", "look", this.#rows.map(({ element }) => element));
   }
 

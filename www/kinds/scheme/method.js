@@ -1,6 +1,6 @@
 // The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
 import { section } from "assur/controls/section.js";
-import { make, write } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 import { freedomsOf, sum } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
 

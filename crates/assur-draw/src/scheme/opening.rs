@@ -8,7 +8,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 /// The halves of a cut pair part by this, relative to the size of the drawing, and no pair turns
 /// by more than that for it.
-const GAP: f64 = 0.14;
+const GAP: f64 = 0.09;
 const MOST: f64 = 0.45;
 
 /// A slide goes as far as a turn moves what is so far off, relative to the size.
