@@ -1,0 +1,102 @@
+// The steps of the lesson on mobility by sections: what each shows, and what is asked of it as it then is.
+// Its words are in words.*.json of this folder, under the step's id.
+
+/**
+ * @typedef {import("assur/engine.js").Summaries["scheme"]} Summary
+ */
+
+/** What the count says, by what the rank of the constraints says. */
+const COUNTS = Object.freeze(["low", "right", "high"]);
+
+/** @type {import("assur/lesson/panel.js").Lesson<"scheme">} */
+export const LESSON = Object.freeze({ kind: "scheme", steps: [
+  {
+    id: "arm",
+    formula: "W = Σ i·Pᵢ",
+    shows: [{ name: "spherical", preset: "mobility-1a" }, { name: "revolute", preset: "mobility-1b" }],
+    controls: ["pairs"],
+    errata: true,
+    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+  },
+  {
+    id: "four_bar",
+    formula: "W = W₀ − ΣS, S = 3 − i\nW = 3n − 2P₁ − P₂",
+    shows: [{ preset: "mobility-2a" }],
+    controls: ["method"],
+    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+  },
+  {
+    id: "redundant",
+    formula: "q = ΣS + W − W₀, S = 6 − i\nq = Σ(6 − i)Pᵢ − 6n + W",
+    shows: [{ name: "parallel", preset: "mobility-2a" }, { name: "tilted", preset: "tilted" }],
+    controls: ["geometry"],
+    errata: true,
+    question: { hides: ["scheme-q"], within: 0, answer: ({ space }) => space?.redundant },
+  },
+  {
+    id: "contours",
+    formula: "W = W₀ − ΣS\nW = Σ i·Pᵢ − Σλₖ",
+    shows: [{ name: "class4", preset: "moving" }, { name: "six_bar", preset: "mobility-2c" }],
+    controls: ["method"],
+    errata: true,
+    question: { whole: true, within: 0, answer: cuts, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
+  },
+  {
+    id: "spatial",
+    formula: "W = W₀ − ΣS, S = 6 − i\nW = 6n − Σ(6 − i)Pᵢ",
+    shows: [{ preset: "mobility-3" }],
+    controls: ["look", "method"],
+    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+  },
+  {
+    id: "referee",
+    formula: "W = 3n − r, W = 6n − r",
+    shows: [
+      { name: "parallelogram", preset: "parallelogram" }, { name: "roller", preset: "roller" }, { name: "sarrus", preset: "sarrus" },
+      { name: "bennett", preset: "bennett" }, { name: "rssr", preset: "rssr" }, { name: "hooke", preset: "hooke" },
+    ],
+    controls: ["geometry", "look"],
+    readouts: ["scheme-w", "scheme-rank"],
+    question: { choices: COUNTS, answer: counted },
+  },
+  {
+    id: "mending",
+    formula: "q = Σ(6 − i)Pᵢ − 6n + W",
+    shows: [{ preset: "mobility-2a" }],
+    controls: ["replace"],
+    readouts: ["scheme-q"],
+    question: { whole: true, within: 0, answer: ({ replacements: { list } }) => list[0]?.length },
+  },
+  {
+    id: "practice",
+    formula: "P₁ = Σ(k − 1)",
+    shows: [{ preset: "press" }],
+    controls: ["practice"],
+    question: { hides: ["scheme-pairs", "scheme-w"], within: 0, answer: ({ counts }) => pairs(counts) },
+  },
+] });
+
+/**
+ * @param {Summary["counts"]} counts
+ * @returns {number} all pairs; a hinge of k links is k − 1 of them
+ */
+function pairs({ pairs: all }) {
+  return all.reduce((sum, { count }) => sum + count, 0);
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number} how many cuts open every contour
+ */
+function cuts({ counts }) {
+  return pairs(counts) - counts.links;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string | undefined} what the count of W is by the rank in its own space
+ */
+function counted({ planar, plane, space, mobility }) {
+  const judged = planar ? plane : space;
+  return judged ? COUNTS[1 + Math.sign(mobility - judged.mobility)] : undefined;
+}
