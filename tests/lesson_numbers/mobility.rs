@@ -119,7 +119,10 @@ fn four_bar_cut_anywhere() {
 fn four_bar_in_space() {
     let sections = opened("mobility-2a");
     let needed = sections.open as isize - sections.mobility;
-    assert_eq!(sections.redundant, sections.removed_spatial as isize - needed);
+    assert_eq!(
+        sections.redundant,
+        sections.removed_spatial as isize - needed
+    );
     let four_bar = scheme("mobility-2a");
     let parallel = four_bar.judged(Space::Whole).unwrap();
     assert_eq!(parallel.mobility as isize, sections.mobility);
@@ -144,7 +147,12 @@ fn four_bar_in_space() {
         sections.mobility as f64,
         needed as f64,
     ];
-    let expected = [&[6.0, sections.removed_spatial as f64][..], &counted, &[tilt]].concat();
+    let expected = [
+        &[6.0, sections.removed_spatial as f64][..],
+        &counted,
+        &[tilt],
+    ]
+    .concat();
     tells("redundant.text", &expected);
     tells("redundant.hint", &[sections.removed_spatial as f64]);
     // The equation (3).
@@ -211,7 +219,10 @@ fn spatial_mechanism() {
     assert_eq!(sections.redundant, 0);
     // Other cuts leave other numbers, and the same W.
     let other = scheme.sections(&cut(&scheme, &["B", "Q"])).unwrap();
-    assert_ne!((other.open, other.removed), (sections.open, sections.removed));
+    assert_ne!(
+        (other.open, other.removed),
+        (sections.open, sections.removed)
+    );
     assert_eq!(other.mobility, sections.mobility);
 }
 

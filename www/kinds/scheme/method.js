@@ -124,7 +124,7 @@ function redundant({ loops, removed_spatial: removed, open_spatial: open, mobili
  */
 function drives(mobility, words) {
   if (mobility < 1) return words.text("method.locked");
-  if (mobility === 1) return words.text("method.one");
+  if (mobility === 1) return words.text("method.single");
   const [count, more] = [mobility, mobility - 1].map((one) => words.numbers.exact(one));
   return words.text("method.drives", { count, more });
 }

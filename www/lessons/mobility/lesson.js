@@ -65,7 +65,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     shows: [{ preset: "mobility-2a" }],
     controls: ["replace"],
     readouts: ["scheme-q"],
-    question: { whole: true, within: 0, answer: ({ replacements: { list } }) => list[0]?.length },
+    question: { whole: true, within: 0, answer: ({ mended }) => mended?.list[0]?.length },
   },
   {
     id: "practice",
