@@ -25,8 +25,8 @@ const NEW = "";
 
 /** What of a pair is a list of numbers, with how each is called. */
 const TRIPLES = Object.freeze(/** @type {const} */ ([
-  { part: "at", names: ["x", "y", "z"] },
-  { part: "axis", names: ["x", "y", "z"] },
+  { part: "at", said: ["field.pairs.at.x", "field.pairs.at.y", "field.pairs.at.z"] },
+  { part: "axis", said: ["field.pairs.axis.x", "field.pairs.axis.y", "field.pairs.axis.z"] },
 ]));
 
 export class PairsView {
@@ -106,11 +106,12 @@ export class PairsView {
     freedoms.addEventListener("change", () => this.#put(index, (pair) => ({ ...pair, freedoms: Number(freedoms.value) })));
     const links = make("span", { class: "pair-links" });
     const cuts = make("span", { class: "pair-cuts" });
-    const boxes = TRIPLES.flatMap(({ part, names }) => names.map((axis, k) => {
+    const boxes = TRIPLES.flatMap(({ part, said }) => said.map((label, k) => {
+      const axis = "xyz"[k];
       const field = `pairs[${index}].${part}.${axis}`;
       const input = make("input", {
         id: `pair-${part}-${axis}-${n}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "data-t-label": `field.pairs.${part}.${axis}`, "data-n": n,
+        "data-t-label": label, "data-n": n,
       });
       const box = new NumberBox(input, field, drafts, (value) => {
         this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }));

@@ -129,9 +129,9 @@ export class PracticeView {
       const early = question.opened && !summary.sections;
       const good = value !== undefined && !early && value === question.answer(summary);
       right += good ? 1 : 0;
-      const key = value === undefined ? "" : early ? "practice.first" : good ? "practice.right" : "practice.wrong";
-      write(verdict, key ? words.text(key) : "");
-      input.dataset.verdict = key.replace("practice.", "");
+      const found = value === undefined ? "" : early ? "first" : good ? "right" : "wrong";
+      write(verdict, found ? words.text(`practice.${found}`) : "");
+      input.dataset.verdict = found;
     }
     write(this.#said, words.text(right === this.#questions.length ? "practice.done" : "practice.said"));
   }
