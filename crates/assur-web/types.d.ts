@@ -18,7 +18,11 @@ numbers: { [key in string]: string }, points: Array<string>, listed: Array<Liste
 /**
  * Whether points of its links can be traced.
  */
-traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
  * What can drive it, by the links that are turned or slide.
@@ -39,7 +43,11 @@ numbers: { [key in string]: string }, points: Array<string>, listed: Array<Liste
 /**
  * Whether points of its links can be traced.
  */
-traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**
@@ -69,7 +77,11 @@ numbers: { [key in string]: string }, points: Array<string>, listed: Array<Liste
 /**
  * Whether points of its links can be traced.
  */
-traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SchemeSummary = { 
 /**
  * Nothing does.
@@ -184,7 +196,11 @@ numbers: { [key in string]: string }, points: Array<string>, listed: Array<Liste
 /**
  * Whether points of its links can be traced.
  */
-traceable: boolean, profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SolutionSummary = { 
 /**
  * l₁, l₂, l₃.

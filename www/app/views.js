@@ -1,5 +1,6 @@
 // All that shows the state. What only one kind of mechanism has comes with its kind, sentences for screen readers with the
 // first rest.
+import { Becoming } from "assur/app/becoming.js";
 import { LOST } from "assur/app/notices.js";
 import { Title } from "assur/app/title.js";
 import { ProblemView } from "assur/controls/problems.js";
@@ -47,7 +48,7 @@ export class Views {
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
-    this.#views = [...views, new ProblemView(), new Switches(store), new Title(page)];
+    this.#views = [...views, new ProblemView(), new Switches(store), new Title(page), new Becoming(page)];
     this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable()];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }

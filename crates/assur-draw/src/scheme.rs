@@ -188,11 +188,18 @@ impl SchemeFigure {
         let mut list = List::default();
         self.draw(&mut list, &moved);
         let sheet = [1.0, 0.0, 0.0, 0.0];
-        sheet.into_iter().chain(list.numbers().iter().copied()).collect()
+        sheet
+            .into_iter()
+            .chain(list.numbers().iter().copied())
+            .collect()
     }
 
     fn opened(&self, share: f64) -> Vec<Displacement> {
-        let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
+        let share = if share.is_finite() {
+            share.clamp(0.0, 1.0)
+        } else {
+            1.0
+        };
         Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
     }
 
@@ -203,16 +210,26 @@ impl SchemeFigure {
             !self.view.cuts.iter().any(cut)
         };
         let links = &self.scheme.pairs()[pair].links;
-        links.iter().find(off).or(links.first()).copied().unwrap_or(0)
+        links
+            .iter()
+            .find(off)
+            .or(links.first())
+            .copied()
+            .unwrap_or(0)
     }
 
     /// From a pair towards the rest of a link, one unit long on the sheet.
     fn inward(&self, pair: usize, link: usize, moved: &[Displacement]) -> assur::Vector {
         let here = self.projection.place(moved[link] * self.places[pair]);
         let body = self.body(link, moved);
-        let rest = body.nodes.iter().map(|at| self.projection.place(*at) - here);
+        let rest = body
+            .nodes
+            .iter()
+            .map(|at| self.projection.place(*at) - here);
         let rest = rest.sum::<assur::Vector>();
-        rest.try_normalize(1e-9).unwrap_or_else(assur::Vector::zeros) * self.unit
+        rest.try_normalize(1e-9)
+            .unwrap_or_else(assur::Vector::zeros)
+            * self.unit
     }
 
     fn body(&self, link: usize, moved: &[Displacement]) -> Body {
@@ -253,12 +270,18 @@ impl SchemeFigure {
     /// The pairs at which the ground is drawn.
     fn grounded(&self) -> impl Iterator<Item = usize> + '_ {
         let pairs = self.scheme.pairs().iter().enumerate();
-        pairs.filter(|(_, pair)| pair.links.contains(&0)).map(|(index, _)| index)
+        pairs
+            .filter(|(_, pair)| pair.links.contains(&0))
+            .map(|(index, _)| index)
     }
 
     fn draw_body(&self, list: &mut List, body: &Body) {
         let (role, half) = (self.role(body.link), BAR * self.unit);
-        let nodes: Vec<Point> = body.nodes.iter().map(|at| self.projection.place(*at)).collect();
+        let nodes: Vec<Point> = body
+            .nodes
+            .iter()
+            .map(|at| self.projection.place(*at))
+            .collect();
         match parts::hull(nodes.clone())[..] {
             [] => {}
             [only] => list.circle(role, Look::Solid, only, half),
@@ -292,14 +315,25 @@ impl SchemeFigure {
             Pen::new(list, &self.projection, self.unit, role, pair, place, off).stump();
         }
         let held = &moved[holder];
-        Pen::new(list, &self.projection, self.unit, Role::Ink, pair, place, held).draw(pair.kind);
+        Pen::new(
+            list,
+            &self.projection,
+            self.unit,
+            Role::Ink,
+            pair,
+            place,
+            held,
+        )
+        .draw(pair.kind);
     }
 
     /// The names of pairs, away from the links that meet there, and the numbers of links.
     fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
         let pairs = self.scheme.pairs();
         for (index, pair) in pairs.iter().enumerate() {
-            let at = self.projection.place(moved[self.holder(index)] * self.places[index]);
+            let at = self
+                .projection
+                .place(moved[self.holder(index)] * self.places[index]);
             let inward = pair.links.iter().filter(|link| **link > 0);
             let away = inward.map(|link| -self.inward(index, *link, moved));
             let away = away.sum::<assur::Vector>().try_normalize(0.05 * self.unit);
@@ -314,7 +348,11 @@ impl SchemeFigure {
             list.name(Role::Ink, index, at, [away.x * 2.3, away.y * 1.7]);
         }
         for body in bodies {
-            let nodes: Vec<Point> = body.nodes.iter().map(|at| self.projection.place(*at)).collect();
+            let nodes: Vec<Point> = body
+                .nodes
+                .iter()
+                .map(|at| self.projection.place(*at))
+                .collect();
             let hull = parts::hull(nodes);
             let Some(middle) = parts::centroid(&hull) else {
                 continue;
@@ -380,9 +418,19 @@ fn placed(scheme: &Scheme) -> Vec<Point3> {
 
 /// The rectangle around places, and its longer side (1 where they are all one).
 fn around(places: impl Iterator<Item = Point>) -> ([f64; 4], f64) {
-    let none = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    let none = [
+        f64::INFINITY,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NEG_INFINITY,
+    ];
     let bounds = places.fold(none, |[left, bottom, right, top], at| {
-        [left.min(at.x), bottom.min(at.y), right.max(at.x), top.max(at.y)]
+        [
+            left.min(at.x),
+            bottom.min(at.y),
+            right.max(at.x),
+            top.max(at.y),
+        ]
     });
     let size = (bounds[2] - bounds[0]).max(bounds[3] - bounds[1]);
     if size.is_finite() && size > 0.0 {

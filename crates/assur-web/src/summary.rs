@@ -11,6 +11,7 @@ use assur_draw::Figure;
 use serde::Serialize;
 
 use crate::equations::EquationSummary;
+use crate::kinds::BECOMES;
 use crate::moving::{Moving, Reading};
 use crate::profile::ProfileSummary;
 
@@ -56,6 +57,9 @@ pub(crate) struct MotionSummary<'a> {
     handles: Vec<HandleSummary<'a>>,
     /// Whether points of its links can be traced.
     traceable: bool,
+    /// The other kinds of document that can be made of it.
+    #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
+    becomes: &'static [&'static str],
     profile: Option<ProfileSummary>,
 }
 
@@ -273,6 +277,7 @@ impl<'a> MotionSummary<'a> {
                 .collect(),
             handles: handles.collect(),
             traceable: moving.traceable(),
+            becomes: &BECOMES,
             profile: first,
         }
     }

@@ -110,19 +110,26 @@ mod tests {
         copy(&root.join("www/kinds"), &kinds).unwrap();
         copy(&root.join("lang"), &lang).unwrap();
         let before = list(&kinds).unwrap();
-        assert!(!before.contains("scheme"), "{before}");
-        copy(&root.join("tests/data/page/kinds"), &kinds).unwrap();
+        assert!(!before.contains("another"), "{before}");
+        let another = kinds.join("another");
+        fs::create_dir(&another).unwrap();
+        fs::write(another.join("kind.js"), "").unwrap();
+        fs::write(
+            another.join("words.en.json"),
+            r#"{"kind.another": "Another"}"#,
+        )
+        .unwrap();
         let after = list(&kinds).unwrap();
         add_words(&kinds, &lang).unwrap();
         let table = words::read(&lang.join("en.json")).unwrap();
-        fs::remove_file(kinds.join("scheme/kind.js")).unwrap();
+        fs::remove_file(another.join("kind.js")).unwrap();
         let error = list(&kinds).unwrap_err().to_string();
         fs::remove_dir_all(&place).unwrap();
 
-        let entry = "[\"scheme\", () => import(\"assur/kinds/scheme/kind.js\")]";
+        let entry = "[\"another\", () => import(\"assur/kinds/another/kind.js\")]";
         assert!(after.contains(entry), "{after}");
-        assert_eq!(table["kind.scheme"], "Scheme");
+        assert_eq!(table["kind.another"], "Another");
         assert!(table.contains_key("page.title"));
-        assert_eq!(error, "the kind scheme has no kind.js");
+        assert_eq!(error, "the kind another has no kind.js");
     }
 }

@@ -16,9 +16,11 @@ export class LookView {
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store, drafts }) {
-    const looked = (/** @type {number} */ at, /** @type {number} */ value) => store.update((state) => edited(state, "scheme", ({ look_deg: [round, above] }) => (
-      at === 0 ? { look_deg: [value, above] } : { look_deg: [round, value] }
-    )));
+    const looked = (/** @type {number} */ at, /** @type {number} */ value) => store.update((state) => edited(state, "scheme", ({ look_deg: [round, above] }) => {
+      /** @type {[number, number]} */
+      const look = at === 0 ? [value, above] : [round, value];
+      return { look_deg: look };
+    }));
     this.#rows = ROWS.map((kind, at) => new NumberRow(kind, drafts, (value) => looked(at, value)));
     this.#element = section("scheme", "look.heading", "look", this.#rows.map(({ element }) => element));
   }

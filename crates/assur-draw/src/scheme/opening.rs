@@ -38,7 +38,11 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let pairs = scheme.pairs().iter().enumerate();
         let left = pairs.map(|(index, pair)| {
-            let off = |link: &&usize| !cuts.iter().any(|cut| cut.pair == index && cut.link == **link);
+            let off = |link: &&usize| {
+                !cuts
+                    .iter()
+                    .any(|cut| cut.pair == index && cut.link == **link)
+            };
             pair.links.iter().filter(off).copied().collect()
         });
         Self {
@@ -86,15 +90,35 @@ impl<'a> Chain<'a> {
         // What both ways share moves both halves alike.
         let both = |pair: &usize| !(off.contains(pair) && on.contains(pair));
         let at = self.places[cut.pair];
-        let around: Vec<Point3> = off.iter().chain(&on).map(|pair| self.places[*pair]).collect();
-        let middle = around.iter().map(|place| place.coords).sum::<Vector3>() / around.len().max(1) as f64;
-        let away = (at.coords - middle).try_normalize(1e-12).unwrap_or_else(Vector3::x);
-        let free = off.iter().map(|pair| (*pair, 1.0)).chain(on.iter().map(|pair| (*pair, -1.0)));
+        let around: Vec<Point3> = off
+            .iter()
+            .chain(&on)
+            .map(|pair| self.places[*pair])
+            .collect();
+        let middle =
+            around.iter().map(|place| place.coords).sum::<Vector3>() / around.len().max(1) as f64;
+        let away = (at.coords - middle)
+            .try_normalize(1e-12)
+            .unwrap_or_else(Vector3::x);
+        let free = off
+            .iter()
+            .map(|pair| (*pair, 1.0))
+            .chain(on.iter().map(|pair| (*pair, -1.0)));
         let free = free.filter(|(pair, _)| both(pair) && self.parts(*pair));
         let ways: Vec<(usize, f64, Small)> = free
             .map(|(pair, sense)| {
-                let small = Small::of(&self.scheme.pairs()[pair], self.places[pair], at, away, self.size);
-                (pair, sense * small.along(self.places[pair], at, away), small)
+                let small = Small::of(
+                    &self.scheme.pairs()[pair],
+                    self.places[pair],
+                    at,
+                    away,
+                    self.size,
+                );
+                (
+                    pair,
+                    sense * small.along(self.places[pair], at, away),
+                    small,
+                )
             })
             .collect();
         let whole: f64 = ways.iter().map(|(_, along, _)| along.abs()).sum();
@@ -185,7 +209,11 @@ impl Small {
             | PairKind::Screw { .. }
             | PairKind::Cylindrical
             | PairKind::Universal
-            | PairKind::CylinderOnPlane => Self::Turn(pair.second.filter(|_| pair.kind == PairKind::CylinderOnPlane).unwrap_or(axis)),
+            | PairKind::CylinderOnPlane => Self::Turn(
+                pair.second
+                    .filter(|_| pair.kind == PairKind::CylinderOnPlane)
+                    .unwrap_or(axis),
+            ),
             PairKind::Spherical
             | PairKind::SphereInCylinder
             | PairKind::SphereOnPlane

@@ -84,14 +84,16 @@ impl<'a> Pen<'a> {
 
     fn circle(&mut self, look: Look, along: f64, radius: f64) {
         let centre = self.flat(along, 0.0);
-        self.list.circle(self.role, look, centre, radius * self.unit);
+        self.list
+            .circle(self.role, look, centre, radius * self.unit);
     }
 
     /// A plane at right angles to the axis.
     fn plate(&mut self, along: f64) {
         let corners = [[-2.6, -2.0], [2.6, -2.0], [2.6, 2.0], [-2.6, 2.0]];
         let corners = corners.map(|[x, y]| self.point(along, x, y));
-        self.list.polygons(self.role, Look::Pale, &[corners.to_vec()]);
+        self.list
+            .polygons(self.role, Look::Pale, &[corners.to_vec()]);
     }
 
     /// An open half around a ball.

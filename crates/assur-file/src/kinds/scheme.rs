@@ -344,8 +344,9 @@ impl SchemeDocument {
             let (path, max) = ("pairs".to_owned(), MOST_PAIRS);
             problems.push(LinkageProblem::TooMany { path, max }.into());
         }
-        let fits =
-            |text: &str, max: usize| text.chars().count() <= max && !text.contains(char::is_control);
+        let fits = |text: &str, max: usize| {
+            text.chars().count() <= max && !text.contains(char::is_control)
+        };
         for (path, text) in [("title", &self.title), ("source", &self.source)] {
             if !text.as_deref().is_none_or(|text| fits(text, LONGEST_TEXT)) {
                 let (path, max) = (path.to_owned(), LONGEST_TEXT);

@@ -3,7 +3,7 @@
 use assur::Point;
 use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
 use assur::motion::Changed;
-use assur_draw::{Annotations};
+use assur_draw::Annotations;
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
     TracerDocument, dimension_field,

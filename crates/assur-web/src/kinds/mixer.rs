@@ -4,7 +4,7 @@ use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
 use assur::{Assembly, Point, Pose};
-use assur_draw::{Annotations};
+use assur_draw::Annotations;
 use assur_file::{
     LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
 };

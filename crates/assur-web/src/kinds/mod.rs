@@ -27,6 +27,9 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
     })
 }
 
+/// The kinds of which a document is made of anything that moves.
+pub(crate) const BECOMES: [&str; 1] = ["scheme"];
+
 /// What moves, at an input, as a document of another kind.
 ///
 /// # Errors

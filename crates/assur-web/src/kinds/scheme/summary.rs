@@ -191,7 +191,10 @@ impl<'a> SchemeSummary<'a> {
                 planar: counts.planar,
                 spatial: counts.spatial,
             },
-            sections: sections.as_ref().ok().map(|open| SectionsSummary::new(scheme, open)),
+            sections: sections
+                .as_ref()
+                .ok()
+                .map(|open| SectionsSummary::new(scheme, open)),
             closed,
             apart,
             automatic: automatic.map(|cut| scheme.cut_name(cut)).collect(),
@@ -233,7 +236,12 @@ impl<'a> PairSummary<'a> {
             } else {
                 &pair.links[1..]
             };
-            let cuts = several.iter().map(|link| scheme.cut_name(Cut { pair: index, link: *link }));
+            let cuts = several.iter().map(|link| {
+                scheme.cut_name(Cut {
+                    pair: index,
+                    link: *link,
+                })
+            });
             Self {
                 name: &pair.name,
                 freedoms: scheme.freedoms(index),

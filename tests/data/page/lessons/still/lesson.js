@@ -6,7 +6,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     id: "count",
     formula: "W = 3n − 2p₁",
     shows: [{ preset: "drawn" }],
-    question: { within: 0, answer: ({ counts }) => counts.mobility },
+    question: { within: 0, answer: ({ mobility }) => mobility },
   },
   {
     id: "moved",
