@@ -1,13 +1,9 @@
 // The same numbers by the formulas of the textbooks, and contour by contour.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
-import { freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
+import { asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
 
-/**
- * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
- * @typedef {Snapshot["summary"]} Summary
- * @typedef {import("assur/core/words.js").Words} Words
- */
+/** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
 export class FormulasView {
   #body = make("div", { id: "scheme-formulas" });
@@ -20,30 +16,31 @@ export class FormulasView {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state, summary, words, stale }) {
+  render(snapshot) {
+    const { state, summary, words, stale, withheld } = snapshot;
     this.#element.hidden = state.document.task != null;
-    const shown = [summary, words, stale];
+    const shown = [summary, words, stale, withheld];
     if (stale || shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    const lines = [...classical(summary, words), ...byLoops(summary, words)];
+    const lines = [...classical(snapshot), ...byLoops(snapshot)];
     this.#body.replaceChildren(...lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]));
   }
 }
 
 /**
- * @param {Summary} summary
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @returns {string[][]} what it is called, then its lines
  */
-function classical({ counts, mobility, redundant, redundant_by_plane: byPlane, planar }, words) {
+function classical(snapshot) {
+  const { summary: { counts, mobility, redundant, redundant_by_plane: byPlane, planar }, words } = snapshot;
   const { numbers } = words;
   const lines = [];
   if (planar && counts.planar !== null) {
     const [symbols, values] = structural(3, counts.links, counts.pairs, words);
-    lines.push([words.text("formulas.planar"), `W = ${symbols} = ${values} = ${numbers.exact(counts.planar)}`]);
+    lines.push([words.text("formulas.planar"), `W = ${symbols} = ${values} = ${asked(counts.planar, "w", snapshot)}`]);
   }
   const [symbols, values] = structural(6, counts.links, counts.spatial_pairs, words);
-  lines.push([words.text("formulas.spatial"), `W = ${symbols} = ${values} = ${numbers.exact(counts.spatial)}`]);
+  lines.push([words.text("formulas.spatial"), `W = ${symbols} = ${values} = ${planar ? numbers.exact(counts.spatial) : asked(counts.spatial, "w", snapshot)}`]);
   const [constraints, constrained] = counts.spatial_pairs.reduce(
     ([one, other], { freedoms, count }) => {
       const by = 6 - freedoms;
@@ -55,23 +52,23 @@ function classical({ counts, mobility, redundant, redundant_by_plane: byPlane, p
   const all = `${constraints.join(" + ")} − 6n + W`;
   lines.push([
     words.text("formulas.redundant"),
-    `q = ${all} = ${constrained.join(" + ")} − 6·${numbers.exact(counts.links)} + ${numbers.exact(mobility)} = ${numbers.exact(redundant)}`,
+    `q = ${all} = ${constrained.join(" + ")} − 6·${numbers.exact(counts.links)} + ${asked(mobility, "w", snapshot)} = ${asked(redundant, "q", snapshot)}`,
   ]);
   if (byPlane !== null) {
     const pairs = counts.pairs.reduce((total, { count }) => total + count, 0);
     const removed = 5 * (pairs - counts.links);
     const inner = `(${numbers.exact(counts.links)} − ${numbers.exact(pairs)})`;
-    lines[lines.length - 1].push(`q = ΣS + 2(n − P₁) = ${numbers.exact(removed)} + 2·${inner} = ${numbers.exact(byPlane)}`);
+    lines[lines.length - 1].push(`q = ΣS + 2(n − P₁) = ${numbers.exact(removed)} + 2·${inner} = ${asked(byPlane, "q", snapshot)}`);
   }
   return lines;
 }
 
 /**
- * @param {Summary} summary
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @returns {string[][]}
  */
-function byLoops({ sections, counts }, words) {
+function byLoops(snapshot) {
+  const { summary: { sections, counts }, words } = snapshot;
   const { numbers } = words;
   const name = words.text("formulas.loops");
   if (!sections) return [[name, words.text("formulas.needs_open")]];
@@ -83,7 +80,7 @@ function byLoops({ sections, counts }, words) {
   }));
   return [[
     name, ...said,
-    `ΣiP = ${freedomsOf(counts.spatial_pairs, all, words)}; Σλ = ${sum(spaces, words)}`,
-    `W = ΣiP − Σλ = ${numbers.exact(all)} − ${numbers.exact(spaces.reduce((total, one) => total + one, 0))} = ${numbers.exact(sections.by_loops)}`,
+    `ΣiP = ${freedomsOf(counts.spatial_pairs, numbers.exact(all), words)}; Σλ = ${sum(spaces, words)}`,
+    `W = ΣiP − Σλ = ${numbers.exact(all)} − ${numbers.exact(spaces.reduce((total, one) => total + one, 0))} = ${asked(sections.by_loops, "w", snapshot)}`,
   ]];
 }

@@ -1,6 +1,7 @@
 // What the rank of the constraints says of this very geometry, and which other pairs leave no redundant constraint.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { asked } from "assur/kinds/scheme/sums.js";
 import { change } from "assur/state/change.js";
 
 /**
@@ -31,14 +32,15 @@ export class GeometryView {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state, summary, words, stale }) {
+  render(snapshot) {
+    const { state, summary, words, stale, withheld } = snapshot;
     const [geometry, mended] = this.#sections;
     geometry.hidden = state.document.task != null;
     mended.hidden = geometry.hidden || !summary.mended || (summary.space?.redundant ?? 0) === 0;
-    const shown = [summary, words, stale];
+    const shown = [summary, words, stale, withheld];
     if (stale || shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
-    this.#body.replaceChildren(...lines(summary, words).map((line) => make("p", {}, [line])));
+    this.#body.replaceChildren(...lines(snapshot).map((line) => make("p", {}, [line])));
     this.#showMended(summary, words);
   }
 
@@ -62,21 +64,23 @@ export class GeometryView {
 }
 
 /**
- * @param {Summary} summary
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @returns {string[]}
  */
-function lines({ plane, space, missing, mobility }, words) {
+function lines(snapshot) {
+  const { summary: { plane, space, missing, mobility }, words } = snapshot;
   const { numbers } = words;
   if (!space) return missing === null ? [] : [words.text("geometry.unknown", { pair: missing })];
   const said = [];
   const own = plane ?? space;
-  if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: numbers.exact(plane.mobility) }));
-  const places = { rank: numbers.exact(space.rank), w: numbers.exact(space.mobility), q: numbers.exact(space.redundant) };
+  if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: asked(plane.mobility, "w", snapshot) }));
+  const places = { rank: numbers.exact(space.rank), w: asked(space.mobility, "w", snapshot), q: asked(space.redundant, "q", snapshot) };
   said.push(words.text("geometry.space", places));
   const right = own.mobility === mobility;
-  said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: numbers.exact(mobility) }));
+  said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: asked(mobility, "w", snapshot) }));
   const borne = [...(plane?.redundancies ?? []), ...(plane && plane.redundant > 0 ? [] : space.redundancies)];
+  // How many they are is the answer where q is asked for.
+  if (snapshot.withheld.has("scheme-q")) return said;
   for (const { count, pairs } of borne) said.push(words.counted("geometry.redundant", count, { pairs: pairs.join(", ") }));
   for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.join(", ") }));
   if (own.instantaneous) said.push(words.text("geometry.instantaneous"));

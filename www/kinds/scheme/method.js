@@ -1,7 +1,7 @@
 // The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
-import { freedomsOf, sum } from "assur/kinds/scheme/sums.js";
+import { asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -36,8 +36,8 @@ export class MethodView {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state: { document }, summary, words, stale } = snapshot;
-    const shown = [document, summary, words, stale];
+    const { state: { document }, summary, words, stale, withheld } = snapshot;
+    const shown = [document, summary, words, stale, withheld];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     this.#shown = shown;
     this.#snapshot = snapshot;
@@ -54,20 +54,23 @@ export class MethodView {
    * @param {Snapshot} snapshot
    * @returns {string[]}
    */
-  #lines({ state: { document }, summary: { sections, closed, apart, planar, counts, mobility }, words }) {
+  #lines(snapshot) {
+    const { state: { document }, summary: { sections, closed, apart, planar, mobility }, words } = snapshot;
     const { numbers } = words;
     if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
     if (apart.length > 0) return [words.text("method.apart", { links: apart.join(", ") })];
     if (!sections || document.task != null) return [];
-    const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, sections.open, words)}`];
+    // Of a chain that was open W₀ is W.
+    const total = sections.cuts.length > 0 ? numbers.exact(sections.open) : asked(sections.open, "w", snapshot);
+    const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, total, words)}`];
     if (sections.cuts.length > 0) {
       lines.push(
         words.text(planar ? "method.removed_plane" : "method.removed_space"), `ΣS = ${sum(sections.loops.map((loop) => loop.constraints), words)}`,
-        words.text("method.mobility"), `W = W₀ − ΣS = ${numbers.exact(sections.open)} − ${numbers.exact(sections.removed)} = ${numbers.exact(mobility)}`,
+        words.text("method.mobility"), `W = W₀ − ΣS = ${numbers.exact(sections.open)} − ${numbers.exact(sections.removed)} = ${asked(mobility, "w", snapshot)}`,
       );
     }
-    if (planar && counts.links > 0 && sections.cuts.length > 0) lines.push(words.text("method.redundant"), redundant(sections, words));
-    lines.push(drives(mobility, words));
+    if (planar && sections.cuts.length > 0) lines.push(words.text("method.redundant"), redundant(sections, snapshot));
+    if (!snapshot.withheld.has("scheme-w")) lines.push(drives(mobility, words));
     return lines;
   }
 
@@ -109,13 +112,13 @@ export class MethodView {
 
 /**
  * @param {Sections} sections of a planar scheme
- * @param {Words} words
+ * @param {Snapshot} snapshot
  * @returns {string} q = ΣS + W − W₀, both in space
  */
-function redundant({ loops, removed_spatial: removed, open_spatial: open, mobility, redundant: q }, words) {
-  const { numbers } = words;
+function redundant({ loops, removed_spatial: removed, open_spatial: open, mobility, redundant: q }, snapshot) {
+  const { numbers } = snapshot.words;
   const terms = loops.length > 1 ? `(${loops.map((loop) => numbers.exact(loop.spatial_constraints)).join(" + ")})` : numbers.exact(removed);
-  return `q = ΣS + W − W₀ = ${terms} + ${numbers.exact(mobility)} − ${numbers.exact(open)} = ${numbers.exact(q)}`;
+  return `q = ΣS + W − W₀ = ${terms} + ${asked(mobility, "w", snapshot)} − ${numbers.exact(open)} = ${asked(q, "q", snapshot)}`;
 }
 
 /**

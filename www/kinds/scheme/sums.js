@@ -5,6 +5,16 @@
  * @typedef {Readonly<{ freedoms: number, count: number }>} Class how many pairs leave so many freedoms
  */
 
+/**
+ * @param {number} value of W or q
+ * @param {"w" | "q"} which
+ * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot, "withheld" | "words">} snapshot
+ * @returns {string} a question mark while a lesson asks for it
+ */
+export function asked(value, which, { withheld, words }) {
+  return withheld.has(`scheme-${which}`) ? "?" : words.numbers.exact(value);
+}
+
 const SMALL = "₀₁₂₃₄₅₆₇₈₉";
 
 /** @param {number} freedoms */
@@ -24,12 +34,12 @@ export function sum(terms, { numbers }) {
 
 /**
  * @param {readonly Class[]} classes
- * @param {number} total Σ i·Pᵢ
+ * @param {string} total Σ i·Pᵢ
  * @param {Words} words
  */
 export function freedomsOf(classes, total, { numbers }) {
   const terms = classes.map(({ freedoms, count }) => `${numbers.exact(freedoms)}·${numbers.exact(count)}`);
-  return terms.length > 0 ? `${terms.join(" + ")} = ${numbers.exact(total)}` : numbers.exact(total);
+  return terms.length > 0 ? `${terms.join(" + ")} = ${total}` : total;
 }
 
 /**

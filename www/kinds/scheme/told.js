@@ -1,5 +1,6 @@
 // What a screen reader is told of the drawing.
 import { byId, write } from "assur/core/dom.js";
+import { asked } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
@@ -9,13 +10,14 @@ export class Told {
   #told = [];
 
   /** @param {Snapshot} snapshot */
-  render({ state: { document }, summary: { links, pairs, mobility, redundant }, words }) {
-    const told = [document, words];
+  render(snapshot) {
+    const { state: { document }, summary: { links, pairs, mobility, redundant }, words, withheld } = snapshot;
+    const told = [document, words, withheld];
     if (told.every((part, i) => part === this.#told[i])) return;
     this.#told = told;
     const { numbers } = words;
-    const said = [links.length - 1, pairs.length, mobility, redundant].map((one) => numbers.exact(one));
-    const [moving, joined, w, q] = said;
+    const [moving, joined] = [links.length - 1, pairs.length].map((one) => numbers.exact(one));
+    const [w, q] = [asked(mobility, "w", snapshot), asked(redundant, "q", snapshot)];
     const parts = [document.task == null ? words.text("told.scheme", { links: moving, pairs: joined, w, q }) : ""];
     if (document.cut.length > 0) parts.push(words.text("told.cut", { pairs: document.cut.join(", ") }));
     write(this.#drawing, parts.join(" ").trim());

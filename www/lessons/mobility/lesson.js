@@ -16,14 +16,14 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     shows: [{ name: "spherical", preset: "mobility-1a" }, { name: "revolute", preset: "mobility-1b" }],
     controls: ["pairs"],
     errata: true,
-    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+    question: { hides: ["scheme-w", "scheme-rank"], within: 0, answer: ({ mobility }) => mobility },
   },
   {
     id: "four_bar",
     formula: "W = W₀ − ΣS, S = 3 − i\nW = 3n − 2P₁ − P₂",
     shows: [{ preset: "mobility-2a" }],
     controls: ["method"],
-    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+    question: { hides: ["scheme-w", "scheme-rank"], within: 0, answer: ({ mobility }) => mobility },
   },
   {
     id: "redundant",
@@ -46,7 +46,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "W = W₀ − ΣS, S = 6 − i\nW = 6n − Σ(6 − i)Pᵢ",
     shows: [{ preset: "mobility-3" }],
     controls: ["look", "method"],
-    question: { hides: ["scheme-w"], within: 0, answer: ({ mobility }) => mobility },
+    question: { hides: ["scheme-w", "scheme-rank"], within: 0, answer: ({ mobility }) => mobility },
   },
   {
     id: "referee",
