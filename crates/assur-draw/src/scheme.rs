@@ -1,5 +1,6 @@
 //! A scheme of links and pairs, in the plane or in space, whole or cut open.
 
+mod labels;
 mod opening;
 mod projection;
 mod symbols;
@@ -325,48 +326,6 @@ impl SchemeFigure {
             held,
         )
         .draw(pair.kind);
-    }
-
-    /// The names of pairs, away from the links that meet there, and the numbers of links.
-    fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
-        let pairs = self.scheme.pairs();
-        for (index, pair) in pairs.iter().enumerate() {
-            let at = self
-                .projection
-                .place(moved[self.holder(index)] * self.places[index]);
-            let inward = pair.links.iter().filter(|link| **link > 0);
-            let away = inward.map(|link| -self.inward(index, *link, moved));
-            let away = away.sum::<assur::Vector>().try_normalize(0.05 * self.unit);
-            let away = match away {
-                Some(away) if pair.links.contains(&0) && away.y < -0.3 => {
-                    // Not upon the support.
-                    assur::Vector::new(1.0_f64.copysign(away.x), 0.1)
-                }
-                Some(away) => away,
-                None => assur::Vector::new(-0.7, 0.7),
-            };
-            list.name(Role::Ink, index, at, [away.x * 2.3, away.y * 1.7]);
-        }
-        for body in bodies {
-            let nodes: Vec<Point> = body
-                .nodes
-                .iter()
-                .map(|at| self.projection.place(*at))
-                .collect();
-            let hull = parts::hull(nodes);
-            let Some(middle) = parts::centroid(&hull) else {
-                continue;
-            };
-            let off = match hull[..] {
-                [from, to] => {
-                    let along = (to - from).normalize();
-                    [-along.y * 0.9, along.x * 0.9]
-                }
-                _ => [0.0, 0.0],
-            };
-            let role = self.role(body.link);
-            list.name(role, pairs.len() + body.link, middle, off);
-        }
     }
 
     /// The rectangle around all, with room for symbols.

@@ -136,12 +136,12 @@ fn the_chain_falls_open_by_and_by() {
 #[wasm_bindgen_test]
 fn a_pair_is_dragged_where_nothing_is_cut() {
     let (simulator, _) = opened("mobility-2a", &json!([]));
-    let change = value(&simulator.drag("C", 0.0, 4.0, 5.0).unwrap());
-    assert_eq!(change["document"]["pairs"][2]["at"], json!([4.0, 5.0]));
+    let change = value(&simulator.drag("C", 0.0, 4.5, 5.5).unwrap());
+    assert_eq!(change["document"]["pairs"][2]["at"], json!([4.5, 5.5]));
     assert!(simulator.drag("C", 0.0, f64::NAN, 5.0).is_err());
     let (simulator, _) = opened("mobility-2a", &json!(["D"]));
     assert_eq!(
-        value(&simulator.drag("C", 0.0, 4.0, 5.0).unwrap()),
+        value(&simulator.drag("C", 0.0, 4.5, 5.5).unwrap()),
         json!({})
     );
 }

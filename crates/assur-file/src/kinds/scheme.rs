@@ -1,9 +1,11 @@
 //! Links and pairs without motion, as they are saved: what mobility is counted of.
 
-use assur::mobility::{
-    Cut, CutError, PairDraft, PairKind, Point3, Scheme, SchemeDefect, SchemeDraft, Vector3,
-};
+use assur::mobility::{Cut, PairDraft, PairKind, Point3, Scheme, SchemeDraft, Vector3};
 use serde::{Deserialize, Serialize};
+
+mod problem;
+
+pub use problem::SchemeProblem;
 
 use super::Kind;
 use crate::{LinkageDocument, LinkageProblem, Problem};
@@ -131,70 +133,6 @@ pub struct EndDocument {
     pub link: String,
     /// Where it is.
     pub at: PlaceDocument,
-}
-
-/// What can be wrong with a scheme; serialised as [`Problem`] is.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(tag = "code", rename_all = "snake_case")]
-#[expect(
-    missing_docs,
-    reason = "parameters are named by the variant's sentence"
-)]
-pub enum SchemeProblem {
-    /// There is no pair.
-    NoPairs,
-    /// No pair has the link that is the ground.
-    NoGround { link: String },
-    /// Two pairs have this name, or it is empty.
-    SamePair { pair: String },
-    /// A pair joins a link to itself.
-    PairWithItself { pair: String, link: String },
-    /// A pair has not two links, and is no compound hinge.
-    LinksOfPair { pair: String, count: usize },
-    /// A number of freedoms that no pair has.
-    FreedomsOfPair { pair: String, freedoms: u8 },
-    /// A pair that does not let its links move in the plane.
-    OutOfPlane { pair: String },
-    /// Numbers of a pair that make no place or no axes.
-    PairGeometry { pair: String },
-    /// Links that are not joined to the ground.
-    SchemeApart { links: Vec<String> },
-    /// A cut of what is no pair.
-    NoSuchPair { pair: String },
-    /// A cut that takes a link off a pair that has it not.
-    NotOfPair { pair: String, link: String },
-    /// More than two links meet in a pair that is cut: which of them is taken off?
-    WhichLink { pair: String },
-    /// A pair is cut twice.
-    CutTwice { pair: String },
-    /// After these cuts a contour is still closed, over these pairs.
-    StillClosed { pairs: Vec<String> },
-    /// After these cuts links hang on nothing.
-    CutOff { links: Vec<String> },
-    /// A scheme has no motion.
-    NoMotion,
-}
-
-impl From<SchemeProblem> for Problem {
-    fn from(problem: SchemeProblem) -> Self {
-        Self::Scheme(problem)
-    }
-}
-
-impl From<SchemeDefect> for SchemeProblem {
-    fn from(defect: SchemeDefect) -> Self {
-        match defect {
-            SchemeDefect::Empty => Self::NoPairs,
-            SchemeDefect::NoGround(link) => Self::NoGround { link },
-            SchemeDefect::SameName(pair) => Self::SamePair { pair },
-            SchemeDefect::JoinsItself { pair, link } => Self::PairWithItself { pair, link },
-            SchemeDefect::LinkCount { pair, links } => Self::LinksOfPair { pair, count: links },
-            SchemeDefect::Freedoms { pair, freedoms } => Self::FreedomsOfPair { pair, freedoms },
-            SchemeDefect::OutOfPlane(pair) => Self::OutOfPlane { pair },
-            SchemeDefect::Geometry(pair) => Self::PairGeometry { pair },
-            SchemeDefect::Apart(links) => Self::SchemeApart { links },
-        }
-    }
 }
 
 impl From<PairKind> for KindDocument {
@@ -372,19 +310,6 @@ impl SchemeDocument {
             Ok(())
         } else {
             Err(problems)
-        }
-    }
-}
-
-impl From<CutError> for SchemeProblem {
-    fn from(error: CutError) -> Self {
-        match error {
-            CutError::NoPair(pair) => Self::NoSuchPair { pair },
-            CutError::NoLink { pair, link } => Self::NotOfPair { pair, link },
-            CutError::WhichLink(pair) => Self::WhichLink { pair },
-            CutError::Twice(pair) => Self::CutTwice { pair },
-            CutError::Closed { pairs } => Self::StillClosed { pairs },
-            CutError::Apart { links } => Self::CutOff { links },
         }
     }
 }

@@ -1,0 +1,67 @@
+//! Where the names of pairs and the numbers of links stand.
+
+use assur::Point;
+
+use super::{Body, SchemeFigure};
+use crate::list::{List, Role};
+use crate::parts;
+use crate::scheme::opening::Displacement;
+
+/// A number keeps so far off pairs, in units.
+const CLEAR: f64 = 6.0;
+
+impl SchemeFigure {
+    /// The names of pairs, away from the links that meet there, and the numbers of links.
+    pub(super) fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
+        let pairs = self.scheme.pairs();
+        for (index, pair) in pairs.iter().enumerate() {
+            let at = self
+                .projection
+                .place(moved[self.holder(index)] * self.places[index]);
+            let inward = pair.links.iter().filter(|link| **link > 0);
+            let away = inward.map(|link| -self.inward(index, *link, moved));
+            let away = away.sum::<assur::Vector>().try_normalize(0.05 * self.unit);
+            let away = match away {
+                Some(away) if pair.links.contains(&0) && away.y < -0.3 => {
+                    // Not upon the support.
+                    assur::Vector::new(1.0_f64.copysign(away.x), 0.1)
+                }
+                Some(away) => away,
+                None => assur::Vector::new(-0.7, 0.7),
+            };
+            // In space symbols reach farther than the circle of a hinge.
+            let reach = if self.scheme.is_planar() { 2.3 } else { 3.0 };
+            list.name(
+                Role::Ink,
+                index,
+                at,
+                [away.x * reach, away.y * 0.75 * reach],
+            );
+        }
+        for body in bodies {
+            let (at, off) = self.numbered(body);
+            list.name(self.role(body.link), pairs.len() + body.link, at, off);
+        }
+    }
+
+    /// Where the number of a link stands: by the middle of a bar, or of its first part where a pair is in the way.
+    fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
+        let nodes = body.nodes.iter().map(|at| self.projection.place(*at));
+        let nodes: Vec<Point> = nodes.collect();
+        let hull = parts::hull(nodes.clone());
+        let [from, to] = hull[..] else {
+            let middle = parts::centroid(&hull).or(hull.first().copied());
+            return (middle.unwrap_or(Point::origin()), [0.0, 0.0]);
+        };
+        let clear = |at: &Point| {
+            let mut near = nodes.iter().map(|node| (node - at).norm());
+            near.all(|off| off > CLEAR * self.unit)
+        };
+        let shares = [0.5, 0.36, 0.64, 0.25, 0.75].into_iter();
+        let mut places = shares.map(|share| from + (to - from) * share);
+        let middle = from + (to - from) * 0.5;
+        let at = places.find(clear).unwrap_or(middle);
+        let along = (to - from).normalize();
+        (at, [-along.y * 0.9, along.x * 0.9])
+    }
+}
