@@ -472,7 +472,7 @@ id: string,
  */
 group: Group, 
 /**
- * The highest class of its Assur groups, in Roman numerals.
+ * The highest class of its Assur groups, in Roman numerals; of a scheme none.
  */
-class: string, };
-export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher";
+class: string | null, };
+export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes";

@@ -141,7 +141,10 @@ async fn every_card_has_its_picture() {
         assert!((0.01..0.9).contains(&part), "{id}: {part}");
     }
     let ids: Vec<String> = shown(&page).await;
-    let mut expected: Vec<String> = assur_file::catalogue().map(str::to_owned).collect();
+    let mut expected: Vec<String> = assur_file::catalogue()
+        .chain(assur_file::schemes())
+        .map(str::to_owned)
+        .collect();
     let lessons = ids
         .iter()
         .take_while(|id| id.starts_with("lesson-"))

@@ -16,7 +16,7 @@ import { initialState } from "assur/state/state.js";
  */
 
 /** The groups of the catalogue in the order in which they are taught. */
-const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher"]);
+const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher", "schemes"]);
 
 /**
  * @param {Page} page
@@ -49,12 +49,13 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   if (!preset) return [];
   const { kind, document } = preset;
   const key = `gallery.${id}`;
-  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), words.text("gallery.class", { class: highest }));
+  const line = (/** @type {Words} */ table) => (highest ? table.text("gallery.class", { class: highest }) : table.text(`kind.${kind}`));
+  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words));
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
   // The numeral in the name of a group is not that of each in it.
-  const texts = [words, english].flatMap((table) => [table.text(key), table.text(group).replace(/[IVX]+/, ""), table.text("gallery.class", { class: highest })]);
-  return [{ button, words: findable(texts, highest) }];
+  const texts = [words, english].flatMap((table) => [table.text(key), table.text(group).replace(/[IVX]+/, ""), line(table)]);
+  return [{ button, words: findable(texts, highest ?? "") }];
 }
 
 /**

@@ -115,7 +115,7 @@ fn run(command: Command) -> Result<(), Failure> {
     let mut out = io::BufWriter::new(io::stdout().lock());
     match command {
         Command::List => {
-            for name in assur_file::catalogue() {
+            for name in assur_file::catalogue().chain(assur_file::schemes()) {
                 writeln!(out, "{name}")?;
             }
         }

@@ -32,6 +32,8 @@ pub enum Group {
     Geared,
     /// With an Assur group of Class III or higher.
     Higher,
+    /// Links and pairs without motion, for their mobility.
+    Schemes,
 }
 
 /// A mechanism of the catalogue.
@@ -53,8 +55,8 @@ pub struct Shelf {
     pub id: &'static str,
     /// What it is shown among.
     pub group: Group,
-    /// The highest class of its Assur groups, in Roman numerals.
-    pub class: String,
+    /// The highest class of its Assur groups, in Roman numerals; of a scheme none.
+    pub class: Option<String>,
 }
 
 /// A file of the folder `catalogue`.
@@ -153,21 +155,24 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Where the mechanisms of the catalogue that move are shown. Their structure tells it, so each
-/// is made for it: not what a page does before it shows anything.
+/// Where the mechanisms of the catalogue are shown. Their structure tells it, so each is made
+/// for it: not what a page does before it shows anything.
 ///
 /// # Errors
 /// What is wrong with one; a test sees to it that nothing is.
 pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
-    let moving = MIXERS.len() + FILES.len();
-    presets().take(moving).map(|preset| {
+    presets().map(|preset| {
         let Preset { id, document } = preset?;
+        if let Document::Scheme(_) = document {
+            let (group, class) = (Group::Schemes, None);
+            return Ok(Shelf { id, group, class });
+        }
         let mechanism = document.linkage()?.mechanism()?;
         let told = file(id).and_then(|file| file.group);
         Ok(Shelf {
             id,
             group: told.unwrap_or_else(|| Group::of(&mechanism)),
-            class: roman(mechanism.structure().class()),
+            class: Some(roman(mechanism.structure().class())),
         })
     })
 }
