@@ -22,6 +22,8 @@ mod keys;
 mod layout;
 mod lesson;
 mod loading;
+mod mobility;
+mod mobility_lesson;
 mod more;
 mod overlays;
 mod picture;
