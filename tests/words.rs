@@ -23,8 +23,9 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 45] = [
+const BUILT: [(&str, &[&str]); 46] = [
     ("assembly.", &["www/kinds/mixer/rail.js"]),
+    ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
     (
         "field.",
         &[

@@ -83,7 +83,9 @@ const DEFECTS: &str = r#"
     const stage = document.getElementById("mechanism").getBoundingClientRect();
     const plots = document.getElementById("charts").getBoundingClientRect();
     if (stage.width < 280 || stage.height < 200) found.push(`the drawing has ${stage.width} by ${stage.height}`);
-    if (plots.width < 300 || plots.height < 330) found.push(`the plots have ${plots.width} by ${plots.height}`);
+    const still = document.documentElement.dataset.still === "true";
+    if (still && plots.width > 0) found.push("plots of what does not move");
+    if (!still && (plots.width < 300 || plots.height < 330)) found.push(`the plots have ${plots.width} by ${plots.height}`);
     return found;
 "#;
 

@@ -110,7 +110,7 @@ async fn steps_have_their_tools_and_misprints() {
     page.click("lesson-show-spherical").await;
     there(&page).await;
     assert_eq!(page.count("#lesson #pair-form-1").await, 1);
-    assert_eq!(page.text("out-scheme-w").await, "?");
+    assert!(page.text("out-scheme-w").await.starts_with('?'));
     page.click("lesson-reveal").await;
     let mobility = scheme("mobility-1a").counts().mobility().to_string();
     assert_eq!(page.text("out-scheme-w").await, mobility);
