@@ -24,6 +24,7 @@ mod lesson;
 mod loading;
 mod mobility;
 mod mobility_lesson;
+mod mobility_practice;
 mod more;
 mod overlays;
 mod picture;

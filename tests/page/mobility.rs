@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use assur::mobility::{CutError, Scheme, Space};
+use assur::mobility::{CutError, Scheme, SchemeDraft, Space};
 use assur_file::{Document, KindDocument, SchemeDocument};
 use serde_json::{Value, json};
 
@@ -53,7 +53,7 @@ fn link(document: &SchemeDocument) -> String {
 }
 
 /// The page with a document, and all that is of its kind.
-async fn open(document: &SchemeDocument) -> Page {
+pub(crate) async fn open(document: &SchemeDocument) -> Page {
     let page = Page::open_at(&link(document), "en-US").await;
     there(&page).await;
     assert_eq!(page.text("notice-text").await, "");
@@ -76,7 +76,7 @@ async fn cuts(page: &Page) -> Vec<String> {
 }
 
 /// Cuts a pair in the table, or joins it again.
-async fn cut(page: &Page, name: &str) {
+pub(crate) async fn cut(page: &Page, name: &str) {
     let script =
         format!("return document.querySelector(`input[data-cut=\"${{'{name}'}}\"]`)?.id ?? ''");
     let id: String = serde_json::from_value(page.ask(&script).await).unwrap();
@@ -271,6 +271,41 @@ async fn redundant_constraints_are_mended() {
     assert_eq!(page.count("#mended-1").await, 0);
     page.click("undo").await;
     assert_eq!(page.value("out-scheme-q").await, q);
+    page.close().await;
+}
+
+/// What moves in the simulator becomes a scheme of as many links and pairs; undo brings it back.
+#[tokio::test]
+async fn a_linkage_becomes_a_scheme() {
+    let page = Page::open().await;
+    page.click("gallery").await;
+    page.until("the mechanism", async || {
+        page.count("#gallery-class4-dwell").await == 1
+    })
+    .await;
+    page.click("gallery-class4-dwell").await;
+    page.until("the linkage", async || {
+        page.count("#out-linkage-swing").await == 1
+    })
+    .await;
+    page.click("menu").await;
+    page.click("become-scheme").await;
+    there(&page).await;
+    assert_eq!(page.text("problem").await, "");
+    let linkage = assur_file::from_catalogue("class4-dwell").unwrap().unwrap();
+    let motion = linkage.motion().unwrap();
+    let pose = motion.pose::<1>(0.5).unwrap();
+    let draft = SchemeDraft::of(motion.mechanism(), &pose);
+    let counts = Scheme::new(&draft).unwrap().counts();
+    assert_eq!(page.value("out-scheme-links").await, counts.links as f64);
+    for of in ["w", "rank"] {
+        assert_eq!(page.value(&format!("out-scheme-{of}")).await, 1.0, "{of}");
+    }
+    assert_eq!(counts.mobility(), 1);
+    page.click("undo").await;
+    assert_eq!(page.text("problem").await, "");
+    let kind = "return document.documentElement.dataset.kind";
+    assert_eq!(page.ask(kind).await, json!("linkage"));
     page.close().await;
 }
 
