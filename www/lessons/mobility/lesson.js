@@ -72,7 +72,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "P₁ = Σ(k − 1)",
     shows: [{ preset: "press" }],
     controls: ["practice"],
-    question: { hides: ["scheme-pairs", "scheme-w"], within: 0, answer: ({ counts }) => pairs(counts) },
+    question: { hides: ["scheme-pairs"], within: 0, answer: ({ counts }) => pairs(counts) },
   },
 ] });
 
