@@ -208,9 +208,12 @@ async fn the_gallery_goes_by_keys() {
     assert_eq!(focused().await, format!("gallery-{}", cards[1]));
     page.keys(Key::Home + "").await;
     page.keys(Key::Down + "").await;
+    assert_eq!(focused().await, "gallery-lesson-mobility");
+    page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-slider-crank");
     page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-whitworth");
+    page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
@@ -218,7 +221,7 @@ async fn the_gallery_goes_by_keys() {
     page.keys(Key::Down + "").await;
     assert_eq!(focused().await, format!("gallery-{}", cards[0]));
     page.keys(Key::End + "").await;
-    assert_eq!(focused().await, "gallery-class5");
+    assert_eq!(focused().await, "gallery-mobility-4");
     page.keys(Key::Escape + "").await;
     closed(&page).await;
     assert_eq!(focused().await, "play");
@@ -230,7 +233,7 @@ async fn the_gallery_goes_by_keys() {
     closed(&page).await;
     assert_eq!(focused().await, "gallery");
     page.until("the mechanism", async || {
-        page.text("mechanism-name").await == "Class V"
+        page.text("mechanism-name").await == "Class IV mechanism, moving contour"
     })
     .await;
     page.close().await;

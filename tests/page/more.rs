@@ -33,7 +33,7 @@ async fn a_lesson_without_motion() {
     page.click("lesson-show").await;
     page.until("the scheme", async || visible(&page, "out-scheme-w").await)
         .await;
-    assert_eq!(page.text("out-scheme-w").await, "?");
+    assert_eq!(page.text("out-scheme-w").await, "1");
     assert_eq!(page.text("out-scheme-q").await, "3");
     for id in [
         "play", "charts", "readouts", "overlays", "presets", "driver",
