@@ -1,7 +1,7 @@
 //! The constraints of a whole scheme, row by row.
 
 use super::elimination::System;
-use super::screw::{Form, IN_PLANE, Screw};
+use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Scheme, Space};
 
 /// Entries of a null vector relative to its greatest: what is less is zero.
@@ -113,15 +113,20 @@ impl Constraints {
         sums.collect()
     }
 
-    /// How many freedoms these links have while all others stand still; `pairs` are all that they have.
-    pub(super) fn alone(
-        &self,
-        scheme: &Scheme,
-        space: Space,
-        links: &[usize],
-        pairs: &[usize],
-    ) -> usize {
-        let mut system = System::new(links.iter().map(|_| space.freedoms()));
+    /// The pair of an unknown of [`Self::equilibrium`].
+    pub(super) fn pair_of(&self, column: usize) -> usize {
+        self.starts.partition_point(|start| *start <= column) - 1
+    }
+
+    /// How many constraints these pairs have on a link that all of them join to what stands still.
+    pub(super) fn rank(&self, pairs: impl Iterator<Item = usize>) -> usize {
+        let wrenches = pairs.flat_map(|pair| &self.wrenches[pair]).copied();
+        basis(wrenches.collect()).len()
+    }
+
+    /// How many freedoms two links have while all others stand still; `pairs` are all that they have.
+    pub(super) fn together(&self, scheme: &Scheme, links: [usize; 2], pairs: &[usize]) -> usize {
+        let mut system = System::new(links.iter().map(|_| self.components.len()));
         for &pair in pairs {
             for other in 0..scheme.pairs()[pair].count() {
                 for wrench in &self.wrenches[pair] {
@@ -130,11 +135,10 @@ impl Constraints {
                         signs.nth(other).unwrap_or(0.0)
                     });
                     let entries = ends.flat_map(|sign| {
-                        self.components
-                            .iter()
-                            .map(move |component| sign * wrench[*component])
+                        let components = self.components.iter();
+                        components.map(move |component| sign * wrench[*component])
                     });
-                    system.push((0..links.len()).collect(), entries.collect());
+                    system.push(vec![0, 1], entries.collect());
                 }
             }
         }

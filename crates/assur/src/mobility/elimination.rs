@@ -36,8 +36,8 @@ impl Front {
 pub(super) struct Eliminated {
     columns: usize,
     pivots: Vec<Pivot>,
-    /// The columns without a pivot.
-    free: Vec<usize>,
+    /// The columns without a pivot, in the order in which they were found.
+    free: Vec<Free>,
 }
 
 /// A row with a pivot: the unknown of its column from others that were eliminated later, or are free.
@@ -46,6 +46,14 @@ struct Pivot {
     column: usize,
     /// What the unknown is per unit of others.
     others: Vec<(usize, f64)>,
+}
+
+/// A column without a pivot.
+#[derive(Clone, Copy, Debug)]
+struct Free {
+    column: usize,
+    /// How many pivots there were before it was found to be free: no later one depends on it.
+    before: usize,
 }
 
 impl System {
@@ -69,11 +77,6 @@ impl System {
             width,
             entries,
         });
-    }
-
-    /// The first column of a block.
-    pub(super) fn start(&self, block: usize) -> usize {
-        self.blocks[block][0]
     }
 
     fn size(&self, block: usize) -> usize {
@@ -121,9 +124,8 @@ impl System {
         }
         if let Some(kept) = kept {
             let [start, end] = self.blocks[kept];
-            done.free.extend(start..end);
+            done.set_free(start..end);
         }
-        done.free.sort_unstable();
         done
     }
 
@@ -237,7 +239,7 @@ impl System {
                     .collect(),
             });
         }
-        done.free.extend(&columns[rank..size]);
+        done.set_free(columns[rank..size].iter().copied());
         front.width = width - size;
         let left = entries
             .chunks_exact(width)
@@ -274,19 +276,45 @@ impl Eliminated {
         self.pivots.len()
     }
 
-    /// The free columns, in their order.
-    pub(super) fn free(&self) -> &[usize] {
-        &self.free
+    /// The free columns.
+    pub(super) fn free(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
+        self.free.iter().map(|free| free.column)
     }
 
-    /// The solution in which one free unknown is 1 and the other free ones are 0.
-    pub(super) fn solution(&self, free: usize) -> Vec<f64> {
+    fn set_free(&mut self, columns: impl Iterator<Item = usize>) {
+        let before = self.pivots.len();
+        self.free
+            .extend(columns.map(|column| Free { column, before }));
+    }
+
+    /// The solutions in which one free unknown is 1 and the other free ones are 0, one by one; that of a block
+    /// which was kept free is the last.
+    pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
+        self.free.iter().map(|free| {
+            let mut values = vec![0.0; self.columns];
+            values[free.column] = 1.0;
+            self.substitute(&mut values, free.before);
+            values
+        })
+    }
+
+    /// A solution with something of every other one: no two of its free unknowns are in a simple ratio.
+    pub(super) fn mixture(&self) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
-        values[free] = 1.0;
-        for pivot in self.pivots.iter().rev() {
+        for free in &self.free {
+            // A multiple of the golden section without its whole part.
+            let part = ((free.column + 1) as f64 * 0.618_033_988_749_895).fract();
+            values[free.column] = 0.5 + part;
+        }
+        self.substitute(&mut values, self.pivots.len());
+        values
+    }
+
+    /// Finds the unknowns of the first pivots from the others.
+    fn substitute(&self, values: &mut [f64], pivots: usize) {
+        for pivot in self.pivots[..pivots].iter().rev() {
             let others = pivot.others.iter();
             values[pivot.column] = others.map(|(column, per)| per * values[*column]).sum();
         }
-        values
     }
 }

@@ -73,22 +73,13 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// One motion of the drawn pose in which all of them have a part: of each link the twist, the greatest 1.
+    /// One motion of the drawn pose in which all others have a part: of each link the twist, the greatest 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)
             .eliminated(None);
         let width = space.freedoms();
-        let mut way = vec![0.0; width * (self.links().len() - 1)];
-        for (at, &free) in motions.free().iter().enumerate() {
-            let motion = motions.solution(free);
-            // No two parts are in a simple ratio: multiples of the golden section without their whole parts.
-            let part = 0.5 + ((at + 1) as f64 * 0.618_033_988_749_895).fract();
-            let scale = part / greatest(&motion);
-            for (sum, value) in way.iter_mut().zip(&motion) {
-                *sum += scale * value;
-            }
-        }
+        let way = motions.mixture();
         let scale = 1.0 / greatest(&way);
         let twists = way
             .chunks_exact(width)
@@ -118,7 +109,7 @@ impl Scheme {
             if worst.is_nan() || worst > 1.0 {
                 return None;
             }
-            let correction = self.correction(&halves, space, 1e-3 * worst);
+            let correction = self.correction(&halves, space, 1e-3 * worst)?;
             let twists = correction.chunks_exact(space.freedoms());
             for (placement, values) in placements.iter_mut().skip(1).zip(twists) {
                 *placement = placement.moved(&twist(values, space));
@@ -139,7 +130,12 @@ impl Scheme {
     }
 
     /// The least motion x of the links with J x + gaps = 0, from x = Jᵀλ and (J Jᵀ + damping) λ = − gaps.
-    fn correction(&self, halves: &[Vec<Displaced>], space: Space, damping: f64) -> Vec<f64> {
+    fn correction(
+        &self,
+        halves: &[Vec<Displaced>],
+        space: Space,
+        damping: f64,
+    ) -> Option<Vec<f64>> {
         let (moving, width) = (self.links().len() - 1, space.freedoms());
         let rows = |pair: usize| {
             halves[pair]
@@ -189,10 +185,10 @@ impl Scheme {
             let forces = pairs.iter().map(|pair| moving + pair);
             system.push([link - 1].into_iter().chain(forces).collect(), entries);
         }
-        let column = system.start(constant);
-        let mut solution = system.eliminated(Some(constant)).solution(column);
+        // The constant is the last of the free unknowns.
+        let mut solution = system.eliminated(Some(constant)).solutions().next_back()?;
         solution.truncate(moving * width);
-        solution
+        Some(solution)
     }
 }
 

@@ -109,27 +109,32 @@ impl Scheme {
 
     /// Self-stresses, apart from each other: two are together where they stress the same pair.
     fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
-        let mut parts: Vec<Redundancy> = vec![];
-        for &free in equilibrium.free() {
-            let stress = equilibrium.solution(free);
-            let mut part = Redundancy {
-                count: 1,
-                pairs: constraints.stressed(&stress),
-            };
-            let touches = |other: &Redundancy| part.pairs.iter().any(|p| other.pairs.contains(p));
-            let (together, apart): (Vec<_>, _) = parts.into_iter().partition(touches);
-            parts = apart;
-            for other in together {
-                part.count += other.count;
-                part.pairs.extend(other.pairs);
+        let count = self.pairs().len();
+        let mut parts = Parts::new(count);
+        // Of one stress with something of every other: all pairs that are stressed at all.
+        let all = constraints.stressed(&equilibrium.mixture());
+        // Mostly a few are enough to see that all are together: the later it was found, the farther one reaches.
+        let mut solutions = equilibrium.solutions().rev();
+        while !parts.hold_together(&all)
+            && let Some(stress) = solutions.next()
+        {
+            parts.join(&constraints.stressed(&stress));
+        }
+        let mut counts = vec![0; count];
+        for free in equilibrium.free() {
+            counts[parts.lead(constraints.pair_of(free))] += 1;
+        }
+        let parts = (0..count).filter(|lead| counts[*lead] > 0).map(|lead| {
+            let mut pairs: Vec<usize> = (0..count)
+                .filter(|pair| parts.lead(*pair) == lead)
+                .collect();
+            pairs.sort_by_key(|pair| &self.pairs()[*pair].name);
+            Redundancy {
+                count: counts[lead],
+                pairs,
             }
-            part.pairs.sort_unstable();
-            part.pairs.dedup();
-            parts.push(part);
-        }
-        for part in &mut parts {
-            part.pairs.sort_by_key(|pair| &self.pairs()[*pair].name);
-        }
+        });
+        let mut parts: Vec<Redundancy> = parts.collect();
         parts.sort_by_key(|part| self.pair_names(&part.pairs));
         parts
     }
@@ -160,7 +165,7 @@ impl Scheme {
         let alone: Vec<usize> = (0..self.links().len())
             .map(|link| match link {
                 0 => 0,
-                _ => constraints.alone(self, space, &[link], &pairs_of[link]),
+                _ => space.freedoms() - constraints.rank(pairs_of[link].iter().copied()),
             })
             .collect();
         let is_all = |freedoms: usize| freedoms == mobility;
@@ -194,7 +199,7 @@ impl Scheme {
             }
             let pairs: BTreeSet<usize> = two.iter().flat_map(|l| &pairs_of[*l]).copied().collect();
             let pairs: Vec<usize> = pairs.into_iter().collect();
-            let together = constraints.alone(self, space, &two, &pairs);
+            let together = constraints.together(self, two, &pairs);
             if together > alone[one] + alone[other] && !is_all(together) {
                 idle.push(two.to_vec());
             }
@@ -209,5 +214,34 @@ impl Scheme {
                 .collect::<Vec<_>>()
         });
         idle
+    }
+}
+
+/// Which pairs are in one part: each names another one of it, the first itself.
+struct Parts(Vec<usize>);
+
+impl Parts {
+    fn new(count: usize) -> Self {
+        Self((0..count).collect())
+    }
+
+    fn lead(&self, mut pair: usize) -> usize {
+        while self.0[pair] != pair {
+            pair = self.0[pair];
+        }
+        pair
+    }
+
+    fn join(&mut self, pairs: &[usize]) {
+        for two in pairs.windows(2) {
+            let [one, other] = [two[0], two[1]].map(|pair| self.lead(pair));
+            self.0[one.max(other)] = one.min(other);
+        }
+    }
+
+    fn hold_together(&self, pairs: &[usize]) -> bool {
+        let mut leads = pairs.iter().map(|pair| self.lead(*pair));
+        let first = leads.next();
+        leads.all(|lead| Some(lead) == first)
     }
 }

@@ -55,10 +55,7 @@ impl Scheme {
         let forms = self.forms(Space::Whole)?;
         let constraints = Constraints::new(self, &forms, Space::Whole);
         let equilibrium = constraints.equilibrium(self).eliminated(None);
-        let free = equilibrium.free().iter();
-        let stresses: Vec<Vec<f64>> = free
-            .map(|free| scaled(equilibrium.solution(*free)))
-            .collect();
+        let stresses: Vec<Vec<f64>> = equilibrium.solutions().map(scaled).collect();
         let mut order: Vec<usize> = (0..self.pairs().len()).collect();
         order.sort_by_key(|pair| &self.pairs()[*pair].name);
         let raises = order.iter().enumerate().map(|(place, &pair)| {

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use super::scheme::Scale;
 use super::screw::{Form, basis};
 use super::{Cut, CutError, Scheme};
 
@@ -67,7 +68,7 @@ impl Scheme {
             let pairs = pairs.collect();
             return Err(CutError::Closed { pairs });
         }
-        let (from, apart) = open.from_ground();
+        let (from, apart) = open.hung();
         if !apart.is_empty() {
             let links = apart.iter().map(|link| self.link_name(*link).to_owned());
             let links = links.collect();
@@ -88,8 +89,9 @@ impl Scheme {
             sections.open += usize::from(self.freedoms(at)) * left;
             sections.open_spatial += usize::from(pair.kind.freedoms()) * left;
         }
+        let scale = self.scale();
         for &cut in cuts {
-            let closed = self.contour(cut, &open, &from);
+            let closed = self.contour(cut, &open, &from, &scale);
             sections.removed += usize::from(closed.constraints);
             sections.removed_spatial += usize::from(closed.spatial_constraints);
             sections.loops.push(closed);
@@ -103,13 +105,13 @@ impl Scheme {
 
 impl Scheme {
     /// The contour that a cut opened: what joined the pair and the link besides the cut.
-    fn contour(&self, cut: Cut, open: &Open, from: &[Option<usize>]) -> Loop {
+    fn contour(&self, cut: Cut, open: &Open, from: &[Option<usize>], scale: &Scale) -> Loop {
         let pair_at = |node: usize| node.checked_sub(self.links().len());
         let ends = [self.links().len() + cut.pair, cut.link];
         let nodes = open.between(ends, from);
         let pairs: Vec<usize> = nodes.into_iter().filter_map(pair_at).collect();
         let spatial = 6 - self.pairs()[cut.pair].kind.freedoms();
-        let motion_space = self.motion_space(&pairs);
+        let motion_space = self.motion_space(&pairs, scale);
         Loop {
             cut,
             pairs,
@@ -121,9 +123,8 @@ impl Scheme {
     }
 
     /// λ of a contour with these pairs.
-    fn motion_space(&self, pairs: &[usize]) -> u8 {
-        let scale = self.scale();
-        let forms: Option<Vec<Form>> = pairs.iter().map(|pair| self.form(*pair, &scale)).collect();
+    fn motion_space(&self, pairs: &[usize], scale: &Scale) -> u8 {
+        let forms: Option<Vec<Form>> = pairs.iter().map(|pair| self.form(*pair, scale)).collect();
         match forms {
             // At most 6, the number of a screw's components.
             Some(forms) => basis(forms.iter().flat_map(Form::freedoms).collect()).len() as u8,
@@ -234,7 +235,7 @@ impl Open {
     }
 
     /// From where each node is reached from the ground, and the links that are not.
-    fn from_ground(&self) -> (Vec<Option<usize>>, Vec<usize>) {
+    fn hung(&self) -> (Vec<Option<usize>>, Vec<usize>) {
         let mut from = vec![None; self.near.len()];
         self.spread(0, &mut from);
         let apart = (0..self.links).filter(|link| from[*link].is_none());
