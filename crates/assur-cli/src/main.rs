@@ -1,6 +1,7 @@
 //! Assur in the terminal: the mechanisms of the catalogue and of files as tables,
-//! as Assur groups and as drawings.
+//! as Assur groups, by their mobility and as drawings.
 
+mod mobility;
 mod plot;
 mod source;
 mod structure;
@@ -54,6 +55,23 @@ enum Command {
     Structure {
         /// Catalogue name or file.
         name: String,
+        /// For programs.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Counts mobility and redundant constraints, and judges them by the rank of the constraints.
+    ///
+    /// A scheme of links and pairs, or any linkage as one. Pairs are cut until every contour is open: W is the sum of
+    /// the freedoms of what is left, less the constraints of what was cut. q counts the constraints that are
+    /// redundant in space. Where places and axes are known the rank tells how many motions there really are, which
+    /// pairs bear redundant constraints, which links move for themselves, and which pairs to replace.
+    Mobility {
+        /// Catalogue name or file.
+        name: String,
+        /// Pairs to cut; of a hinge of more than two links one of them, as in Q:3 [default: those of the file, or
+        /// else those that the way from the ground finds]
+        #[arg(long, value_name = "PAIR,PAIR", value_delimiter = ',')]
+        cut: Option<Vec<String>>,
         /// For programs.
         #[arg(long)]
         json: bool,
@@ -126,6 +144,9 @@ fn run(command: Command) -> Result<(), Failure> {
         } => sweep::write(&mut out, &source::moved(&name, assembly)?.motion, step)?,
         Command::Structure { name, json } => {
             structure::write(&mut out, &source::moved(&name, None)?.motion, json)?;
+        }
+        Command::Mobility { name, cut, json } => {
+            mobility::write(&mut out, &name, cut.as_deref(), json)?;
         }
         Command::Synth(asked) => synth::write(&mut out, &asked)?,
         Command::Plot {

@@ -2,8 +2,9 @@
 
 use std::io;
 
+use assur::mobility::{Cut, Scheme, SchemeDefect, SchemeDraft};
 use assur::motion::Motion;
-use assur_file::{LinkageDocument, Problem};
+use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
 
 use crate::Failure;
 use crate::words::Words;
@@ -39,10 +40,47 @@ pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failur
     Ok(Moved { document, motion })
 }
 
+/// A scheme with the cuts that its document has.
+pub(crate) struct Schemed {
+    pub(crate) scheme: Scheme,
+    pub(crate) cuts: Vec<Cut>,
+}
+
+/// The scheme of a name; a linkage as it is drawn.
+///
+/// # Errors
+/// No such name or file; every reason why it is no scheme.
+pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
+    let refuse = |problems: Vec<Problem>| refused(name, &problems);
+    if let Document::Scheme(document) = any(name)? {
+        let scheme = document.scheme().map_err(refuse)?;
+        let cuts = document.cuts(&scheme).map_err(refuse)?;
+        return Ok(Schemed { scheme, cuts });
+    }
+    let motion = moved(name, None)?.motion;
+    let mechanism = motion.mechanism();
+    let pose = motion
+        .pose::<1>(motion.home())
+        .map_err(|reason| refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()]))?;
+    let defective = |defects: Vec<SchemeDefect>| {
+        let problems = defects.into_iter().map(SchemeProblem::from);
+        refuse(problems.map(Problem::from).collect())
+    };
+    let scheme = Scheme::new(&SchemeDraft::of(mechanism, &pose)).map_err(defective)?;
+    let cuts = Vec::new();
+    Ok(Schemed { scheme, cuts })
+}
+
 fn document(name: &str) -> Result<LinkageDocument, Failure> {
-    let found = match assur_file::from_catalogue(name) {
+    let linkage = any(name)?.linkage();
+    linkage.map_err(|problems| refused(name, &problems))
+}
+
+/// What a name stands for, of any kind.
+fn any(name: &str) -> Result<Document, Failure> {
+    let found = match assur_file::document(name) {
         Some(found) => found,
-        None => assur_file::from_text(&text(name)?),
+        None => assur_file::document_of(&text(name)?),
     };
     found.map_err(|problems| refused(name, &problems))
 }
@@ -59,7 +97,9 @@ fn text(name: &str) -> Result<String, Failure> {
     };
     let size = std::fs::metadata(name).map_err(unread)?.len();
     if size > LARGEST {
-        return Err(Failure::Input(format!("{name}: too large to be a linkage")));
+        return Err(Failure::Input(format!(
+            "{name}: too large to be a mechanism"
+        )));
     }
     let bytes = std::fs::read(name).map_err(unread)?;
     String::from_utf8(bytes).map_err(|_| Failure::Input(format!("{name}: this is no text")))

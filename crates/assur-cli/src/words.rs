@@ -6,7 +6,7 @@ use assur_file::Problem;
 use serde::Deserialize;
 use serde_json::{Error, Map, Value};
 
-/// The English table.
+/// The English tables: what all kinds have, and what schemes have of their own.
 pub(crate) struct Words(BTreeMap<String, String>);
 
 /// A problem as it is written for programs.
@@ -21,7 +21,15 @@ impl Words {
     /// # Errors
     /// A table that is none, which tests of the workspace rule out.
     pub(crate) fn english() -> Result<Self, Error> {
-        serde_json::from_str(include_str!("../../../lang/en.json")).map(Self)
+        let tables = [
+            include_str!("../../../lang/en.json"),
+            include_str!("../../../www/kinds/scheme/words.en.json"),
+        ];
+        let tables = tables
+            .into_iter()
+            .map(serde_json::from_str::<BTreeMap<_, _>>);
+        let tables = tables.collect::<Result<Vec<_>, _>>()?;
+        Ok(Self(tables.into_iter().flatten().collect()))
     }
 
     /// The sentence of a problem, or its code where there is none.

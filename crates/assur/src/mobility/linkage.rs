@@ -7,6 +7,9 @@ use crate::gears::{GearPair, Wheel};
 use crate::mechanism::{DraftGear, DraftSlide, FRAME, LinkId, Mechanism, PointId, Pose};
 use crate::{Point, Vector};
 
+/// The name of a contact of wheels in mesh: P, as textbooks have the pitch point.
+const PITCH_POINT: &str = "P";
+
 /// The name of a wheel between two others that a draft does not have, but its mesh as printed implies.
 const IDLER: &str = "idler";
 
@@ -15,7 +18,7 @@ const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 impl SchemeDraft {
     /// A linkage at a pose. A hinge has the name of its point, a slide that of the point or the link that slides,
-    /// wheels in mesh the names of both. Links that are fixed to each other are one; between wheels that mesh "as
+    /// wheels in mesh touch in P. Links that are fixed to each other are one; between wheels that mesh "as
     /// printed" there is an idler, as [`Mechanism::counts`] has it. Meshes of wheels about one centre have no place.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         let mut parts = Parts {
@@ -147,7 +150,7 @@ impl Parts<'_> {
                 contact([one, other], ratio)
             });
             let (place, normal) = contact.unzip();
-            let (name, kind) = (links.join("/"), PairKind::CylinderOnPlane);
+            let (name, kind) = (PITCH_POINT.to_owned(), PairKind::CylinderOnPlane);
             self.pair(name, kind, links.to_vec(), place, normal.map(spatial));
         }
     }
