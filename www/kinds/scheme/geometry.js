@@ -11,7 +11,7 @@ import { change } from "assur/state/change.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** So many ways to mend it are shown; more of them would not be read. */
+/** So many ways to mend it are shown at once. */
 const SHOWN = 12;
 
 export class GeometryView {
@@ -50,16 +50,18 @@ export class GeometryView {
    */
   #showMended({ mended }, words) {
     const { list, complete } = mended ?? { list: [], complete: true };
-    const rows = list.slice(0, SHOWN).map((changes, i) => {
+    const rows = list.map((changes, i) => {
       const n = i + 1;
       const said = changes.map(({ pair, kind }) => words.text("replace.change", { pair, kind: words.text(`pair.${kind}`) })).join("; ");
       const take = make("button", { id: `mended-${n}`, class: "control", type: "button", "aria-label": `${words.text("replace.take")}: ${said}` }, [words.text("replace.take")]);
       take.addEventListener("click", () => change(() => this.#page.engine.setDimension("mended", n, 0), "pairs", this.#page));
       return make("li", {}, [make("span", {}, [said]), take]);
     });
-    const more = list.length > SHOWN || !complete ? [make("p", {}, [words.text("replace.more")])] : [];
     const said = words.text(rows.length > 0 ? "replace.said" : "replace.none");
-    this.#mended.replaceChildren(make("p", {}, [said]), make("ul", { class: "mended" }, rows), ...more);
+    const rest = rows.splice(SHOWN);
+    const more = rest.length > 0 ? [make("details", {}, [make("summary", {}, [words.text("replace.more")]), make("ul", { class: "mended" }, rest)])] : [];
+    const beyond = complete ? [] : [make("p", {}, [words.text("replace.beyond")])];
+    this.#mended.replaceChildren(make("p", {}, [said]), make("ul", { class: "mended" }, rows), ...more, ...beyond);
   }
 }
 

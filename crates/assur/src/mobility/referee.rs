@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::constraints::Constraints;
 use super::elimination::Eliminated;
 use super::screw::Form;
-use super::{PairKind, Scheme};
+use super::{Pair, PairKind, Scheme};
 
 /// Where motions are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,6 +144,27 @@ impl Scheme {
         names.collect()
     }
 
+    /// Of each link whether it is in a contour or between two: what hangs on one pair, at the end of an open chain,
+    /// is taken away until nothing more does.
+    fn between_others(&self) -> Vec<bool> {
+        let mut between = vec![true; self.links().len()];
+        loop {
+            let stays = |link: usize| {
+                let has_others = |pair: &&Pair| {
+                    let others = pair.links.iter().filter(|other| **other != link);
+                    pair.links.contains(&link) && others.into_iter().any(|other| between[*other])
+                };
+                self.pairs().iter().filter(has_others).count() > 1
+            };
+            let next = (0..between.len()).map(|link| between[link] && stays(link));
+            let next: Vec<bool> = next.collect();
+            if next == between {
+                return between;
+            }
+            between = next;
+        }
+    }
+
     /// Links that move while all others stand still.
     ///
     /// A link in a contour may do so alone, and two that are joined may together. Not idle is what hangs on the
@@ -169,7 +190,8 @@ impl Scheme {
             })
             .collect();
         let is_all = |freedoms: usize| freedoms == mobility;
-        let in_contour = |link: usize| pairs_of[link].len() > 1;
+        let between = self.between_others();
+        let in_contour = |link: usize| between[link];
         let mut idle: Vec<Vec<usize>> = links
             .clone()
             .filter(|&link| {

@@ -10,7 +10,7 @@ use super::Scheme;
 use crate::summary::HandleSummary;
 
 /// So many ways to mend it are told of at most.
-pub(crate) const MENDED: usize = 40;
+pub(crate) const MENDED: usize = 200;
 
 /// All that is said of a scheme. W and q are those that are counted in its own space.
 #[derive(Serialize)]
