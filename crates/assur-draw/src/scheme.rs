@@ -17,6 +17,9 @@ use symbols::Pen;
 /// Half the width of a bar, in units.
 const BAR: f64 = 0.75;
 
+/// Room for names around all places, in units.
+const ROOM: f64 = 10.0;
+
 /// A pair of which no place is told stands off by this, relative to the size.
 const ASIDE: f64 = 0.15;
 
@@ -339,7 +342,7 @@ impl SchemeFigure {
             nodes
         });
         let ([left, bottom, right, top], _) = around(seen);
-        let room = 6.0 * self.unit;
+        let room = ROOM * self.unit;
         [left - room, bottom - room, right + room, top + room]
     }
 }

@@ -30,7 +30,7 @@ impl SchemeFigure {
                 None => assur::Vector::new(-0.7, 0.7),
             };
             // In space symbols reach farther than the circle of a hinge.
-            let reach = if self.scheme.is_planar() { 2.3 } else { 3.0 };
+            let reach = if self.scheme.is_planar() { 2.3 } else { 2.6 };
             list.name(
                 Role::Ink,
                 index,
