@@ -86,6 +86,7 @@ const ADDRESSES: &[&str] = &[
     "1&lesson=clock&d.l1=1",
     "1&lesson=mixer&d.l1=NaN",
     "2&kind=linkage&d.points=[]",
+    "2&kind=scheme&d.ground=x&d.pairs=[]&d.cut=[]&d.look_deg=[0,0]",
     "<script>",
     "%%%",
 ];
@@ -271,6 +272,15 @@ fn asked(name: &str, usual: u64) -> u64 {
 const SYNTHESIS: &str = "#2&kind=synthesis&d.frame=10.4&d.positions=%5B%7B%22output_deg%22:240,%22input_deg%22:45%7D,\
     %7B%22output_deg%22:253,%22input_deg%22:60%7D%5D&v.phi_deg=50&v.playing=true&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
 
+/// A four-bar as a scheme, cut in D.
+const SCHEME: &str = "#2&kind=scheme&d.planar=true&d.ground=%220%22&d.cut=%5B%22D%22%5D&d.look_deg=%5B-30,25%5D&d.pairs=\
+    %5B%7B%22name%22:%22A%22,%22kind%22:%22revolute%22,%22links%22:%5B%220%22,%221%22%5D,%22at%22:%5B0,0\
+    %5D%7D,%7B%22name%22:%22B%22,%22kind%22:%22revolute%22,%22links%22:%5B%221%22,%222%22%5D,%22at%22:%5\
+    B1,2%5D%7D,%7B%22name%22:%22C%22,%22kind%22:%22revolute%22,%22links%22:%5B%222%22,%223%22%5D,%22at%2\
+    2:%5B5,3%5D%7D,%7B%22name%22:%22D%22,%22kind%22:%22revolute%22,%22links%22:%5B%223%22,%220%22%5D,%22\
+    at%22:%5B6,0%5D%7D%5D\
+    &v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
+
 #[tokio::test]
 async fn nothing_breaks_whatever_somebody_does() {
     wander("").await;
@@ -279,6 +289,11 @@ async fn nothing_breaks_whatever_somebody_does() {
 #[tokio::test]
 async fn nothing_breaks_in_a_synthesis() {
     wander(SYNTHESIS).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_in_a_scheme() {
+    wander(SCHEME).await;
 }
 
 /// Does whatever comes to hand, beginning at an address.
