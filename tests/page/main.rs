@@ -23,6 +23,7 @@ mod layout;
 mod lesson;
 mod loading;
 mod mobility;
+mod mobility_hands;
 mod mobility_lesson;
 mod mobility_practice;
 mod more;

@@ -29,7 +29,7 @@ pub(crate) fn scheme(name: &str) -> Scheme {
     document(name).scheme().unwrap()
 }
 
-fn with_cuts(name: &str, cut: &[&str]) -> SchemeDocument {
+pub(crate) fn with_cuts(name: &str, cut: &[&str]) -> SchemeDocument {
     let cut = cut.iter().map(|&name| name.to_owned()).collect();
     SchemeDocument {
         cut,
@@ -70,7 +70,7 @@ pub(crate) async fn there(page: &Page) {
 }
 
 /// The pairs that the table has as cut.
-async fn cuts(page: &Page) -> Vec<String> {
+pub(crate) async fn cuts(page: &Page) -> Vec<String> {
     let script = "return [...document.querySelectorAll('input[data-cut]:checked')].map((one) => one.dataset.cut)";
     serde_json::from_value(page.ask(script).await).unwrap()
 }
@@ -92,42 +92,6 @@ fn written(scheme: &Scheme, names: &[&str]) -> String {
     let sections = scheme.sections(&cuts).unwrap();
     let (open, removed, mobility) = (sections.open, sections.removed, sections.mobility);
     format!("W = W₀ − ΣS = {open} − {removed} = {mobility}")
-}
-
-/// Places of the drawing where a pair can be taken hold of.
-async fn handles(page: &Page) -> Vec<(f64, f64)> {
-    let script = "const canvas = document.getElementById('mechanism');
-        const { left, top, width, height } = canvas.getBoundingClientRect();
-        const found = [];
-        for (let x = 4; x < width; x += 20) for (let y = 4; y < height; y += 20) {
-            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
-            if (canvas.dataset.hand === 'open') found.push([x, y]);
-        }
-        return found;";
-    serde_json::from_value(page.ask(script).await).unwrap()
-}
-
-/// A press cuts a pair in the drawing, each pair can be pressed; undo joins it again.
-#[tokio::test]
-async fn pairs_are_cut_in_the_drawing() {
-    let page = open(&with_cuts("mobility-2c", &[])).await;
-    page.prefer("prefers-reduced-motion", "reduce").await;
-    let mut pressed = BTreeSet::new();
-    for place in handles(&page).await {
-        page.drag_along("mechanism", &[place]).await;
-        let cut = cuts(&page).await;
-        // A control may lie over the drawing there.
-        assert!(cut.len() <= 1, "{place:?} {cut:?}");
-        if !cut.is_empty() {
-            pressed.extend(cut);
-            page.click("undo").await;
-            assert!(cuts(&page).await.is_empty());
-        }
-    }
-    let scheme = scheme("mobility-2c");
-    let all = scheme.pairs().iter().map(|pair| pair.name.clone());
-    assert_eq!(pressed, all.collect());
-    page.close().await;
 }
 
 /// A contour that is still closed is told by its pairs, a link that is cut off by its name; what opens

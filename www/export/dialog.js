@@ -55,17 +55,19 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
     const { value } = attempt(() => engine.ask((simulator) => simulator.sweep(Number(step.value))));
     if (value) download(toCsv(value, coordinate.field), `${name}.csv`);
   };
+  const drawn = [head("export-drawing", "export.drawing"), pictures("drawing", "mechanism", drawing)];
+  // What does not move has neither a turn nor plots of it.
+  const exports = model.summary.moves === null ? drawn : [
+    head("export-table", "export.table"),
+    make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),
+    ...drawn,
+    head("export-plots", "export.plots"),
+    pictures("plots", "charts", plots),
+  ];
   return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
     make("form", { method: "dialog" }, [
       make("h2", { id: "export-title", "data-t": "export.title" }),
-      make("div", { class: "exports" }, [
-        head("export-table", "export.table"),
-        make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),
-        head("export-drawing", "export.drawing"),
-        pictures("drawing", "mechanism", drawing),
-        head("export-plots", "export.plots"),
-        pictures("plots", "charts", plots),
-      ]),
+      make("div", { class: "exports" }, exports),
       make("p", { class: "note", "data-t": "export.note" }),
       make("button", { id: "export-close", class: "control", "data-t": "dialog.close" }),
     ]),
