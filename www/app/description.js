@@ -3,6 +3,7 @@ import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
 import { called, calledIn } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { powerOf, unitOf, written } from "assur/plots/units.js";
 
@@ -23,8 +24,7 @@ export class Description {
   #plots = byId("charts-description", HTMLElement);
   #now = byId("announcement", HTMLElement);
   #chart;
-  /** @type {readonly unknown[]} what the last sentences are made of */
-  #shown = [];
+  #shown = new Seen();
   /** @type {readonly unknown[]} angle and mechanism that were told last */
   #told = [];
   #asked;
@@ -43,9 +43,7 @@ export class Description {
   render(snapshot) {
     const { state, words, revision, problems, place } = snapshot;
     const { playing } = state.view;
-    const shown = [words, revision, this.#chart.panels, playing || place, ...problems.map(({ code }) => code)];
-    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(words, revision, this.#chart.panels, playing || place, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing) write(this.#drawing, words.text("told.moving"));
     this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);

@@ -1,12 +1,12 @@
 // The name of the mechanism in the header, and what is called by it.
 import { byId, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 
 export class Title {
   #place = byId("mechanism-name", HTMLElement);
   #named = byId("mechanism", HTMLElement);
   #engine;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ engine }) {
@@ -15,9 +15,7 @@ export class Title {
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, words }) {
-    const shown = [state.document, words];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(state.document, words)) return;
     const name = this.#name(state, words);
     write(this.#place, name);
     this.#named.dataset.n = name;

@@ -6,6 +6,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
 import { DesignView } from "assur/kinds/linkage/design.js";
 import { across, down } from "assur/plots/panel.js";
 import { setChartFont } from "assur/plots/text.js";
@@ -123,8 +124,7 @@ export class CourseView {
   #name = make("caption");
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /**
    * @param {import("assur/app/page.js").Page} page
@@ -154,9 +154,7 @@ export class CourseView {
     // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
-    const shown = [profile, words, wrong, band, stale, withheld];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
     if (!profile) return;
     this.#row.show(band ?? profile.width, words, wrong);
     if (stale) return;

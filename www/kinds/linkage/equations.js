@@ -3,6 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
 
 /**
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
@@ -33,8 +34,7 @@ export class EquationsView {
   #cells = [];
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {readonly unknown[]} what the rows were made of */
-  #built = [];
+  #built = new Seen();
   /** @type {readonly unknown[]} what the numbers were written of */
   #written = [];
 
@@ -110,9 +110,7 @@ export class EquationsView {
    * @param {Words} words
    */
   #build(equations, order, words) {
-    const built = [JSON.stringify(equations), order, words];
-    if (built.every((part, i) => part === this.#built[i])) return;
-    this.#built = built;
+    if (this.#built.same(JSON.stringify(equations), order, words)) return;
     this.#written = [];
     this.#note.hidden = order === 0;
     const rows = equations.map((equation, row) => {

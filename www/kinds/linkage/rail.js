@@ -2,6 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { change, inputNow } from "assur/state/change.js";
 
 /**
@@ -27,8 +28,7 @@ export class LinkageRail {
   /** @type {NumberRow[]} */
   #rows = [];
   #built = "";
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /**
    * @param {import("assur/app/page.js").Page} page
@@ -53,9 +53,7 @@ export class LinkageRail {
   render({ state, summary, words, problems }) {
     const { document: linkage } = state;
     const wrong = new Set(problems.map(({ field, path }) => field ?? path));
-    const shown = [linkage, summary, words, ...wrong];
-    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(linkage, summary, words, ...wrong)) return;
     const { assembly, assemblies, drivers, dimensions } = summary;
     const built = JSON.stringify([words.lang, linkage.title, drivers, dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {

@@ -1,6 +1,7 @@
 // The points that are traced on the links of a linkage, in its rail: where each is, and one less.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
 
@@ -8,8 +9,7 @@ export class TracedPoints {
   #store;
   #list = make("div");
   #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store }) {
@@ -20,9 +20,7 @@ export class TracedPoints {
   /** @param {import("assur/kinds/linkage/rail.js").Snapshot} snapshot */
   render({ state, summary, words }) {
     const { tracers = [] } = state.document;
-    const shown = [state.document.tracers, summary, words];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(state.document.tracers, summary, words)) return;
     const focused = this.#list.contains(document.activeElement);
     this.#section.hidden = tracers.length === 0;
     this.#list.replaceChildren(...tracers.map(({ name, link, at }, index) => {

@@ -2,6 +2,7 @@
 import { CardList } from "assur/controls/card-list.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { TEETH, TRACER_LIST, WHEEL_LIST, staying } from "assur/kinds/mixer/lists.js";
 import { contains, edited } from "assur/state/state.js";
 
@@ -39,8 +40,7 @@ export class Rail {
   /** @type {{ input: HTMLInputElement, field: "mesh" | "assembly", value: string | number }[]} */
   #choices = [];
   #lists;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /**
    * @param {import("assur/app/page.js").Page} page
@@ -86,9 +86,7 @@ export class Rail {
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, words, summary, ...wrong];
-    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(state.document, words, summary, ...wrong)) return;
     for (const row of this.#rows) row.show(state.document[/** @type {NumberField} */ (row.field)], words, wrong.has(row.field));
     for (const list of this.#lists) list.show(snapshot, wrong);
     for (const { button, document } of this.#presets) {

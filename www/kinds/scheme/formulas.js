@@ -1,6 +1,7 @@
 // The same numbers by the formulas of the textbooks, and contour by contour.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
@@ -8,8 +9,7 @@ import { asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme
 export class FormulasView {
   #body = make("div", { id: "scheme-formulas" });
   #element;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   constructor() {
     this.#element = section("scheme", "formulas.heading", "formulas", [this.#body]);
@@ -19,9 +19,7 @@ export class FormulasView {
   render(snapshot) {
     const { state, summary, words, stale, withheld } = snapshot;
     this.#element.hidden = state.document.task != null;
-    const shown = [summary, words, stale, withheld];
-    if (stale || shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (stale || this.#shown.same(summary, words, stale, withheld)) return;
     const lines = [...classical(snapshot), ...byLoops(snapshot)];
     this.#body.replaceChildren(...lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]));
   }

@@ -1,6 +1,7 @@
 // What the rank of the constraints says of this very geometry, and which other pairs leave no redundant constraint.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { asked } from "assur/kinds/scheme/sums.js";
 import { change } from "assur/state/change.js";
 
@@ -19,8 +20,7 @@ export class GeometryView {
   #body = make("div", { id: "scheme-geometry" });
   #mended = make("div", { id: "scheme-mended" });
   #sections;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -37,9 +37,7 @@ export class GeometryView {
     const [geometry, mended] = this.#sections;
     geometry.hidden = state.document.task != null;
     mended.hidden = geometry.hidden || !summary.mended || (summary.space?.redundant ?? 0) === 0;
-    const shown = [summary, words, stale, withheld];
-    if (stale || shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (stale || this.#shown.same(summary, words, stale, withheld)) return;
     this.#body.replaceChildren(...lines(snapshot).map((line) => make("p", {}, [line])));
     this.#showMended(summary, words);
   }

@@ -1,6 +1,7 @@
 // The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
 
@@ -23,8 +24,7 @@ export class MethodView {
   #timer = 0;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -37,9 +37,7 @@ export class MethodView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state: { document }, summary, words, stale, withheld } = snapshot;
-    const shown = [document, summary, words, stale, withheld];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(document, summary, words, stale, withheld)) return;
     this.#snapshot = snapshot;
     // Whoever cuts another pair meanwhile does it by hand from there.
     if (this.#coming.length > 0 && !document.cut.every((name, i) => name === summary.automatic[i])) this.#stop();

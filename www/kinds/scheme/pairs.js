@@ -3,6 +3,7 @@ import { CardList } from "assur/controls/card-list.js";
 import { NumberBox } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -33,8 +34,7 @@ export class PairsView {
   #page;
   #list;
   #planar = make("input", { id: "scheme-planar", type: "checkbox" });
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -57,9 +57,7 @@ export class PairsView {
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, words, summary, ...wrong];
-    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(state.document, words, summary, ...wrong)) return;
     this.#list.show(snapshot, wrong);
     this.#planar.checked = state.document.planar;
   }

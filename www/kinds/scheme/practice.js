@@ -2,6 +2,7 @@
 import { NumberBox } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { symbolOf } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
 
@@ -41,8 +42,7 @@ export class PracticeView {
   #questions = [];
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -55,9 +55,7 @@ export class PracticeView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state: { document }, summary, words, stale } = snapshot;
-    const shown = [document, summary, words, stale];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(document, summary, words, stale)) return;
     this.#snapshot = snapshot;
     const task = document.task ?? null;
     this.#end.hidden = this.#said.hidden = this.#rows.hidden = task === null;

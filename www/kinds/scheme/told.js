@@ -1,20 +1,18 @@
 // What a screen reader is told of the drawing.
 import { byId, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { asked } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
 export class Told {
   #drawing = byId("mechanism-description", HTMLElement);
-  /** @type {readonly unknown[]} what was told last */
-  #told = [];
+  #told = new Seen();
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state: { document }, summary: { links, pairs, mobility, redundant }, words, withheld } = snapshot;
-    const told = [document, words, withheld];
-    if (told.every((part, i) => part === this.#told[i])) return;
-    this.#told = told;
+    if (this.#told.same(document, words, withheld)) return;
     const { numbers } = words;
     const [moving, joined] = [links.length - 1, pairs.length].map((one) => numbers.exact(one));
     const [w, q] = [asked(mobility, "w", snapshot), asked(redundant, "q", snapshot)];

@@ -1,6 +1,7 @@
 // The conditions of the paper for one position at its coupler angle: each with its value and verdict, and beside them what is true.
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { Plane } from "assur/kinds/synthesis/plane.js";
 import { section } from "assur/controls/section.js";
 
@@ -16,8 +17,7 @@ export class ConditionsView {
   #content = make("div");
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ theme }) {
@@ -34,9 +34,7 @@ export class ConditionsView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { summary, words } = snapshot;
-    const shown = [summary, words, this.#theme.revision];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(summary, words, this.#theme.revision)) return;
     this.#snapshot = snapshot;
     this.#content.replaceChildren(...summary.wanted.map((one, k) => table(one, k + 1, words)));
     this.#region.element.ariaLabel = words.text("region.label");

@@ -2,6 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { FamilyMap, LOOKS } from "assur/kinds/synthesis/map.js";
 import { section } from "assur/controls/section.js";
 import { change, inputNow } from "assur/state/change.js";
@@ -29,8 +30,7 @@ export class FamilyView {
   #ranges = make("tbody");
   #table = make("table", { class: "solutions" }, [this.#ranges]);
   #legend = make("p", { class: "legend" });
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -49,9 +49,7 @@ export class FamilyView {
   render(snapshot) {
     const { summary, words, problems } = snapshot;
     const wrong = problems.some(({ field }) => field === "output");
-    const shown = [summary, words, wrong, this.#theme.revision];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(summary, words, wrong, this.#theme.revision)) return;
     this.#map.show(snapshot);
     const { family, drawn } = summary;
     this.#row.element.hidden = this.#table.hidden = this.#legend.hidden = !family;

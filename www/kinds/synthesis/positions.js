@@ -6,6 +6,7 @@ import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { section } from "assur/controls/section.js";
+import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -45,8 +46,7 @@ export class PositionsView {
   #engine;
   #list;
   #free = make("input", { id: "free", type: "checkbox" });
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -67,9 +67,7 @@ export class PositionsView {
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
-    const shown = [state.document, words, summary, ...wrong];
-    if (shown.length === this.#shown.length && shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(state.document, words, summary, ...wrong)) return;
     for (const { row, field } of this.#frame) row.show(state.document[field], words, wrong.has(field));
     this.#list.show(snapshot, wrong);
     this.#free.checked = state.document.free;

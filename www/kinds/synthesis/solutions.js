@@ -3,6 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { section } from "assur/controls/section.js";
+import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -32,8 +33,7 @@ export class SolutionsView {
   #equation = make("div");
   /** @type {Snapshot["summary"] | null} */
   #summary = null;
-  /** @type {readonly unknown[]} what was shown last */
-  #shown = [];
+  #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -50,9 +50,7 @@ export class SolutionsView {
 
   /** @param {Snapshot} snapshot */
   render({ summary, words }) {
-    const shown = [summary, words];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    this.#shown = shown;
+    if (this.#shown.same(summary, words)) return;
     this.#summary = summary;
     const { from, found, number, wanted } = summary;
     const { best = 0, starts = 0 } = found ?? {};
