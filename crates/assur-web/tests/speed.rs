@@ -7,14 +7,19 @@
     reason = "a benchmark that cannot run has failed"
 )]
 
+#[path = "speed/schemes.rs"]
+mod schemes;
+
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use assur::mechanism::{self, LinkId, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
+use assur::mobility::Space;
 use assur::motion::{Input, Motion};
 use assur::synthesis::four_bar::{Family, Frame, Position, Search, Task, TwoPositions};
 use assur::{Assembly, FourBar, Pose};
+use schemes::Net;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_browser);
@@ -106,6 +111,23 @@ fn speed() {
                         full.store(&motion, index, black_box(crank));
                     }
                 }
+            }),
+        ));
+    }
+
+    for (name, net, planar) in [
+        ("200 links in a ladder, in the plane", Net::Ladder, true),
+        ("200 links in a ladder, in space", Net::Ladder, false),
+        ("200 links at random, in the plane", Net::Random, true),
+        ("200 links at random, in space", Net::Random, false),
+    ] {
+        let scheme = schemes::scheme(net, planar);
+        let space = if planar { Space::Plane } else { Space::Whole };
+        contestants.push((
+            name,
+            1,
+            Box::new(move || {
+                black_box(schemes::judge(&scheme, space));
             }),
         ));
     }

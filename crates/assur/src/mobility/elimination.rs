@@ -298,13 +298,12 @@ impl Eliminated {
         })
     }
 
-    /// A solution with something of every other one: no two of its free unknowns are in a simple ratio.
-    pub(super) fn mixture(&self) -> Vec<f64> {
+    /// A solution with something of all those whose free unknown is wanted: no two of these are in a simple ratio.
+    pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
-        for free in &self.free {
+        for column in self.free().filter(|column| wanted(*column)) {
             // A multiple of the golden section without its whole part.
-            let part = ((free.column + 1) as f64 * 0.618_033_988_749_895).fract();
-            values[free.column] = 0.5 + part;
+            values[column] = 0.5 + ((column + 1) as f64 * 0.618_033_988_749_895).fract();
         }
         self.substitute(&mut values, self.pivots.len());
         values

@@ -79,7 +79,7 @@ impl Scheme {
             .motions(self)
             .eliminated(None);
         let width = space.freedoms();
-        let way = motions.mixture();
+        let way = motions.mixture(|_| true);
         let scale = 1.0 / greatest(&way);
         let twists = way
             .chunks_exact(width)

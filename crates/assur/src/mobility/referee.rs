@@ -111,14 +111,17 @@ impl Scheme {
     fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
         let count = self.pairs().len();
         let mut parts = Parts::new(count);
-        // Of one stress with something of every other: all pairs that are stressed at all.
-        let all = constraints.stressed(&equilibrium.mixture());
-        // Mostly a few are enough to see that all are together: the later it was found, the farther one reaches.
-        let mut solutions = equilibrium.solutions().rev();
-        while !parts.hold_together(&all)
-            && let Some(stress) = solutions.next()
-        {
-            parts.join(&constraints.stressed(&stress));
+        // A stress with something of all those of a part stresses no pair of another one, else the two are one.
+        let mut apart = false;
+        while !apart {
+            apart = true;
+            for pair in 0..count {
+                let own = |free: usize| parts.lead(constraints.pair_of(free)) == pair;
+                if equilibrium.free().any(own) {
+                    let stressed = constraints.stressed(&equilibrium.mixture(own));
+                    apart &= !parts.join(&stressed);
+                }
+            }
         }
         let mut counts = vec![0; count];
         for free in equilibrium.free() {
@@ -254,16 +257,14 @@ impl Parts {
         pair
     }
 
-    fn join(&mut self, pairs: &[usize]) {
+    /// Puts pairs into one part; whether they were not in one yet.
+    fn join(&mut self, pairs: &[usize]) -> bool {
+        let mut joined = false;
         for two in pairs.windows(2) {
             let [one, other] = [two[0], two[1]].map(|pair| self.lead(pair));
             self.0[one.max(other)] = one.min(other);
+            joined |= one != other;
         }
-    }
-
-    fn hold_together(&self, pairs: &[usize]) -> bool {
-        let mut leads = pairs.iter().map(|pair| self.lead(*pair));
-        let first = leads.next();
-        leads.all(|lead| Some(lead) == first)
+        joined
     }
 }
