@@ -221,6 +221,32 @@ async fn the_geometry_names_them() {
     }
 }
 
+/// What is no mechanism is said with the names of pair and links, in every language; the last good drawing
+/// stays.
+#[tokio::test]
+async fn what_cannot_be_is_said() {
+    let page = open(&document("mobility-2a")).await;
+    let mut texts = BTreeSet::new();
+    // A joins the frame to itself; B and C alone hang together.
+    for (pair, place, link, named) in [(1, 2, "0", "A"), (4, 2, "2", "2")] {
+        let select = format!("pair-link-{pair}-{place}");
+        page.choose(&select, link).await;
+        let faded = page.attribute("mechanism", "data-faded").await;
+        assert_eq!(faded.as_deref(), Some("true"), "{select}");
+        for lang in LANGUAGES {
+            page.speak(lang).await;
+            let text = page.text("problem").await;
+            assert!(text.contains(named) && text.len() > 20, "{lang}: {text}");
+            assert!(!text.contains('{') && texts.insert(text), "{lang}");
+        }
+        page.speak("en").await;
+    }
+    page.click("undo").await;
+    page.click("undo").await;
+    assert_eq!(page.text("problem").await, "");
+    page.close().await;
+}
+
 /// A way to do without redundant constraints is taken, and undone.
 #[tokio::test]
 async fn redundant_constraints_are_mended() {
