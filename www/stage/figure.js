@@ -2,6 +2,7 @@
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
 import { degrees } from "assur/core/angles.js";
+import { called } from "assur/core/names.js";
 import { subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
 
@@ -136,7 +137,7 @@ function readPoses(frame) {
  */
 function labelText(label, { frameInput, coordinate, readouts, words }) {
   const [symbol, readout] = label.split("=");
-  if (readout === undefined) return low(label);
+  if (readout === undefined) return low(called(label, words));
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, 1)}`;
   return readouts ? `${symbol} = ${words.numbers.fixed(degrees(readouts[readout]), 1)}°` : symbol;
 }

@@ -98,15 +98,17 @@ impl SchemeFigure {
         let size = around(nodes.map(|at| projection.place(*at))).1;
         let pairs = scheme.pairs().iter().enumerate();
         let named = pairs.map(|(index, pair)| {
-            let cut = view.cuts.iter().any(|cut| cut.pair == index);
-            let freedoms = scheme.freedoms(index);
             if !view.counted {
-                pair.name.clone()
-            } else if cut {
-                format!("{} −{}", pair.name, scheme.constraints(index))
-            } else {
-                format!("{} +{freedoms}", pair.name)
+                return pair.name.clone();
             }
+            // A compound hinge counts several times, and may be cut as often.
+            let cut = view.cuts.iter().filter(|cut| cut.pair == index).count();
+            let left = usize::from(scheme.freedoms(index)) * pair.count().saturating_sub(cut);
+            let removed = usize::from(scheme.constraints(index)) * cut;
+            let signed = [("+", left), ("−", removed)].into_iter();
+            let signed = signed.filter(|(_, number)| *number > 0);
+            let signed = signed.map(|(sign, number)| format!(" {sign}{number}"));
+            pair.name.clone() + &signed.collect::<String>()
         });
         let names = named.chain(scheme.links().iter().cloned()).collect();
         let mut figure = Self {

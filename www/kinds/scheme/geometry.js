@@ -1,6 +1,7 @@
 // What the rank of the constraints says of this very geometry, and which other pairs leave no redundant constraint.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { asked } from "assur/kinds/scheme/sums.js";
 import { change } from "assur/state/change.js";
@@ -82,7 +83,7 @@ function lines(snapshot) {
   // How many they are is the answer where q is asked for.
   if (snapshot.withheld.has("scheme-q")) return said;
   for (const { count, pairs } of borne) said.push(words.counted("geometry.redundant", count, { pairs: pairs.join(", ") }));
-  for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.join(", ") }));
+  for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.map((link) => called(link, words)).join(", ") }));
   if (own.instantaneous) said.push(words.text("geometry.instantaneous"));
   else if (own.generic !== null && own.generic !== own.mobility) said.push(words.text("geometry.generic", { w: numbers.exact(own.generic) }));
   return said;

@@ -1,6 +1,7 @@
 // The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
@@ -56,7 +57,7 @@ export class MethodView {
     const { state: { document }, summary: { sections, closed, apart, planar, mobility }, words } = snapshot;
     const { numbers } = words;
     if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
-    if (apart.length > 0) return [words.text("method.apart", { links: apart.join(", ") })];
+    if (apart.length > 0) return [words.text("method.apart", { links: apart.map((link) => called(link, words)).join(", ") })];
     if (!sections || document.task != null) return [];
     // Of a chain that was open W₀ is W.
     const total = sections.cuts.length > 0 ? numbers.exact(sections.open) : asked(sections.open, "w", snapshot);

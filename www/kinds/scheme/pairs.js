@@ -3,6 +3,7 @@ import { CardList } from "assur/controls/card-list.js";
 import { NumberBox } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
@@ -156,7 +157,7 @@ export class PairsView {
       place.replaceChildren(...pair.links.map((_, at) => {
         const id = `pair-link-${index + 1}-${at + 1}`;
         const select = make("select", { id, class: "control", "aria-label": words.text("field.pairs.link", { n: String(index + 1), place: String(at + 1) }) }, [
-          ...all.map((link) => make("option", { value: link }, [link])), make("option", { value: NEW }, [words.text("pairs.new_link")]),
+          ...all.map((link) => make("option", { value: link }, [called(link, words)])), make("option", { value: NEW }, [words.text("pairs.new_link")]),
         ]);
         select.addEventListener("change", () => this.#join(index, at, select.value));
         return select;
