@@ -120,8 +120,7 @@ impl Constraints {
 
     /// How many constraints these pairs have on a link that all of them join to what stands still.
     pub(super) fn rank(&self, pairs: impl Iterator<Item = usize>) -> usize {
-        let wrenches = pairs.flat_map(|pair| &self.wrenches[pair]).copied();
-        basis(wrenches.collect()).len()
+        basis(pairs.flat_map(|pair| &self.wrenches[pair]).copied()).len()
     }
 
     /// How many freedoms two links have while all others stand still; `pairs` are all that they have.

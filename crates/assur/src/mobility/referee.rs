@@ -117,7 +117,7 @@ impl Scheme {
             apart = true;
             for pair in 0..count {
                 let own = |free: usize| parts.lead(constraints.pair_of(free)) == pair;
-                if equilibrium.free().any(own) {
+                if parts.lead(pair) == pair && equilibrium.free().any(own) {
                     let stressed = constraints.stressed(&equilibrium.mixture(own));
                     apart &= !parts.join(&stressed);
                 }

@@ -117,7 +117,7 @@ impl Form {
                 }
             })
         };
-        basis(self.constraints().iter().map(in_plane).collect())
+        basis(self.constraints().iter().map(in_plane))
     }
 }
 
@@ -134,22 +134,43 @@ pub(super) fn across(axis: &Vector3) -> Vector3 {
 /// Screws of length 1 at right angles to each other with the same span. Those given are of length
 /// about 1 or less; what is left of one, after the others are taken out, counts as nothing below
 /// [`ZERO`].
-pub(super) fn basis(mut screws: Vec<Screw>) -> Vec<Screw> {
-    let mut basis: Vec<Screw> = vec![];
-    while let Some(longest) = screws.iter().map(Screw::norm).reduce(f64::max) {
-        if longest < ZERO {
-            break;
+pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
+    /// What is as long as this when the others are taken out is clearly independent of them.
+    const CLEAR: f64 = 0.1;
+    let mut basis = Vec::with_capacity(6);
+    let mut doubtful = vec![];
+    for screw in screws {
+        if basis.len() == 6 {
+            return basis;
         }
-        let Some(at) = screws.iter().position(|screw| screw.norm() >= longest) else {
-            break;
-        };
-        let unit = screws.swap_remove(at) / longest;
-        for screw in &mut screws {
-            // Twice, so that rounding leaves nothing of the length of what was taken out.
-            *screw -= unit * unit.dot(screw);
-            *screw -= unit * unit.dot(screw);
+        let rest = without(&basis, screw);
+        let length = rest.norm();
+        if length > CLEAR {
+            basis.push(rest / length);
+        } else if length > ZERO {
+            doubtful.push(rest);
         }
-        basis.push(unit);
     }
-    basis
+    // Of what is doubtful the longest first, so that rounding is not taken for a direction.
+    loop {
+        doubtful
+            .iter_mut()
+            .for_each(|rest| *rest = without(&basis, *rest));
+        let longest = doubtful.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        match longest.map(|longest| (longest, longest.norm())) {
+            Some((longest, length)) if length > ZERO => basis.push(longest / length),
+            _ => return basis,
+        }
+    }
+}
+
+/// What is left of a screw without its parts along others, which have length 1 and are at right angles.
+fn without(others: &[Screw], mut screw: Screw) -> Screw {
+    // Twice, so that rounding leaves nothing of the length of what was taken out.
+    for _ in 0..2 {
+        for unit in others {
+            screw -= unit * unit.dot(&screw);
+        }
+    }
+    screw
 }

@@ -2,8 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::scheme::Scale;
-use super::screw::{Form, basis};
+use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
 /// A scheme opened by cuts, and W from it.
@@ -90,8 +89,10 @@ impl Scheme {
             sections.open_spatial += usize::from(pair.kind.freedoms()) * left;
         }
         let scale = self.scale();
+        let forms = (0..self.pairs().len()).map(|pair| self.form(pair, &scale));
+        let freedoms: Vec<_> = forms.map(|form| form.map(|form| form.freedoms())).collect();
         for &cut in cuts {
-            let closed = self.contour(cut, &open, &from, &scale);
+            let closed = self.contour(cut, &open, &from, &freedoms);
             sections.removed += usize::from(closed.constraints);
             sections.removed_spatial += usize::from(closed.spatial_constraints);
             sections.loops.push(closed);
@@ -104,14 +105,21 @@ impl Scheme {
 }
 
 impl Scheme {
-    /// The contour that a cut opened: what joined the pair and the link besides the cut.
-    fn contour(&self, cut: Cut, open: &Open, from: &[Option<usize>], scale: &Scale) -> Loop {
+    /// The contour that a cut opened: what joins the pair and the link without it. `freedoms` are those of each
+    /// pair, where they are known.
+    fn contour(
+        &self,
+        cut: Cut,
+        open: &Open,
+        from: &[Option<usize>],
+        freedoms: &[Option<Vec<Screw>>],
+    ) -> Loop {
         let pair_at = |node: usize| node.checked_sub(self.links().len());
         let ends = [self.links().len() + cut.pair, cut.link];
         let nodes = open.between(ends, from);
         let pairs: Vec<usize> = nodes.into_iter().filter_map(pair_at).collect();
         let spatial = 6 - self.pairs()[cut.pair].kind.freedoms();
-        let motion_space = self.motion_space(&pairs, scale);
+        let motion_space = self.motion_space(&pairs, freedoms);
         Loop {
             cut,
             pairs,
@@ -123,13 +131,17 @@ impl Scheme {
     }
 
     /// λ of a contour with these pairs.
-    fn motion_space(&self, pairs: &[usize], scale: &Scale) -> u8 {
-        let forms: Option<Vec<Form>> = pairs.iter().map(|pair| self.form(*pair, scale)).collect();
-        match forms {
+    fn motion_space(&self, pairs: &[usize], freedoms: &[Option<Vec<Screw>>]) -> u8 {
+        if pairs.iter().all(|pair| freedoms[*pair].is_some()) {
+            let screws = pairs
+                .iter()
+                .flat_map(|pair| freedoms[*pair].iter().flatten());
             // At most 6, the number of a screw's components.
-            Some(forms) => basis(forms.iter().flat_map(Form::freedoms).collect()).len() as u8,
-            None if self.is_planar() => 3,
-            None => 6,
+            basis(screws.copied()).len() as u8
+        } else if self.is_planar() {
+            3
+        } else {
+            6
         }
     }
 }
