@@ -13,8 +13,8 @@ use super::{NoRank, Pair, PairKind, Scheme, SchemeDraft, Space, Vector3};
 /// What is left of a form, relative to its length, after others are taken out: less depends on them.
 const INDEPENDENT: f64 = 1e-6;
 
-/// How many choices are tried.
-const WORK: usize = 100_000;
+/// How long is searched: so many products of forms.
+const WORK: usize = 20_000_000;
 
 /// Pairs replaced by others with more freedoms.
 #[derive(Clone, Debug, PartialEq)]
@@ -195,7 +195,7 @@ struct Search {
     greatest: usize,
     /// How many results are wanted.
     most: usize,
-    /// How many raises may still be tried.
+    /// How many products may still be taken.
     work: usize,
     chosen: Vec<Change>,
     found: Vec<Replacement>,
@@ -218,10 +218,6 @@ impl Search {
         }
         for pair in from..self.raises.len() {
             for raise in 0..self.raises[pair].len() {
-                let Some(left) = self.work.checked_sub(1) else {
-                    return false;
-                };
-                self.work = left;
                 let raise = &self.raises[pair][raise];
                 let (added, forms) = (raise.forms.len(), &raise.forms);
                 // Each pair still to be raised adds one at least.
@@ -230,6 +226,12 @@ impl Search {
                 let Some(rest) = rest.filter(|rest| (pairs - 1..=most).contains(rest)) else {
                     continue;
                 };
+                let length = taken.len() + missing;
+                let products = (added + 1) * (taken.len() + 1) * length;
+                let Some(left) = self.work.checked_sub(products) else {
+                    return false;
+                };
+                self.work = left;
                 let new = independent(taken, forms.iter().cloned());
                 if new.len() < added {
                     continue;
