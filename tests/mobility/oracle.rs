@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mobility::{PairKind, Scheme, Space, Vector3};
+use assur::mobility::{Generic, PairKind, Scheme, Space, Vector3};
 use nalgebra::{DMatrix, Vector6};
 
 use crate::random::{Geometry, Random, scheme, sound};
@@ -142,4 +142,32 @@ fn count_and_rank_agree_where_nothing_is_special() {
         );
         assert_eq!(verdict.redundancies, [], "{seed}");
     }
+}
+
+/// Every form takes part here, so the pairs close again only if each is followed as it is.
+#[test]
+fn a_step_away_the_mobility_is_the_same_where_nothing_is_special() {
+    let mut lost = 0;
+    for seed in 0..1500 {
+        let mut random = Random::new(seed);
+        let planar = random.below(2) == 0;
+        let scheme = Scheme::new(&sound(&mut random, Geometry::Generic, planar)).unwrap();
+        let mobility = scheme.counts().mobility() as usize;
+        let spaces = if planar {
+            &[Space::Plane, Space::Whole][..]
+        } else {
+            &[Space::Whole]
+        };
+        for &space in spaces {
+            match scheme.generic(space).unwrap() {
+                Generic::At { mobility: nearby } if space == Space::Whole && planar => {
+                    assert!(nearby >= mobility, "{seed}");
+                }
+                Generic::At { mobility: nearby } => assert_eq!(nearby, mobility, "{seed}"),
+                Generic::Contact { .. } => {}
+                _ => lost += 1,
+            }
+        }
+    }
+    assert_eq!(lost, 0);
 }
