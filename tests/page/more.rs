@@ -60,12 +60,10 @@ async fn a_lesson_without_motion() {
         visible(&page, "out-scheme-w").await
     })
     .await;
-    page.click("tab-settings").await;
     assert_eq!(
         page.text("mechanism-name").await,
         "Chebyshev's straight line"
     );
-    page.click("tab-lesson").await;
 
     // The next step shows what moves, and undo brings back what does not.
     page.click("lesson-on").await;
