@@ -1,8 +1,10 @@
 //! The constraints of a whole scheme, row by row.
 
+use std::collections::BTreeSet;
+
 use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
-use super::{Scheme, Space};
+use super::{Pair, Scheme, Space};
 
 /// Entries of a null vector relative to its greatest: what is less is zero.
 const NOTHING: f64 = 1e-7;
@@ -46,17 +48,11 @@ impl Constraints {
             .windows(2)
             .map(|columns| columns[1] - columns[0]);
         let mut system = System::new(sizes);
-        let mut pairs_of = vec![vec![]; scheme.links().len()];
-        for (at, pair) in scheme.pairs().iter().enumerate() {
-            for &link in &pair.links {
-                pairs_of[link].push(at);
-            }
-        }
-        for (link, pairs) in pairs_of.into_iter().enumerate().skip(1) {
+        for (link, pairs) in scheme.pairs_of().into_iter().enumerate().skip(1) {
             let mut entries = vec![];
             for &component in self.components {
                 for &pair in &pairs {
-                    for sign in signs(&scheme.pairs()[pair].links, link) {
+                    for sign in scheme.pairs()[pair].signs(link) {
                         let wrenches = self.wrenches[pair].iter();
                         entries.extend(wrenches.map(|wrench| sign * wrench[component]));
                     }
@@ -78,7 +74,7 @@ impl Constraints {
             for other in 0..pair.count() {
                 for wrench in wrenches {
                     for &link in &links {
-                        let sign = signs(&pair.links, link).nth(other).unwrap_or(0.0);
+                        let sign = pair.sign(link, other);
                         let components = self.components.iter();
                         entries.extend(components.map(|component| sign * wrench[*component]));
                     }
@@ -124,15 +120,18 @@ impl Constraints {
     }
 
     /// How many freedoms two links have while all others stand still; `pairs` are all that they have.
-    pub(super) fn together(&self, scheme: &Scheme, links: [usize; 2], pairs: &[usize]) -> usize {
+    pub(super) fn together(
+        &self,
+        scheme: &Scheme,
+        links: [usize; 2],
+        pairs: &BTreeSet<usize>,
+    ) -> usize {
         let mut system = System::new(links.iter().map(|_| self.components.len()));
         for &pair in pairs {
             for other in 0..scheme.pairs()[pair].count() {
                 for wrench in &self.wrenches[pair] {
-                    let ends = links.iter().map(|link| {
-                        let mut signs = signs(&scheme.pairs()[pair].links, *link);
-                        signs.nth(other).unwrap_or(0.0)
-                    });
+                    let joined = &scheme.pairs()[pair];
+                    let ends = links.iter().map(|link| joined.sign(*link, other));
                     let entries = ends.flat_map(|sign| {
                         let components = self.components.iter();
                         components.map(move |component| sign * wrench[*component])
@@ -155,13 +154,20 @@ impl Space {
     }
 }
 
-/// How a link takes part in the constraints between the first of these links and each other one.
-pub(super) fn signs(links: &[usize], link: usize) -> impl Iterator<Item = f64> {
-    let first = links.first() == Some(&link);
-    let others = links.iter().skip(1);
-    others.map(move |other| match (first, *other == link) {
-        (true, _) => -1.0,
-        (false, true) => 1.0,
-        (false, false) => 0.0,
-    })
+impl Pair {
+    /// How a link takes part in the constraints between the first link and another one, counted from 0.
+    pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
+        if self.links.first() == Some(&link) {
+            -1.0
+        } else if self.links.get(other + 1) == Some(&link) {
+            1.0
+        } else {
+            0.0
+        }
+    }
+
+    /// The same for each of the other links.
+    pub(super) fn signs(&self, link: usize) -> impl Iterator<Item = f64> + '_ {
+        (0..self.count()).map(move |other| self.sign(link, other))
+    }
 }

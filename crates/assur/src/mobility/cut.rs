@@ -78,12 +78,7 @@ impl Scheme {
     /// Cuts that open every contour: the way goes from the ground as deep as it can, over the pairs in their
     /// order; a pair that leads to a link where it has been is cut.
     pub fn automatic(&self) -> Vec<Cut> {
-        let mut pairs_of = vec![vec![]; self.links().len()];
-        for (at, pair) in self.pairs().iter().enumerate() {
-            for &link in &pair.links {
-                pairs_of[link].push(at);
-            }
-        }
+        let pairs_of = self.pairs_of();
         let mut been = vec![false; self.links().len()];
         let mut passed = vec![false; self.pairs().len()];
         let mut cuts = vec![];

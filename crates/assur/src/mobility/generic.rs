@@ -1,6 +1,6 @@
 //! The mobility at a pose near the drawn one, where nothing is in line by chance.
 
-use super::constraints::{Constraints, signs};
+use super::constraints::Constraints;
 use super::displaced::{Displaced, Placement};
 use super::elimination::System;
 use super::screw::{Form, Screw};
@@ -146,20 +146,14 @@ impl Scheme {
         let forces = (0..halves.len()).map(rows);
         let sizes = std::iter::repeat_n(width, moving).chain(forces).chain([1]);
         let (mut system, constant) = (System::new(sizes), moving + halves.len());
-        let mut pairs_of = vec![vec![]; moving + 1];
         for (at, pair) in self.pairs().iter().enumerate() {
-            let mut blocks = vec![];
-            for &link in &pair.links {
-                pairs_of[link].push(at);
-                if link > 0 {
-                    blocks.push(link - 1);
-                }
-            }
+            let links = pair.links.iter().filter(|link| **link > 0);
+            let mut blocks: Vec<usize> = links.map(|link| link - 1).collect();
             let (mut entries, size, mut row) = (vec![], rows(at), 0);
             for (other, half) in halves[at].iter().enumerate() {
                 for (wrench, gap) in half.form.constraints().iter().zip(&half.gaps) {
                     for block in &blocks {
-                        let sign = signs(&pair.links, block + 1).nth(other).unwrap_or(0.0);
+                        let sign = pair.sign(block + 1, other);
                         entries.extend(space.components().iter().map(|at| sign * wrench[*at]));
                     }
                     entries.extend((0..size).map(|own| if own == row { damping } else { 0.0 }));
@@ -170,12 +164,12 @@ impl Scheme {
             blocks.extend([moving + at, constant]);
             system.push(blocks, entries);
         }
-        for (link, pairs) in pairs_of.into_iter().enumerate().skip(1) {
+        for (link, pairs) in self.pairs_of().into_iter().enumerate().skip(1) {
             let mut entries = vec![];
             for (row, &component) in space.components().iter().enumerate() {
                 entries.extend((0..width).map(|own| if own == row { -1.0 } else { 0.0 }));
                 for &pair in &pairs {
-                    let signs = signs(&self.pairs()[pair].links, link);
+                    let signs = self.pairs()[pair].signs(link);
                     for (sign, half) in signs.zip(&halves[pair]) {
                         let wrenches = half.form.constraints().into_iter();
                         entries.extend(wrenches.map(|wrench| sign * wrench[component]));

@@ -15,6 +15,7 @@ mod displaced;
 mod draft;
 mod elimination;
 mod generic;
+mod idle;
 mod kind;
 mod linkage;
 mod practice;

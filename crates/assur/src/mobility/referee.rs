@@ -1,11 +1,9 @@
 //! What the geometry says of a scheme: the rank of its constraints.
 
-use std::collections::BTreeSet;
-
 use super::constraints::Constraints;
 use super::elimination::Eliminated;
 use super::screw::Form;
-use super::{Pair, PairKind, Scheme};
+use super::{PairKind, Scheme};
 
 /// Where motions are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,100 +143,6 @@ impl Scheme {
     fn pair_names(&self, pairs: &[usize]) -> Vec<&str> {
         let names = pairs.iter().map(|pair| self.pairs()[*pair].name.as_str());
         names.collect()
-    }
-
-    /// Of each link whether it is in a contour or between two: what hangs on one pair, at the end of an open chain,
-    /// is taken away until nothing more does.
-    fn between_others(&self) -> Vec<bool> {
-        let mut between = vec![true; self.links().len()];
-        loop {
-            let stays = |link: usize| {
-                let has_others = |pair: &&Pair| {
-                    let others = pair.links.iter().filter(|other| **other != link);
-                    pair.links.contains(&link) && others.into_iter().any(|other| between[*other])
-                };
-                self.pairs().iter().filter(has_others).count() > 1
-            };
-            let next = (0..between.len()).map(|link| between[link] && stays(link));
-            let next: Vec<bool> = next.collect();
-            if next == between {
-                return between;
-            }
-            between = next;
-        }
-    }
-
-    /// Links that move while all others stand still.
-    ///
-    /// A link in a contour may do so alone, and two that are joined may together. Not idle is what hangs on the
-    /// ground by a pair of one freedom and is all that moves at this instant: a cam in its dwell; nor two links
-    /// of which one hangs so: a crank in its dead point, with its coupler.
-    fn idle(&self, constraints: &Constraints, space: Space, mobility: usize) -> Vec<Vec<usize>> {
-        let links = 1..self.links().len();
-        let mut pairs_of = vec![vec![]; self.links().len()];
-        for (at, pair) in self.pairs().iter().enumerate() {
-            for &link in &pair.links {
-                pairs_of[link].push(at);
-            }
-        }
-        let on_ground = |link: usize| {
-            pairs_of[link]
-                .iter()
-                .any(|pair| self.pairs()[*pair].links.contains(&0) && self.freedoms(*pair) == 1)
-        };
-        let alone: Vec<usize> = (0..self.links().len())
-            .map(|link| match link {
-                0 => 0,
-                _ => space.freedoms() - constraints.rank(pairs_of[link].iter().copied()),
-            })
-            .collect();
-        let is_all = |freedoms: usize| freedoms == mobility;
-        let between = self.between_others();
-        let in_contour = |link: usize| between[link];
-        let mut idle: Vec<Vec<usize>> = links
-            .clone()
-            .filter(|&link| {
-                let own = on_ground(link) && is_all(alone[link]);
-                alone[link] > 0 && in_contour(link) && links.len() > 1 && !own
-            })
-            .map(|link| vec![link])
-            .collect();
-        let mut joined = BTreeSet::new();
-        for pair in self.pairs() {
-            for &one in &pair.links {
-                let others = pair.links.iter().filter(|other| one < **other);
-                joined.extend(
-                    others
-                        .map(|other| [one, *other])
-                        .filter(|[one, _]| *one > 0),
-                );
-            }
-        }
-        for [one, other] in joined {
-            let two = [one, other];
-            if two
-                .iter()
-                .any(|link| on_ground(*link) || !in_contour(*link))
-            {
-                continue;
-            }
-            let pairs: BTreeSet<usize> = two.iter().flat_map(|l| &pairs_of[*l]).copied().collect();
-            let pairs: Vec<usize> = pairs.into_iter().collect();
-            let together = constraints.together(self, two, &pairs);
-            if together > alone[one] + alone[other] && !is_all(together) {
-                idle.push(two.to_vec());
-            }
-        }
-        for links in &mut idle {
-            links.sort_by_key(|link| self.link_name(*link));
-        }
-        idle.sort_by_key(|links| {
-            links
-                .iter()
-                .map(|link| self.link_name(*link))
-                .collect::<Vec<_>>()
-        });
-        idle
     }
 }
 

@@ -155,6 +155,17 @@ impl Scheme {
         (if self.planar { 3 } else { 6 }) - self.freedoms[pair]
     }
 
+    /// Of each link its pairs.
+    pub(super) fn pairs_of(&self) -> Vec<Vec<usize>> {
+        let mut pairs_of = vec![vec![]; self.links.len()];
+        for (at, pair) in self.pairs.iter().enumerate() {
+            for &link in &pair.links {
+                pairs_of[link].push(at);
+            }
+        }
+        pairs_of
+    }
+
     /// Where the places are and how large the scheme is.
     pub(super) fn scale(&self) -> Scale {
         Scale::of(&self.pairs)
