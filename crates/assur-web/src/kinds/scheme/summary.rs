@@ -12,6 +12,9 @@ use crate::summary::HandleSummary;
 /// So many ways to mend it are told of at most.
 pub(crate) const MENDED: usize = 200;
 
+/// A pose near by is sought of schemes with so many pairs at most.
+const FOLLOWED: usize = 60;
+
 /// All that is said of a scheme. W and q are those that are counted in its own space.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -305,7 +308,9 @@ impl<'a> JudgedSummary<'a> {
             redundancies,
             idle,
         } = scheme.judged(space)?;
-        let generic = scheme.generic(space)?;
+        // Of more pairs a pose near by may take longer than a hand waits.
+        let near = (scheme.pairs().len() <= FOLLOWED).then(|| scheme.generic(space));
+        let generic = near.transpose()?;
         let links = |links: &Vec<usize>| {
             let links = links.iter().map(|link| scheme.link_name(*link));
             links.collect()
@@ -321,10 +326,10 @@ impl<'a> JudgedSummary<'a> {
             redundancies: borne.collect(),
             idle: idle.iter().map(links).collect(),
             generic: match generic {
-                Generic::At { mobility } => Some(mobility),
-                Generic::Instantaneous | Generic::Contact { .. } => None,
+                Some(Generic::At { mobility }) => Some(mobility),
+                Some(Generic::Instantaneous | Generic::Contact { .. }) | None => None,
             },
-            instantaneous: mobility > 0 && generic == Generic::Instantaneous,
+            instantaneous: mobility > 0 && generic == Some(Generic::Instantaneous),
         })
     }
 }
