@@ -513,7 +513,7 @@ fn every_problem_has_words() {
         "loose",
         "underdriven",
         "locked",
-        "further_drivers",
+        "rate",
         "parallel_guides",
         "unsupported",
         "open",

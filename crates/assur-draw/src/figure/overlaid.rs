@@ -154,7 +154,7 @@ impl InputArc {
         names: &mut Names,
     ) -> Option<Self> {
         let symbol = view.annotations.input.as_ref()?;
-        let Some(DraftDriver::Crank { link, base }) = mechanism.draft().drivers.first() else {
+        let Some(DraftDriver::Crank { link, base, .. }) = mechanism.draft().drivers.first() else {
             return None;
         };
         let (link, base) = (mechanism.link(link)?, mechanism.link(base));

@@ -192,6 +192,10 @@ pub struct DriverDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub range: Option<[f64; 2]>,
+    /// Of a further driver by how much its coordinate grows with that of the first; without it as much.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub rate: Option<f64>,
 }
 
 impl Kind for LinkageDocument {

@@ -248,7 +248,7 @@ impl Bodies {
         graph: &Graph,
     ) -> Option<structure::Driver> {
         let links = match driver {
-            Driver::Crank { link, base } => [*base, *link].map(|link| draft.body(link)),
+            Driver::Crank { link, base, .. } => [*base, *link].map(|link| draft.body(link)),
             Driver::Slide { slide, .. } => self.slides[*slide].bodies,
         };
         let links = links.map(BodyId::index);

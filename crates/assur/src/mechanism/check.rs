@@ -64,7 +64,7 @@ fn names(draft: &Draft, found: &mut Vec<Defect>) {
             .flat_map(|g| g.links.iter().chain([&g.carrier])),
     );
     let named_links = named_links.chain(draft.drivers.iter().flat_map(|driver| match driver {
-        DraftDriver::Crank { link, base } => vec![link, base],
+        DraftDriver::Crank { link, base, .. } => vec![link, base],
         DraftDriver::Slide { .. } => Vec::new(),
     }));
     let unknown: BTreeSet<&String> = named_points
@@ -170,10 +170,10 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     }
     for driver in &draft.drivers {
         match driver {
-            DraftDriver::Crank { link, base } if link == base => {
+            DraftDriver::Crank { link, base, .. } if link == base => {
                 found.push(Defect::WithItself(link.clone()));
             }
-            DraftDriver::Crank { link, base } if !hinged(draft, [link, base]) => {
+            DraftDriver::Crank { link, base, .. } if !hinged(draft, [link, base]) => {
                 let links = [link.clone(), base.clone()];
                 found.push(Defect::NotHinged { links });
             }

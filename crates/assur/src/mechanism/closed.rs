@@ -69,22 +69,24 @@ impl ClosedStep<'_> {
 impl Mechanism {
     /// The steps solved by the closed form of a four-bar.
     pub(crate) fn closed_steps(&self) -> impl Iterator<Item = ClosedStep<'_>> {
-        let crank = self.steps.iter().find_map(|step| match step {
-            Step::Crank(crank) => Some(crank.lead),
-            _ => None,
-        });
+        let lead = |body: BodyId| {
+            self.steps.iter().find_map(|step| match step {
+                Step::Crank(crank) if crank.body == body => Some(crank.lead),
+                _ => None,
+            })
+        };
         let steps = self.steps.enumerate();
         steps.filter_map(move |(step, placing)| match placing {
             Step::Closed(closed) => Some(ClosedStep {
                 step,
                 linkage: &closed.linkage,
-                lead: closed.lead - crank?,
+                lead: closed.lead - lead(closed.crank)?,
             }),
             _ => None,
         })
     }
 
-    /// Whether it is a crank, at most one four-bar, and wheels that drive nothing
+    /// Whether it is one crank, at most one four-bar, and wheels that drive nothing
     /// else: then the closed form tells all of its motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
         let idle = |body: BodyId| !self.steps.iter().any(|step| step.rests_on(body));
@@ -93,7 +95,8 @@ impl Mechanism {
             Step::Geared(wheel) => idle(wheel.body),
             _ => false,
         };
-        self.closed_steps().count() <= 1 && self.steps.iter().all(known)
+        let alone = self.draft.drivers.len() == 1;
+        alone && self.closed_steps().count() <= 1 && self.steps.iter().all(known)
     }
 
     /// The number of the assembly in which the four-bar of the closed form is
@@ -112,6 +115,7 @@ impl Mechanism {
         self.points().eq(other.points())
             && self.links().eq(other.links())
             && self.range == other.range
+            && self.rates().eq(other.rates())
             && self.bodies.len() == other.bodies.len()
             && self.bodies.iter().zip(other.bodies.iter()).all(|(a, b)| {
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && near(&a.1, &b.1))

@@ -21,7 +21,8 @@ pub struct Draft {
     pub slides: Vec<DraftSlide>,
     /// Gear couplings.
     pub gears: Vec<DraftGear>,
-    /// What is driven. The input is the driver's coordinate; a mechanism has one.
+    /// What is driven, as many as there are freedoms. The input is the coordinate of the first; that of each
+    /// further one grows in proportion to it from where it is drawn.
     pub drivers: Vec<DraftDriver>,
     /// Points that links carry and that join nothing: tracer points.
     pub tracers: Vec<DraftTracer>,
@@ -93,6 +94,8 @@ pub enum DraftDriver {
         link: String,
         /// The link, or the frame, against which it is turned.
         base: String,
+        /// By how much its coordinate grows with that of the first driver; of the first 1.
+        rate: f64,
     },
     /// A slide moved along its line; the coordinate is the way of its point from
     /// the first point of the line towards the second.
@@ -101,7 +104,25 @@ pub enum DraftDriver {
         slide: usize,
         /// Least and greatest coordinate.
         range: [f64; 2],
+        /// By how much its coordinate grows with that of the first driver; of the first 1.
+        rate: f64,
     },
+}
+
+impl DraftDriver {
+    /// By how much its coordinate grows with that of the first driver.
+    pub fn rate(&self) -> f64 {
+        match self {
+            Self::Crank { rate, .. } | Self::Slide { rate, .. } => *rate,
+        }
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn rate_mut(&mut self) -> &mut f64 {
+        match self {
+            Self::Crank { rate, .. } | Self::Slide { rate, .. } => rate,
+        }
+    }
 }
 
 /// What makes a draft no mechanism, with the names of what is at fault.
@@ -173,11 +194,13 @@ pub enum Defect {
         /// What is locked.
         links: Vec<String>,
     },
-    /// More than one driver, as many as there are freedoms: the motion has one
-    /// input, and none of these further links may silently be locked to it.
-    FurtherDrivers {
-        /// What the second and every further driver turns or moves.
-        links: Vec<String>,
+    /// A driver whose rate is not finite, of the first not 1; or with which the motion would not repeat within
+    /// [`MOST_TURNS`] turns of the first crank.
+    Rate {
+        /// What the driver turns or moves.
+        link: String,
+        /// Its rate.
+        rate: f64,
     },
     /// Guides that are parallel where they must cross.
     ParallelGuides {
@@ -252,7 +275,17 @@ impl Draft {
     #[must_use]
     pub fn crank(mut self, link: &str) -> Self {
         let (link, base) = (link.to_owned(), FRAME.to_owned());
-        self.drivers.push(DraftDriver::Crank { link, base });
+        let rate = 1.0;
+        self.drivers.push(DraftDriver::Crank { link, base, rate });
+        self
+    }
+
+    /// The last driver goes at a rate to the first.
+    #[must_use]
+    pub fn at_rate(mut self, new: f64) -> Self {
+        if let Some(driver) = self.drivers.last_mut() {
+            *driver.rate_mut() = new;
+        }
         self
     }
 

@@ -19,6 +19,7 @@ mod neighbour;
 mod plan;
 mod pose;
 mod quantity;
+mod rate;
 mod resolved;
 mod structured;
 mod tracer;
@@ -36,13 +37,14 @@ pub use multiple::Multiple;
 pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
+pub(crate) use rate::MOST_TURNS;
 pub use tracer::DraftTracer;
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
 pub use crate::position::Cause;
 
 use crate::index::{Id, List};
-use crate::position::{Anchor, Given, Nearby, Orientation, Predictor, Sign, State, Step};
+use crate::position::{Anchor, Course, Given, Nearby, Orientation, Predictor, Sign, State, Step};
 use crate::structure::Structure;
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
@@ -66,6 +68,8 @@ pub struct Mechanism {
     counts: Counts,
     size: f64,
     range: Option<[f64; 2]>,
+    /// After how many turns of the crank all drivers are back; none of a slide, and where one goes on.
+    rounds: Option<usize>,
     /// The drawn pose: the input, which way the groups are joined, how the bodies
     /// are turned, and the unknowns of groups that Newton's method solves.
     home: f64,
@@ -119,6 +123,7 @@ impl Mechanism {
         placements: &List<LinkId, Placement>,
         structure: Structure,
     ) -> Result<Self, Vec<Defect>> {
+        let rounds = rate::rounds(resolved.draft)?;
         let name = |body: &BodyId| resolved.body_name(*body).to_owned();
         let plan = plan::plan(resolved, bodies, placements, &structure);
         let plan = plan.map_err(|group| {
@@ -163,6 +168,7 @@ impl Mechanism {
             counts: counts::counts(resolved, bodies),
             size,
             range: plan.range,
+            rounds,
             home: plan.home,
             start: (plan.home, blank),
             orientations: bodies.orientations(),
@@ -311,9 +317,44 @@ impl Mechanism {
         self.home
     }
 
-    /// True where the driver is a crank; else it is a slide.
+    /// True where the first driver is a crank; else it is a slide.
     pub fn turns(&self) -> bool {
         self.range.is_none()
+    }
+
+    /// By how much the coordinate of each driver grows with that of the first.
+    pub fn rates(&self) -> impl Iterator<Item = f64> {
+        self.draft.drivers.iter().map(DraftDriver::rate)
+    }
+
+    /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
+    /// further driver is a slide that goes on with the crank.
+    pub(crate) fn period(&self) -> Option<f64> {
+        self.rounds.map(|rounds| TAU * rounds as f64)
+    }
+
+    /// The same in turns; 1 where there is none.
+    pub(crate) fn rounds(&self) -> usize {
+        self.rounds.unwrap_or(1)
+    }
+
+    /// Takes the drawing for that at another input, whole turns of the crank away: further drivers, too, are where
+    /// they are drawn.
+    fn counted_from(&mut self, input: f64) {
+        let turns = ((input - self.home) / TAU).round();
+        if !self.turns() || turns == 0.0 {
+            return;
+        }
+        for step in self.steps.iter_mut() {
+            let course = match step {
+                Step::Crank(crank) => &mut crank.course,
+                Step::Slider(slider) => &mut slider.course,
+                _ => continue,
+            };
+            if *course != Course::FIRST {
+                course.offset -= course.rate * turns * TAU;
+            }
+        }
     }
 }
 

@@ -53,7 +53,7 @@ impl Joined {
     /// A mechanism in one of its poses, with a shape for every link.
     pub(crate) fn new(mechanism: &Mechanism, pose: &Pose<1>, input: f64) -> Result<Self, Apart> {
         let draft = mechanism.shaped_in(pose);
-        let mut joined = mechanism.laid_out(&draft, None, input)?;
+        let mut joined = mechanism.laid_out(&draft, None, [input, input])?;
         let state = joined.join(None)?;
         Ok(joined.joined(state))
     }
@@ -93,7 +93,8 @@ impl Joined {
             }
             Setting::Hinge(point, at) => Some((point, at.coords)),
         };
-        let mut next = self.mechanism.laid_out(&draft, hinge, input)?;
+        let drawn = self.mechanism.home;
+        let mut next = self.mechanism.laid_out(&draft, hinge, [drawn, input])?;
         let state = next.join(Some(&self.sides))?;
         if let Some(step) = next.lost(&self.state, &state) {
             return Err(next.apart(step, Cause::DeadPoint));
@@ -110,12 +111,12 @@ impl Mechanism {
         draft
     }
 
-    /// The mechanism of a draft to be joined at an input.
+    /// The mechanism of a draft that is drawn at the first input, to be joined at the second.
     fn laid_out(
         &self,
         draft: &Draft,
         hinge: Option<(PointId, Vector)>,
-        input: f64,
+        [drawn, input]: [f64; 2],
     ) -> Result<Self, Apart> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
@@ -125,6 +126,7 @@ impl Mechanism {
         };
         let mut mechanism =
             laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
+        mechanism.counted_from(drawn);
         mechanism.home = input;
         Ok(mechanism)
     }

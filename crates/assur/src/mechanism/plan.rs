@@ -3,7 +3,9 @@
 use crate::Vector;
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
-use crate::position::{Anchor, Arm, Closed, Crank, Geared, Prp, Rpp, Rpr, Rrp, Rrr, Slider, Step};
+use crate::position::{
+    Anchor, Arm, Closed, Course, Crank, Geared, Prp, Rpp, Rpr, Rrp, Rrr, Slider, Step,
+};
 use crate::structure::{self, Structure};
 
 use super::body::{Bodies, Placement, Slide};
@@ -13,9 +15,9 @@ use super::resolved::{Driver, Resolved};
 /// The plan of a mechanism.
 pub(super) struct Plan {
     pub(super) steps: List<StepId, Step>,
-    /// The drawn input.
+    /// The drawn input: the coordinate of the first driver.
     pub(super) home: f64,
-    /// The range of a driven slide.
+    /// The range of the first driver, if it is a slide.
     pub(super) range: Option<[f64; 2]>,
     /// The drawn unknowns of groups that Newton's method solves.
     pub(super) natural: Vec<f64>,
@@ -25,11 +27,11 @@ pub(super) struct Plan {
 struct Placed<'a> {
     bodies: &'a Bodies,
     solved: List<BodyId, bool>,
-    /// The driven crank.
+    /// The crank that the input turns.
     crank: Option<BodyId>,
 }
 
-/// The steps in the order of the structure, and the drawn input of the one driver.
+/// The steps in the order of the structure, and the drawn input.
 ///
 /// # Errors
 /// A group that no step can solve.
@@ -45,9 +47,10 @@ pub(super) fn plan(
         solved: solved.collect(),
         crank: None,
     };
+    let first = draft.drivers.first();
     let mut plan = Plan {
         steps: List::default(),
-        home: 0.0,
+        home: first.map_or(0.0, |driver| drawn(draft, bodies, placements, driver)),
         range: None,
         natural: Vec::new(),
     };
@@ -55,19 +58,24 @@ pub(super) fn plan(
         let step = match part {
             structure::Step::Driver { driver, links } => {
                 let [base, body] = links.map(BodyId::at);
+                let first = *driver == 0;
                 let driver = &draft.drivers[*driver];
-                let lead = match driver {
-                    Driver::Crank { link, .. } => link.map_or(0.0, |link| placements[link].lead),
-                    Driver::Slide { .. } => 0.0,
-                };
-                let driven = driven(bodies, driver, [base, body], lead);
-                let (step, home) = driven.ok_or_else(|| vec![body])?;
-                plan.home = home;
-                match driver {
-                    Driver::Crank { .. } => placed.crank = Some(body),
-                    Driver::Slide { range, .. } => plan.range = Some(*range),
+                if base != BodyId::FRAME {
+                    return Err(vec![body]);
                 }
-                step
+                let drawn = drawn(draft, bodies, placements, driver);
+                let course = if first {
+                    Course::FIRST
+                } else {
+                    Course::through(driver.rate(), [plan.home, drawn])
+                };
+                match driver {
+                    Driver::Crank { .. } if first => placed.crank = Some(body),
+                    Driver::Slide { range, .. } if first => plan.range = Some(*range),
+                    Driver::Crank { .. } | Driver::Slide { .. } => {}
+                }
+                let lead = lead(placements, driver);
+                driven(bodies, driver, body, lead, course).ok_or_else(|| vec![body])?
             }
             structure::Step::Group(group) => {
                 let links: Vec<BodyId> = group.links().into_iter().map(BodyId::at).collect();
@@ -93,33 +101,63 @@ pub(super) fn plan(
     Ok(plan)
 }
 
-/// A driver on the frame, and its drawn coordinate; `lead` is what the driven link's
-/// angle has more than its body's.
+/// What the angle of a driven link has more than its body's.
+fn lead(placements: &List<LinkId, Placement>, driver: &Driver) -> f64 {
+    match driver {
+        Driver::Crank { link, .. } => link.map_or(0.0, |link| placements[link].lead),
+        Driver::Slide { .. } => 0.0,
+    }
+}
+
+/// The drawn coordinate of a driver; that of a slide is within its range.
+fn drawn(
+    draft: &Resolved<'_>,
+    bodies: &Bodies,
+    placements: &List<LinkId, Placement>,
+    driver: &Driver,
+) -> f64 {
+    match driver {
+        Driver::Crank { link, .. } => {
+            bodies.drawn_angle(draft.body(*link)) + lead(placements, driver)
+        }
+        Driver::Slide { slide, range, .. } => {
+            let slide = &bodies.slides[*slide];
+            let track = slide.track(slide.bodies[1]);
+            bodies.drawn_way(&track).clamp(range[0], range[1])
+        }
+    }
+}
+
+/// A driver on the frame; `lead` is what the driven link's angle has more than its body's.
 fn driven(
     bodies: &Bodies,
     driver: &Driver,
-    [base, body]: [BodyId; 2],
+    body: BodyId,
     lead: f64,
-) -> Option<(Step, f64)> {
-    if base != BodyId::FRAME {
-        return None;
-    }
+    course: Course,
+) -> Option<Step> {
     match driver {
         Driver::Crank { .. } => {
             let (local, hinge) = bodies.crank_hinge(body)?;
             let crank = Crank {
                 body,
-                at: Anchor { body: base, local },
+                at: Anchor {
+                    body: BodyId::FRAME,
+                    local,
+                },
                 hinge,
                 lead,
+                course,
             };
-            Some((crank.into(), bodies.drawn_angle(body) + lead))
+            Some(crank.into())
         }
-        Driver::Slide { slide, range } => {
-            let track = bodies.slides[*slide].track(body);
-            let home = bodies.drawn_way(&track).clamp(range[0], range[1]);
-            let range = *range;
-            Some((Slider { track, range }.into(), home))
+        Driver::Slide { slide, range, .. } => {
+            let slider = Slider {
+                track: bodies.slides[*slide].track(body),
+                range: *range,
+                course,
+            };
+            Some(slider.into())
         }
     }
 }

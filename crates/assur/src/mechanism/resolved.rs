@@ -54,11 +54,21 @@ pub(super) enum Driver {
     Crank {
         link: LinkOrFrame,
         base: LinkOrFrame,
+        rate: f64,
     },
     Slide {
         slide: SlideId,
         range: [f64; 2],
+        rate: f64,
     },
+}
+
+impl Driver {
+    pub(super) fn rate(&self) -> f64 {
+        match self {
+            Self::Crank { rate, .. } | Self::Slide { rate, .. } => *rate,
+        }
+    }
 }
 
 impl<'a> Resolved<'a> {
@@ -140,14 +150,6 @@ impl<'a> Resolved<'a> {
     pub(super) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
         self.draft.links[link.index()].shape.as_deref()
     }
-
-    /// The link that a driver turns or moves.
-    pub(super) fn driven(&self, driver: &Driver) -> LinkOrFrame {
-        match driver {
-            Driver::Crank { link, .. } => *link,
-            Driver::Slide { slide, .. } => self.slides[*slide].link,
-        }
-    }
 }
 
 /// What the names of a draft stand for.
@@ -192,14 +194,16 @@ impl Names<'_> {
 
     fn driver(&self, driver: &DraftDriver) -> Result<Driver, Defect> {
         match driver {
-            DraftDriver::Crank { link, base } => Ok(Driver::Crank {
+            DraftDriver::Crank { link, base, rate } => Ok(Driver::Crank {
                 link: self.link(link)?,
                 base: self.link(base)?,
+                rate: *rate,
             }),
-            DraftDriver::Slide { slide, range } if *slide < self.0.slides.len() => {
+            DraftDriver::Slide { slide, range, rate } if *slide < self.0.slides.len() => {
                 Ok(Driver::Slide {
                     slide: SlideId::at(*slide),
                     range: *range,
+                    rate: *rate,
                 })
             }
             DraftDriver::Slide { .. } => Err(Defect::NoDriver),

@@ -9,7 +9,7 @@ use crate::structure::{Fault, Structure, decompose};
 /// Driver and Assur groups of the bodies.
 ///
 /// # Errors
-/// All that is wrong with the count of pairs; more than one driver.
+/// All that is wrong with the count of pairs.
 pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Structure, Vec<Defect>> {
     let graph = bodies.graph(draft.places.ids());
     let drivers = draft.drivers.iter();
@@ -19,7 +19,7 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
     let mobility = graph.mobility();
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
-    let structure = decompose(&graph, &drivers).map_err(|faults| {
+    decompose(&graph, &drivers).map_err(|faults| {
         let defect = |fault: Fault| match fault {
             Fault::Apart { links } => Defect::Loose(named(links)),
             Fault::Undriven { links, .. } => Defect::Underdriven {
@@ -33,16 +33,6 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
             Fault::SelfJoined { link, .. } => Defect::WithItself(name(&link)),
             _ => Defect::NoDriver,
         };
-        faults.into_iter().map(defect).collect::<Vec<_>>()
-    })?;
-    if let [_, further @ ..] = &draft.drivers[..]
-        && !further.is_empty()
-    {
-        let links = further
-            .iter()
-            .map(|driver| draft.link_name(draft.driven(driver)).to_owned());
-        let links = links.collect();
-        return Err(vec![Defect::FurtherDrivers { links }]);
-    }
-    Ok(structure)
+        faults.into_iter().map(defect).collect()
+    })
 }

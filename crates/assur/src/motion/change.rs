@@ -5,7 +5,8 @@ use super::Motion;
 use crate::Point;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{
-    Apart, Cause, Defect, Dimension, DraftDriver, DraftSlide, FRAME, Joined, Mechanism, Setting,
+    Apart, Cause, Defect, Dimension, Draft, DraftDriver, DraftSlide, FRAME, Joined, Mechanism,
+    Setting,
 };
 
 /// A linkage after a change.
@@ -160,12 +161,14 @@ impl Motion {
             return Some(DraftDriver::Crank {
                 link: link.to_owned(),
                 base: FRAME.to_owned(),
+                rate: 1.0,
             });
         }
         let mut slides = mechanism.draft().slides.iter();
         let slide = slides.position(|slide| slide.link == link && slide.on == FRAME)?;
         let range = self.way(&mechanism.draft().slides[slide])?;
-        Some(DraftDriver::Slide { slide, range })
+        let rate = 1.0;
+        Some(DraftDriver::Slide { slide, range, rate })
     }
 
     /// The least and the greatest way of a slide along a line of the frame; none of one
@@ -175,6 +178,7 @@ impl Motion {
         if let Some(DraftDriver::Slide {
             slide: driven,
             range,
+            ..
         }) = mechanism.draft().drivers.first()
             && mechanism.draft().slides.get(*driven) == Some(slide)
         {
@@ -194,6 +198,27 @@ impl Motion {
         (range[1] - range[0] > TOLD * mechanism.size()).then_some(range)
     }
 
+    /// The linkage with a further driver, by its place among all, at another rate, from the pose at an input.
+    ///
+    /// # Errors
+    /// Why it cannot go so.
+    pub fn at_rate(&self, driver: usize, rate: f64, input: f64) -> Result<Changed, Vec<Defect>> {
+        let pose = self.pose::<1>(input).or_else(|_| self.pose::<1>(self.home));
+        let mut draft = match pose {
+            Ok(pose) => self.mechanism.shaped_in(&pose),
+            Err(_) => self.mechanism.draft().clone(),
+        };
+        if let Some(driver) = draft.drivers.get_mut(driver) {
+            *driver.rate_mut() = rate;
+        }
+        let motion = Self::new(Mechanism::new(&draft)?);
+        Ok(Changed {
+            input: motion.home,
+            gave_way: false,
+            motion,
+        })
+    }
+
     /// The linkage with another driver, from the pose at an input; where that pose is a
     /// dead point of the new driver, from one next to it.
     ///
@@ -207,7 +232,7 @@ impl Motion {
                 continue;
             };
             let mut draft = self.mechanism.shaped_in(&pose);
-            draft.drivers = vec![driver.clone()];
+            drive_first(&mut draft, driver);
             match Mechanism::new(&draft) {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
@@ -344,4 +369,22 @@ fn returned(here: Joined, setting: Setting, wanted: f64) -> Joined {
         }
     }
     here
+}
+
+/// Makes a driver the first. A further one that it was before gives its place, and its rate the other way round, to
+/// the first that there was; else that one drives no more.
+fn drive_first(draft: &mut Draft, driver: &DraftDriver) {
+    let driven = draft.driven(driver).map(str::to_owned);
+    let mut all = draft.drivers.iter();
+    let before = all.position(|one| draft.driven(one).map(str::to_owned) == driven);
+    let rate = before.map_or(1.0, |before| draft.drivers[before].rate());
+    if let Some(before) = before {
+        draft.drivers.swap(0, before);
+    }
+    if let Some(first) = draft.drivers.first_mut() {
+        *first = driver.clone();
+    }
+    for further in draft.drivers.iter_mut().skip(1) {
+        *further.rate_mut() /= rate;
+    }
 }

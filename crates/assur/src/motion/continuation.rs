@@ -9,14 +9,12 @@ use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::Knots;
 use super::root::bisect;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{Cause, Mechanism, Signs};
+use crate::mechanism::{Cause, MOST_TURNS, Mechanism, Signs};
 use crate::position::{Nearby, Orientation, Predictor, ROUNDING, State, Step};
 use crate::{Jet, Vector};
 
 /// Samples a turn; more where angles change fast.
 const GRID: usize = 360;
-/// Turns of the crank after which a motion that has not repeated is cut.
-const MOST_TURNS: usize = 24;
 /// A turn of a body is known but for whole turns of its angle. They are certain if
 /// the angle changes by less than this from one sample to the next, radians …
 const MOST_TURNED: f64 = 1.0;
@@ -111,16 +109,16 @@ impl<'a> Continuation<'a> {
         knots.push(self.input, &self.signs, &self.here);
         let home = self.input;
         let cell = self.mechanism.span() / GRID as f64;
-        // A four-bar in closed form repeats after its own cycle, no sooner.
+        // A four-bar in closed form repeats after its own cycle, and drivers after theirs, no sooner.
         let turns = self.mechanism.closed_steps().map(|closed| closed.turns());
-        let least = turns.max().unwrap_or(1);
+        let least = common(turns.max().unwrap_or(1), self.mechanism.rounds());
         for sample in 1..=GRID * MOST_TURNS {
             let target = home + sense * cell * sample as f64;
             if let Some(dead) = self.go_to(target, knots) {
                 return End::Dead(dead);
             }
             if sample % (GRID * least) == 0
-                && self.mechanism.turns()
+                && self.mechanism.period().is_some()
                 && self.mechanism.is_same_pose(&start, &self.here, SAME)
             {
                 return End::Closed(sample / GRID);
@@ -384,4 +382,9 @@ impl<'a> Continuation<'a> {
         debug_assert!(solved.is_ok() || cause != Cause::Input);
         DeadPoint { input, kind, step }
     }
+}
+
+/// The least common multiple.
+fn common(a: usize, b: usize) -> usize {
+    (1..=b).map(|k| a * k).find(|all| all % b == 0).unwrap_or(a)
 }

@@ -84,8 +84,8 @@ impl Motion {
                 };
                 forth.change_points.extend(back.change_points);
                 knots.prepend(before);
-                let period = mechanism.turns().then_some(TAU);
-                // The arc is told by whole turns so that it begins within [−π, π).
+                let period = mechanism.period();
+                // The arc is told by whole periods so that it begins within one from −π on.
                 let shift = period.map_or(0.0, |turn| turn * ((first.input + PI) / turn).floor());
                 knots.shift(-shift);
                 turned = shift;

@@ -1,10 +1,10 @@
 //! The driven crank: the mechanism of Class I.
 
-use super::{Anchor, Cause, Given, Solvable, State};
+use super::{Anchor, Cause, Course, Given, Solvable, State};
 use crate::Vector;
 use crate::index::BodyId;
 
-/// A body hinged on the frame and turned by the input.
+/// A body hinged on the frame and turned by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
@@ -13,6 +13,7 @@ pub(crate) struct Crank {
     pub(crate) hinge: Vector,
     /// What the angle of the driven link has more than its body's.
     pub(crate) lead: f64,
+    pub(crate) course: Course,
 }
 
 impl Solvable for Crank {
@@ -21,7 +22,8 @@ impl Solvable for Crank {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        state.pin(self.body, given.input + -self.lead, self.at, self.hinge);
+        let angle = self.course.at(given.input) + -self.lead;
+        state.pin(self.body, angle, self.at, self.hinge);
         Ok(())
     }
 

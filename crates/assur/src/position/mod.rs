@@ -8,6 +8,7 @@
 //! solved before it.
 
 mod complex;
+mod course;
 mod crank;
 mod elimination;
 mod equation;
@@ -28,6 +29,7 @@ mod work;
 use crate::Vector;
 use crate::index::BodyId;
 pub(crate) use complex::{Complex, conjugate, product, quotient};
+pub(crate) use course::Course;
 pub(crate) use crank::Crank;
 pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;

@@ -1,15 +1,16 @@
 //! The driven slide.
 
-use super::{Cause, Complex, Given, Solvable, State, Track};
+use super::{Cause, Complex, Course, Given, Solvable, State, Track};
 use crate::Jet;
 use crate::index::BodyId;
 
-/// A body moved along a line of the frame by the input.
+/// A body moved along a line of the frame by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slider {
     pub(crate) track: Track,
-    /// Least and greatest input.
+    /// Least and greatest coordinate.
     pub(crate) range: [f64; 2],
+    pub(crate) course: Course,
 }
 
 impl Solvable for Slider {
@@ -18,12 +19,17 @@ impl Solvable for Slider {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        let Self { track, range } = self;
-        if !(range[0]..=range[1]).contains(&given.input.value()) {
+        let Self {
+            track,
+            range,
+            course,
+        } = self;
+        let coordinate = course.at(given.input);
+        if !(range[0]..=range[1]).contains(&coordinate.value()) {
             return Err(Cause::Input);
         }
         let (start, direction) = state.line(track);
-        let at = direction * Complex::new(given.input, Jet::constant(track.off));
+        let at = direction * Complex::new(coordinate, Jet::constant(track.off));
         state.slid(track, direction, start + at);
         Ok(())
     }

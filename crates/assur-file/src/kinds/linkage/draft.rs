@@ -49,14 +49,16 @@ impl LinkageDocument {
             mesh: gear.mesh.into(),
         });
         let drivers = draft.drivers.iter().map(|driver| match driver {
-            DraftDriver::Crank { link, base } => DriverDocument {
+            DraftDriver::Crank { link, base, rate } => DriverDocument {
                 crank: Some(link.clone()),
                 base: (base != FRAME).then(|| base.clone()),
+                rate: (*rate != 1.0).then_some(*rate),
                 ..DriverDocument::default()
             },
-            DraftDriver::Slide { slide, range } => DriverDocument {
+            DraftDriver::Slide { slide, range, rate } => DriverDocument {
                 slide: Some(*slide),
                 range: Some(*range),
+                rate: (*rate != 1.0).then_some(*rate),
                 ..DriverDocument::default()
             },
         });
@@ -143,18 +145,22 @@ pub(super) fn driver(driver: &DriverDocument) -> Option<DraftDriver> {
             base,
             slide: None,
             range: None,
+            rate,
         } => Some(DraftDriver::Crank {
             link: link.clone(),
             base: base.clone().unwrap_or(FRAME.to_owned()),
+            rate: rate.unwrap_or(1.0),
         }),
         DriverDocument {
             crank: None,
             base: None,
             slide: Some(slide),
             range: Some(range),
+            rate,
         } => Some(DraftDriver::Slide {
             slide: *slide,
             range: *range,
+            rate: rate.unwrap_or(1.0),
         }),
         _ => None,
     }

@@ -68,8 +68,8 @@ pub enum LinkageProblem {
     Underdriven { mobility: isize, links: Vec<String> },
     /// Too many pairs or drivers.
     Locked { mobility: isize, links: Vec<String> },
-    /// More than one driver.
-    FurtherDrivers { links: Vec<String> },
+    /// A driver's rate that will not do: of the first one, or with which the motion does not repeat.
+    Rate { link: String, rate: f64 },
     /// Guides that are parallel where they must cross.
     ParallelGuides { links: Vec<String> },
     /// A group that cannot be solved yet.
@@ -250,7 +250,7 @@ impl From<Defect> for LinkageProblem {
             Defect::Loose(links) => Self::Loose { links },
             Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
             Defect::Locked { mobility, links } => Self::Locked { mobility, links },
-            Defect::FurtherDrivers { links } => Self::FurtherDrivers { links },
+            Defect::Rate { link, rate } => Self::Rate { link, rate },
             Defect::ParallelGuides { links } => Self::ParallelGuides { links },
             Defect::Unsupported { links } => Self::Unsupported { links },
             Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },
