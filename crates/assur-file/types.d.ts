@@ -308,7 +308,11 @@ slide?: number | null,
 /**
  * Its least and greatest coordinate along the line.
  */
-range?: [number, number] | null, };
+range?: [number, number] | null, 
+/**
+ * Of a further driver by how much its coordinate grows with that of the first; without it as much.
+ */
+rate?: number | null, };
 export type TracerDocument = { 
 /**
  * Its name, unlike that of any point.

@@ -27,7 +27,7 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /**
  * What can drive it, by the links that are turned or slide.
  */
-drivers: Array<string>, 
+drivers: Array<string>, rates: Array<RateSummary>, 
 /**
  * What the input is: `angle` or `length`.
  */
@@ -48,6 +48,7 @@ traceable: boolean,
  * The other kinds of document that can be made of it.
  */
 becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**

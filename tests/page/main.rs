@@ -12,6 +12,7 @@ mod design;
 mod device;
 mod dice;
 mod dimensions;
+mod drivers;
 mod equations;
 mod export;
 mod front;

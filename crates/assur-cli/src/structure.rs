@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use assur::mechanism::Mechanism;
 use assur::motion::{DeadPointKind, Motion};
 use assur::structure::{Step, roman};
 use serde_json::{Value, json};
@@ -63,8 +64,8 @@ fn described(motion: &Motion) -> Value {
             .map(str::to_owned)
             .collect()
     };
-    let drivers = structure.steps.iter();
-    let drivers = drivers
+    let driving = structure.steps.iter();
+    let driving = driving
         .filter(|step| matches!(step, Step::Driver { .. }))
         .count();
     let steps = structure.steps.iter().map(|step| match step {
@@ -92,8 +93,9 @@ fn described(motion: &Motion) -> Value {
         });
     json!({
         "links": mechanism.links().collect::<Vec<_>>(),
+        "drivers": drivers(mechanism),
         // Of a mechanism there are as many drivers as freedoms.
-        "mobility": drivers,
+        "mobility": driving,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
         "assemblies": mechanism.assemblies(),
@@ -102,4 +104,13 @@ fn described(motion: &Motion) -> Value {
         "turns_fully": motion.cycle().is_full() && mechanism.turns(),
         "dead_points": ends.collect::<Vec<_>>(),
     })
+}
+
+/// What is driven, and at which rates to the first.
+fn drivers(mechanism: &Mechanism) -> Vec<Value> {
+    let draft = mechanism.draft();
+    let drivers = draft.drivers.iter();
+    let drivers =
+        drivers.map(|driver| json!({"link": draft.driven(driver), "rate": driver.rate()}));
+    drivers.collect()
 }

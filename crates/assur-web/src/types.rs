@@ -9,7 +9,7 @@ use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLay
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
-use crate::kinds::linkage::LinkageSummary;
+use crate::kinds::linkage::{LinkageSummary, RateSummary};
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::summary::{
     ChangedPair, ClassSummary, CountSummary, JudgedSummary, LoopSummary, MendedSummary,
@@ -36,6 +36,7 @@ fn the_scripts_know_what_crosses_the_border() {
         StructureSummary::decl(&config),
         MotionSummary::decl(&config),
         LinkageSummary::decl(&config),
+        RateSummary::decl(&config),
         DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
         SchemeSummary::decl(&config),

@@ -23,10 +23,13 @@ export class LinkageRail {
   #page;
   #driver = make("select", { id: "driver", class: "control", "data-t-label": "field.drivers" });
   #assembly = make("select", { id: "linkage-assembly", class: "control", "data-t-label": "field.assembly" });
+  #rates = make("div", { id: "linkage-rates" });
   #lengths = make("div", { id: "linkage-lengths" });
   #coordinates = make("div", { id: "linkage-frame" });
   /** @type {NumberRow[]} */
   #rows = [];
+  /** @type {NumberRow[]} those of further drivers */
+  #further = [];
   #built = "";
   #shown = new Seen();
 
@@ -41,7 +44,7 @@ export class LinkageRail {
     const section = (/** @type {string} */ key, /** @type {HTMLElement} */ content) =>
       make("section", { "data-of": "linkage" }, [make("h2", { "data-t": key }), content]);
     const sections = [
-      section("field.drivers", this.#driver),
+      section("field.drivers", make("div", {}, [this.#driver, this.#rates])),
       section("lengths.links", this.#lengths),
       section("lengths.frame", this.#coordinates),
       section("field.assembly", this.#assembly),
@@ -54,8 +57,8 @@ export class LinkageRail {
     const { document: linkage } = state;
     const wrong = new Set(problems.map(({ field, path }) => field ?? path));
     if (this.#shown.same(linkage, summary, words, ...wrong)) return;
-    const { assembly, assemblies, drivers, dimensions } = summary;
-    const built = JSON.stringify([words.lang, linkage.title, drivers, dimensions.map(({ field, name }) => [field, name])]);
+    const { assembly, assemblies, drivers, dimensions, rates } = summary;
+    const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link }) => [field, link]), dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {
       this.#built = built;
       this.#build(summary, words);
@@ -63,6 +66,7 @@ export class LinkageRail {
     const [driver] = linkage.drivers;
     this.#driver.value = driver?.crank ?? linkage.slides?.[driver?.slide ?? -1]?.link ?? "";
     this.#rows.forEach((row, i) => row.show(dimensions[i].value, words, wrong.has(row.field)));
+    this.#further.forEach((row, i) => row.show(rates[i].rate, words, wrong.has(row.field)));
     const numbers = Array.from({ length: assemblies }, (_, i) => String(i + 1));
     if (this.#assembly.options.length !== assemblies) {
       this.#assembly.replaceChildren(...numbers.map((value) => make("option", { value }, [value])));
@@ -82,10 +86,15 @@ export class LinkageRail {
    * @param {Summary} summary
    * @param {Words} words
    */
-  #build({ drivers, dimensions }, words) {
+  #build({ drivers, dimensions, rates }, words) {
     this.#driver.replaceChildren(...drivers.map((name) => make("option", { value: name }, [called(name, words)])));
     this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
-    for (const { element } of this.#rows) words.fill(element);
+    this.#further = rates.map(({ field, link, role }, i) => {
+      const kind = { field, id: `rate-${i + 2}`, key: "drivers.rate", n: called(link, words), symbol: "u", role };
+      return new NumberRow(kind, this.#page.drafts, (value) => this.#change((input) => this.#page.engine.setDimension(field, value, input), field));
+    });
+    for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
+    this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
     for (const [place, of] of /** @type {const} */ ([[this.#lengths, "links"], [this.#coordinates, "points"]])) {
       const rows = this.#rows.filter(({ field }) => field.startsWith(of));
       place.replaceChildren(...rows.map(({ element }) => element));

@@ -71,11 +71,44 @@ pub(crate) struct LinkageSummary<'a> {
     dimensions: Vec<DimensionSummary<'a>>,
     /// What can drive it, by the links that are turned or slide.
     drivers: Vec<&'a str>,
+    rates: Vec<RateSummary<'a>>,
+}
+
+/// By how much the coordinate of a further driver grows with that of the first.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct RateSummary<'a> {
+    field: String,
+    link: &'a str,
+    rate: f64,
+    role: &'static str,
+}
+
+/// What the rate of a driver, by its place, is called.
+fn rate_field(driver: usize) -> String {
+    format!("drivers[{driver}].rate")
 }
 
 impl Linkage {
     fn mechanism(&self) -> &Mechanism {
         self.0.mechanism()
+    }
+
+    fn rates(&self) -> Vec<RateSummary<'_>> {
+        let mechanism = self.mechanism();
+        let draft = mechanism.draft();
+        let further = draft.drivers.iter().enumerate().skip(1);
+        let rates = further.filter_map(|(index, driver)| {
+            let link = draft.driven(driver)?;
+            let role = mechanism.link(link)?;
+            Some(RateSummary {
+                field: rate_field(index),
+                link,
+                rate: driver.rate(),
+                role: self.0.figure().role(role).name(),
+            })
+        });
+        rates.collect()
     }
 
     /// The document after a change, and the input where it is another one than before.
@@ -99,6 +132,7 @@ impl Capabilities for Linkage {
             motion: MotionSummary::new(&self.0),
             dimensions: DimensionSummary::all(&self.0),
             drivers: mechanism.drivable(),
+            rates: self.rates(),
         })
     }
 
@@ -137,6 +171,11 @@ impl Edited for Linkage {
 
     fn set(&self, field: &str, value: f64, input: f64) -> Result<Change, Vec<Problem>> {
         let mechanism = self.mechanism();
+        let drivers = mechanism.draft().drivers.len();
+        if let Some(driver) = (1..drivers).find(|driver| rate_field(*driver) == field) {
+            let changed = self.0.motion().at_rate(driver, value, input);
+            return Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input));
+        }
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
