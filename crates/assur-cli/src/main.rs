@@ -1,6 +1,8 @@
 //! Assur in the terminal: the mechanisms of the catalogue and of files as tables,
-//! as Assur groups, by their mobility and as drawings.
+//! as Assur groups, by their mobility and as drawings; four-bars from positions,
+//! differentials from numbers of teeth.
 
+mod differential;
 mod mobility;
 mod plot;
 mod source;
@@ -76,6 +78,11 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Tells speeds, ratios and conditions of an epicyclic train with two freedoms.
+    ///
+    /// Sun 1, satellite 2, carrier 3, ring 4, with gears in contact or magnets with gaps. Two of the speeds w1, w3,
+    /// w4 and ties determine all; i/j(k) is the ratio of wi to wj with k held.
+    Differential(differential::Asked),
     /// Draws the mechanism where it is drawn in its file, with its traces, and its
     /// plots below.
     Plot {
@@ -148,6 +155,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Mobility { name, cut, json } => {
             mobility::write(&mut out, &name, cut.as_deref(), json)?;
         }
+        Command::Differential(asked) => differential::write(&mut out, &asked)?,
         Command::Synth(asked) => synth::write(&mut out, &asked)?,
         Command::Plot {
             name,

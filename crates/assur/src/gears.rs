@@ -1,7 +1,8 @@
-//! Meshing wheels: a pair, the first (driver) turning with a given angle, and a
-//! [`GearSet`] of several wheels around one driver.
+//! Meshing wheels: a pair, the first (driver) turning with a given angle, a
+//! [`GearSet`] of several wheels around one driver, and epicyclic [trains](train).
 
 mod set;
+pub mod train;
 
 use std::f64::consts::PI;
 
@@ -11,6 +12,10 @@ pub use set::{GearSet, Mate};
 /// Fewest and most teeth a wheel may have: below 3 there is no wheel, above
 /// 1000 no screen shows the teeth.
 pub const TEETH: (f64, f64) = (3.0, 1000.0);
+
+/// Height of a tooth above the pitch circle, in modules: what a wheel needs
+/// beyond it.
+const ADDENDUM: f64 = 1.0;
 
 /// Least and greatest module, in the unit of the lengths.
 const MODULE: (f64, f64) = (1e-9, 1e9);
@@ -214,11 +219,7 @@ impl GearPair {
 
 /// A number of teeth, or why it is none.
 fn count(dimension: Dimension, value: f64) -> Result<u32, Invalid> {
-    if value > 0.0 && value.is_finite() && value.fract() != 0.0 {
-        let fault = Fault::NotWhole { value };
-        return Err(Invalid { dimension, fault });
-    }
-    Invalid::check_positive(dimension, value, TEETH).map(|z| z as u32)
+    Fault::check_count(value, TEETH).map_err(|fault| Invalid { dimension, fault })
 }
 
 #[cfg(test)]

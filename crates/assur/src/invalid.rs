@@ -73,6 +73,41 @@ pub enum Fault {
     Absent,
 }
 
+impl Fault {
+    /// `value` if its size is not beyond `most`.
+    pub(crate) fn check_size(value: f64, most: f64) -> Result<f64, Self> {
+        let (min, max) = (-most, most);
+        if !value.is_finite() {
+            Err(Self::NotFinite)
+        } else if value.abs() > most {
+            Err(Self::OutOfRange { value, min, max })
+        } else {
+            Ok(value)
+        }
+    }
+
+    /// `value` if it lies in the range, which is positive.
+    pub(crate) fn check_positive(value: f64, (min, max): (f64, f64)) -> Result<f64, Self> {
+        if !value.is_finite() {
+            Err(Self::NotFinite)
+        } else if value <= 0.0 {
+            Err(Self::NotPositive { value })
+        } else if value < min || value > max {
+            Err(Self::OutOfRange { value, min, max })
+        } else {
+            Ok(value)
+        }
+    }
+
+    /// `value` as a whole number in the range, which is positive.
+    pub(crate) fn check_count(value: f64, range: (f64, f64)) -> Result<u32, Self> {
+        if value > 0.0 && value.is_finite() && value.fract() != 0.0 {
+            return Err(Self::NotWhole { value });
+        }
+        Self::check_positive(value, range).map(|whole| whole as u32)
+    }
+}
+
 /// One reason why dimensions do not make a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Invalid {
@@ -85,33 +120,16 @@ pub struct Invalid {
 impl Invalid {
     /// `value` if its size is not beyond `most`; else the reason.
     pub(crate) fn check_size(dimension: Dimension, value: f64, most: f64) -> Result<f64, Self> {
-        let fault = if !value.is_finite() {
-            Fault::NotFinite
-        } else if value.abs() > most {
-            let (min, max) = (-most, most);
-            Fault::OutOfRange { value, min, max }
-        } else {
-            return Ok(value);
-        };
-        Err(Self { dimension, fault })
+        Fault::check_size(value, most).map_err(|fault| Self { dimension, fault })
     }
 
     /// `value` if it lies in the range, which is positive; else the reason.
     pub(crate) fn check_positive(
         dimension: Dimension,
         value: f64,
-        (min, max): (f64, f64),
+        range: (f64, f64),
     ) -> Result<f64, Self> {
-        let fault = if !value.is_finite() {
-            Fault::NotFinite
-        } else if value <= 0.0 {
-            Fault::NotPositive { value }
-        } else if value < min || value > max {
-            Fault::OutOfRange { value, min, max }
-        } else {
-            return Ok(value);
-        };
-        Err(Self { dimension, fault })
+        Fault::check_positive(value, range).map_err(|fault| Self { dimension, fault })
     }
 }
 

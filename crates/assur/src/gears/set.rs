@@ -2,12 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{GearPair, Mesh};
+use super::{ADDENDUM, GearPair, Mesh};
 use crate::{Dimension, Fault, Invalid, Vector};
-
-/// Height of a tooth above the pitch circle, in modules: what a wheel needs
-/// beyond it.
-const ADDENDUM: f64 = 1.0;
 
 /// A wheel around the driver, sound or not.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,289 @@
+//! The differential: speeds, ratios and conditions from numbers of teeth or poles.
+
+mod lines;
+mod words;
+
+use std::io::Write;
+
+use assur::gears::train::{
+    Condition, Counts, Coupling, Differential, Drive, Input, Kind, Layout, Member, Ratio, Shaft,
+    Shafts, Train, TrainError,
+};
+use clap::Args;
+use serde_json::{Map, Value, json};
+
+use crate::Failure;
+
+/// So many trains near by are shown.
+const SUGGESTIONS: usize = 5;
+
+/// What is asked for.
+#[derive(Args)]
+pub(crate) struct Asked {
+    /// Teeth or poles of the sun.
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    z1: f64,
+    /// Those of the ring; with --bevel of the second side wheel.
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    z4: f64,
+    /// Those of the satellite [default: of gears in contact, (z4 - z1)/2]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    z2: Option<f64>,
+    /// Those of a stepped satellite's second wheel, which meets the ring.
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        requires = "z2",
+        conflicts_with = "bevel"
+    )]
+    z2_step: Option<f64>,
+    /// Bevel wheels: the ring is a side wheel, as large as the sun or not.
+    #[arg(long, requires = "z2")]
+    bevel: bool,
+    /// Speed of the sun, in any unit; 0 holds it.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    w1: Option<f64>,
+    /// Speed of the carrier.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    w3: Option<f64>,
+    /// Speed of the ring.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    w4: Option<f64>,
+    /// One shaft tied to another: 4/1=0.5 makes the ring half as fast as the sun.
+    #[arg(long = "tie", value_name = "I/J=K", value_parser = tie)]
+    ties: Vec<Input>,
+    /// How many satellites there are, 1 to 6.
+    #[arg(
+        long,
+        value_name = "K",
+        default_value_t = 1.0,
+        allow_hyphen_values = true
+    )]
+    satellites: f64,
+    /// Module: a wheel's diameter over its number.
+    #[arg(
+        long,
+        value_name = "M",
+        default_value_t = 1.0,
+        allow_hyphen_values = true
+    )]
+    module: f64,
+    /// Of magnets: how far the satellites' axes are from the main one [default: with equal gaps]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        requires = "z2"
+    )]
+    axis_distance: Option<f64>,
+    /// For programs.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Reads a tie.
+fn tie(text: &str) -> Result<Input, String> {
+    let shaft = |number: &str| {
+        Shaft::ALL
+            .into_iter()
+            .find(|shaft| shaft.number().to_string() == number.trim())
+    };
+    let parts = text.split_once('=').and_then(|(shafts, factor)| {
+        let (of, to) = shafts.split_once('/')?;
+        Some((shaft(of)?, shaft(to)?, factor.trim().parse().ok()?))
+    });
+    let (shaft, to, factor) = parts.ok_or("a tie is as 4/1=0.5, of the shafts 1, 3 and 4")?;
+    let drive = Drive::Tied { to, factor };
+    Ok(Input { shaft, drive })
+}
+
+impl Asked {
+    /// The wheels; none where no satellite is given and none would be in contact.
+    fn train(&self) -> Result<Option<Train>, Vec<TrainError>> {
+        let Self { z1, z4, .. } = *self;
+        match (self.z2, self.z2_step) {
+            (None, _) => Train::in_contact([z1, z4]),
+            (Some(z2), Some(step)) => Train::stepped([z1, z2, step, z4]).map(Some),
+            (Some(z2), None) if self.bevel => Train::bevel([z1, z2, z4]).map(Some),
+            (Some(z2), None) => Train::planar([z1, z2, z4]).map(Some),
+        }
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let speeds = Shaft::ALL.into_iter().zip([self.w1, self.w3, self.w4]);
+        let given = speeds.filter_map(|(shaft, speed)| {
+            let drive = Drive::Given(speed?);
+            Some(Input { shaft, drive })
+        });
+        given.chain(self.ties.iter().copied()).collect()
+    }
+}
+
+/// Writes what there is to tell, as lines for people or as JSON.
+///
+/// # Errors
+/// Every number that is none, at once; else a train that is none, inputs that do
+/// not determine its motion, what cannot be written.
+pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
+    let told = told(asked).map_err(|sentences| Failure::Input(sentences.join("\n")))?;
+    if asked.json {
+        writeln!(out, "{:#}", Value::Object(told))?;
+    } else {
+        lines::write(out, &told)?;
+    }
+    Ok(())
+}
+
+/// What there is to tell, or why there is nothing.
+fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
+    let of_train = |errors: Vec<TrainError>| errors.iter().map(words::train_error).collect();
+    let sentences = |error: TrainError| vec![words::train_error(&error)];
+    let train = asked.train().map_err(of_train)?;
+    let layout = train.map(|train| {
+        let Asked {
+            satellites,
+            module,
+            axis_distance,
+            ..
+        } = *asked;
+        Layout::new(train, satellites, module, axis_distance)
+    });
+    let layout = layout.transpose().map_err(of_train)?;
+    let counts = Counts::new(asked.satellites).map_err(sentences)?;
+    let differential = match train {
+        Some(train) => train.differential(),
+        None => Differential::planar([asked.z1, asked.z4]).map_err(of_train)?,
+    };
+    let speeds = differential
+        .solve(&asked.inputs())
+        .map_err(|errors| errors.iter().map(words::input_error).collect::<Vec<_>>())?;
+    let mut told = Map::new();
+    let mut tell = |fields: Value| {
+        if let Value::Object(mut fields) = fields {
+            told.append(&mut fields);
+        }
+    };
+    // Whole by now.
+    let [z1, z4] = [asked.z1, asked.z4].map(|teeth| teeth as u32);
+    tell(json!({"z1": z1, "z4": z4, "satellites": counts.satellites}));
+    tell(of_speeds(&speeds, train.as_ref()));
+    tell(of_differential(&differential));
+    tell(of_counts(&counts));
+    tell(match &layout {
+        Some(layout) => of_layout(layout, &speeds),
+        None => {
+            let assembly = conditions(&[differential.assembly(counts.satellites)]);
+            json!({
+                "z2": null,
+                "notes": [words::NO_CONTACT],
+                "conditions": {"contact": assembly.clone(), "magnets": assembly},
+            })
+        }
+    });
+    Ok(told)
+}
+
+/// ω₂ is null where the satellite is not known.
+fn of_speeds(speeds: &Shafts, train: Option<&Train>) -> Value {
+    let spin = train.map(|train| train.spin(speeds));
+    json!({
+        "w1": speeds.sun,
+        "w3": speeds.carrier,
+        "w4": speeds.ring,
+        "w2": spin.map(|spin| spin.along),
+        "w2_across": spin.map(|spin| spin.across).filter(|_| train.is_some_and(|t| t.kind() == Kind::Bevel)),
+        "w2_to_carrier": spin.map(|spin| spin.relative),
+    })
+}
+
+fn of_differential(differential: &Differential) -> Value {
+    let ratios = differential.ratios();
+    let named = |value: fn(&Ratio) -> Value| -> Value {
+        let all = ratios.iter().map(|ratio| (ratio.to_string(), value(ratio)));
+        Value::Object(all.collect())
+    };
+    let largest = ratios.iter().filter(|ratio| differential.is_largest(ratio));
+    let identities = differential.identities().map(|identity| {
+        let (numerator, denominator) = identity.sum();
+        json!({
+            "terms": identity.terms.map(|term| term.to_string()),
+            "sum": numerator as f64 / denominator as f64,
+        })
+    });
+    json!({
+        "ratios": named(|ratio| json!(ratio.value())),
+        "fractions": named(|ratio| json!([ratio.numerator, ratio.denominator])),
+        "largest": largest.map(Ratio::to_string).collect::<Vec<_>>(),
+        "identities": identities,
+        "torques": {
+            "1": differential.weight(Shaft::Sun),
+            "3": differential.weight(Shaft::Carrier),
+            "4": differential.weight(Shaft::Ring),
+        },
+    })
+}
+
+fn of_counts(counts: &Counts) -> Value {
+    json!({
+        "mobility": counts.mobility() + counts.passive(),
+        "n": counts.links,
+        "p1": counts.one_freedom,
+        "p2": counts.two_freedoms,
+        "w_counted": counts.mobility(),
+        "passive": counts.passive(),
+    })
+}
+
+fn of_layout(layout: &Layout, speeds: &Shafts) -> Value {
+    let train = layout.train();
+    let both = |value: &dyn Fn(Coupling) -> Value| json!({"contact": value(Coupling::Contact), "magnets": value(Coupling::Magnetic)});
+    let stepped = train.kind() == Kind::Stepped;
+    json!({
+        "z2": train.teeth(Member::Satellite),
+        "z2_step": stepped.then(|| train.teeth(Member::Step)),
+        "axis_distance": both(&|coupling| json!(layout.axis_distance(coupling))),
+        "gaps": layout.gaps(),
+        "conditions": both(&|coupling| conditions(&layout.conditions(coupling))),
+        "can_be_built": both(&|coupling| json!(layout.can_be_built(coupling))),
+        "suggestions": both(&|coupling| {
+            let suggestions = layout.suggestions(coupling, SUGGESTIONS);
+            suggestions.iter().map(|found| teeth(&found.train)).collect()
+        }),
+        "velocities": both(&|coupling| {
+            layout.velocities(coupling, speeds).map_or(Value::Null, |found| {
+                let points = [found.sun, found.centre, found.ring];
+                json!({
+                    "radius": points.map(|point| point.radius),
+                    "velocity": points.map(|point| point.velocity),
+                    "instantaneous_centre": found.instantaneous_centre,
+                })
+            })
+        }),
+    })
+}
+
+fn teeth(train: &Train) -> Value {
+    let mut teeth = json!({
+        "z1": train.teeth(Member::Sun),
+        "z2": train.teeth(Member::Satellite),
+        "z4": train.teeth(Member::Ring),
+    });
+    if train.kind() == Kind::Stepped {
+        teeth["z2_step"] = json!(train.teeth(Member::Step));
+    }
+    teeth
+}
+
+fn conditions(all: &[Condition]) -> Value {
+    let named = all.iter().map(|condition| {
+        let told = json!({
+            "met": condition.met(),
+            "left": condition.left,
+            "relation": words::relation(condition.relation),
+            "right": condition.right,
+        });
+        (words::condition(condition.kind).to_owned(), told)
+    });
+    Value::Object(named.collect())
+}

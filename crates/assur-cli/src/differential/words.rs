@@ -1,0 +1,98 @@
+//! What is said of trains that are none, and the names of conditions.
+
+use assur::Fault;
+use assur::gears::train::{ConditionKind, InputError, Member, Relation, Shaft, TrainError};
+
+pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
+     without which the satellite's speed is unknown";
+
+/// The sentence of why numbers make no train.
+pub(super) fn train_error(error: &TrainError) -> String {
+    match *error {
+        TrainError::Teeth { member, fault } => number(member_name(member), fault),
+        TrainError::RingNotLarger { sun, ring } => format!(
+            "z4 = {ring} must be greater than z1 = {sun}: in a plane the ring is larger than the sun"
+        ),
+        TrainError::SatelliteNotInside { satellite, ring } => format!(
+            "z4 = {ring} must be greater than {satellite}, the satellite's: it runs inside the ring"
+        ),
+        TrainError::NoCones {
+            sun,
+            satellite,
+            ring,
+        } => format!(
+            "bevel wheels with z1 = {sun}, z2 = {satellite}, z4 = {ring} have no pitch cones with one apex: \
+             |z4 - z1| must be less than 2 z2"
+        ),
+        TrainError::Satellites { fault } => number("the number of satellites", fault),
+        TrainError::Module { fault } => number("the module", fault),
+        TrainError::AxisDistance { fault } => number("the distance of the axes", fault),
+    }
+}
+
+/// The sentence of why inputs do not determine the motion.
+pub(super) fn input_error(error: &InputError) -> String {
+    let speed = |shaft: Shaft| format!("w{}", shaft.number());
+    match *error {
+        InputError::Number { shaft, fault } => {
+            number(&format!("{} or its tie", speed(shaft)), fault)
+        }
+        InputError::TiedToItself { shaft } => format!("{} is tied to itself", speed(shaft)),
+        InputError::Twice { shaft } => format!("{} is given twice", speed(shaft)),
+        InputError::Underdetermined { given } => format!(
+            "the motion is under-determined: the train has two freedoms, so two of w1, w3, w4 and ties are needed, \
+             here are {given}"
+        ),
+        InputError::Overdetermined { given } => format!(
+            "the motion is over-determined: the train has two freedoms, so two of w1, w3, w4 and ties are needed, \
+             here are {given}"
+        ),
+        InputError::SingularTie { shaft, to, factor } => format!(
+            "with the tie {} = {factor} {} the train is singular: no other input determines its motion",
+            speed(shaft),
+            speed(to)
+        ),
+    }
+}
+
+fn member_name(member: Member) -> &'static str {
+    match member {
+        Member::Sun => "z1",
+        Member::Satellite => "z2",
+        Member::Step => "z2-step",
+        Member::Ring => "z4",
+    }
+}
+
+/// What is wrong with a number.
+fn number(name: &str, fault: Fault) -> String {
+    match fault {
+        Fault::NotPositive { value } => format!("{name} must be greater than zero, not {value}"),
+        Fault::NotWhole { value } => format!("{name} must be whole, not {value}"),
+        Fault::OutOfRange { value, min, max } => {
+            format!("{name} must be from {min} to {max}, not {value}")
+        }
+        _ => format!("{name} is not a finite number"),
+    }
+}
+
+/// The name of a condition.
+pub(super) fn condition(kind: ConditionKind) -> &'static str {
+    match kind {
+        ConditionKind::Coaxiality => "coaxiality",
+        ConditionKind::Room => "room",
+        ConditionKind::SunGap => "sun_gap",
+        ConditionKind::RingGap => "ring_gap",
+        ConditionKind::Assembly => "assembly",
+        ConditionKind::Neighbours => "neighbours",
+    }
+}
+
+pub(super) fn relation(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Equal => "=",
+        Relation::Greater => ">",
+        Relation::Less => "<",
+        Relation::Multiple => "multiple",
+    }
+}

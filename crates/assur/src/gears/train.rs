@@ -1,0 +1,334 @@
+//! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
+//!
+//! What their three coaxial shafts have in common is one linear equation, the
+//! [`Differential`]; the [`Train`] is the wheels that bring it about, and the
+//! [`Layout`] their places. Speeds are in radians by any unit of time, positive
+//! counter-clockwise. Wheels need not have teeth: where magnets take their place
+//! the numbers are those of the poles.
+//!
+//! The numbering and the formulas are those of Mukhametzyanov et al.,
+//! "Differential mechanism with magnetic couplings of the links"; the equation is
+//! Willis's (any textbook of the theory of mechanisms).
+//!
+//! ```
+//! use assur::gears::train::{Drive, Input, Shaft, Train};
+//!
+//! let train = Train::planar([20.0, 20.0, 60.0]).unwrap(); // z₁, z₂, z₄
+//! let inputs = [
+//!     Input { shaft: Shaft::Sun, drive: Drive::Given(10.0) },
+//!     Input { shaft: Shaft::Ring, drive: Drive::Given(2.0) },
+//! ];
+//! let speeds = train.differential().solve(&inputs).unwrap();
+//! assert_eq!(speeds.carrier, 4.0); // (10·20 + 2·60)/80
+//! assert_eq!(train.spin(&speeds).along, -2.0); // ω₂
+//! ```
+
+mod conditions;
+mod differential;
+mod inputs;
+mod layout;
+mod mobility;
+mod ratios;
+mod suggestions;
+mod velocities;
+
+pub use conditions::{Condition, ConditionKind, Coupling, Relation};
+pub use differential::{Differential, Shaft, Shafts};
+pub use inputs::{Drive, Input, InputError};
+pub use layout::Layout;
+pub use mobility::Counts;
+pub use ratios::{Identity, Ratio};
+pub use suggestions::Suggestion;
+pub use velocities::{PointVelocity, Spin, Velocities};
+
+use super::TEETH;
+use crate::Fault;
+
+/// A wheel of a train.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Member {
+    /// The sun, z₁.
+    Sun,
+    /// The satellite where it meets the sun, z₂.
+    Satellite,
+    /// The satellite where it meets the ring, z₂′: of a stepped one another wheel.
+    Step,
+    /// The ring, z₄.
+    Ring,
+}
+
+/// Why numbers make no train.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TrainError {
+    /// A number of teeth (poles) that is none.
+    Teeth {
+        /// Whose.
+        member: Member,
+        /// What is wrong with it.
+        fault: Fault,
+    },
+    /// In a plane the ring is larger than the sun.
+    RingNotLarger {
+        /// z₁.
+        sun: u32,
+        /// z₄.
+        ring: u32,
+    },
+    /// In a plane the satellite is smaller than the ring in which it runs.
+    SatelliteNotInside {
+        /// z₂, or of a stepped satellite z₂′.
+        satellite: u32,
+        /// z₄.
+        ring: u32,
+    },
+    /// Bevel wheels of these numbers have no pitch cones with one apex:
+    /// |z₄ − z₁| < 2 z₂ does not hold.
+    NoCones {
+        /// z₁.
+        sun: u32,
+        /// z₂.
+        satellite: u32,
+        /// z₄.
+        ring: u32,
+    },
+    /// A number of satellites that is none, or too many.
+    Satellites {
+        /// What is wrong with it.
+        fault: Fault,
+    },
+    /// A module that is none.
+    Module {
+        /// What is wrong with it.
+        fault: Fault,
+    },
+    /// A distance of the axes that is none.
+    AxisDistance {
+        /// What is wrong with it.
+        fault: Fault,
+    },
+}
+
+/// How the wheels of a train stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Parallel axes, each satellite one wheel.
+    Planar,
+    /// Parallel axes, each satellite two wheels on one shaft: z₂ meets the sun,
+    /// z₂′ the ring.
+    Stepped,
+    /// Axes that meet in a point: the "ring" is the second side wheel, as large as
+    /// the sun or not.
+    Bevel,
+}
+
+/// The wheels of an epicyclic train; always sound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Train {
+    kind: Kind,
+    sun: u32,
+    satellite: u32,
+    step: u32,
+    ring: u32,
+}
+
+impl Train {
+    /// A planar train of z₁, z₂, z₄, as a person gives them.
+    ///
+    /// Whether the wheels meet, and where, is asked of the [`Layout`].
+    ///
+    /// # Errors
+    /// Every reason at once: numbers that are not whole, positive and within
+    /// [`TEETH`]; a ring not larger than the sun or than the satellite.
+    pub fn planar([sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
+        let members = [
+            (Member::Sun, sun),
+            (Member::Satellite, satellite),
+            (Member::Ring, ring),
+        ];
+        let [sun, satellite, ring] = teeth(members)?;
+        Self {
+            kind: Kind::Planar,
+            sun,
+            satellite,
+            step: satellite,
+            ring,
+        }
+        .checked()
+    }
+
+    /// A planar train with stepped satellites, of z₁, z₂, z₂′, z₄.
+    ///
+    /// # Errors
+    /// Those of [`Train::planar`].
+    pub fn stepped([sun, satellite, step, ring]: [f64; 4]) -> Result<Self, Vec<TrainError>> {
+        let members = [
+            (Member::Sun, sun),
+            (Member::Satellite, satellite),
+            (Member::Step, step),
+            (Member::Ring, ring),
+        ];
+        let [sun, satellite, step, ring] = teeth(members)?;
+        Self {
+            kind: Kind::Stepped,
+            sun,
+            satellite,
+            step,
+            ring,
+        }
+        .checked()
+    }
+
+    /// A bevel train of z₁, z₂, z₄; that of a car's axle has z₄ = z₁.
+    ///
+    /// # Errors
+    /// Every reason at once: numbers as for [`Train::planar`]; wheels without
+    /// common cones.
+    pub fn bevel([sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
+        let members = [
+            (Member::Sun, sun),
+            (Member::Satellite, satellite),
+            (Member::Ring, ring),
+        ];
+        let [sun, satellite, ring] = teeth(members)?;
+        Self {
+            kind: Kind::Bevel,
+            sun,
+            satellite,
+            step: satellite,
+            ring,
+        }
+        .checked()
+    }
+
+    /// The planar train of z₁ and z₄ whose gears are in contact, z₂ = (z₄ − z₁)/2;
+    /// none where that is not whole or too few.
+    ///
+    /// # Errors
+    /// Those of [`Train::planar`], of the two numbers.
+    pub fn in_contact(sun_and_ring: [f64; 2]) -> Result<Option<Self>, Vec<TrainError>> {
+        let [sun, ring] = planar_shafts(sun_and_ring)?;
+        let twice = ring - sun;
+        let whole = twice % 2 == 0 && f64::from(twice / 2) >= TEETH.0;
+        Ok(whole.then_some(Self {
+            kind: Kind::Planar,
+            sun,
+            satellite: twice / 2,
+            step: twice / 2,
+            ring,
+        }))
+    }
+
+    /// How the wheels stand.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// Number of teeth (poles) of a wheel; of z₂′ that of z₂ where the satellite
+    /// is not stepped.
+    pub fn teeth(&self, member: Member) -> u32 {
+        match member {
+            Member::Sun => self.sun,
+            Member::Satellite => self.satellite,
+            Member::Step => self.step,
+            Member::Ring => self.ring,
+        }
+    }
+
+    /// What the train makes of its three shafts.
+    pub fn differential(&self) -> Differential {
+        // Of one wheel z₂ = z₂′ this leaves z₁ and z₄.
+        let common = greatest_common_divisor(self.satellite, self.step);
+        Differential::of(
+            self.sun * (self.step / common),
+            self.ring * (self.satellite / common),
+        )
+    }
+
+    /// The angle Σ between the satellite's axis and the main one, radians: 0 in a
+    /// plane. Of bevel wheels with one module cos Σ = (z₄ − z₁)/(2 z₂), as the
+    /// pitch cones of sun and ring touch the satellite's on opposite sides.
+    pub fn inclination(&self) -> f64 {
+        match self.kind {
+            Kind::Planar | Kind::Stepped => 0.0,
+            Kind::Bevel => self.cosine_of_inclination().acos(),
+        }
+    }
+
+    fn cosine_of_inclination(&self) -> f64 {
+        match self.kind {
+            Kind::Planar | Kind::Stepped => 1.0,
+            Kind::Bevel => {
+                (f64::from(self.ring) - f64::from(self.sun)) / (2.0 * f64::from(self.satellite))
+            }
+        }
+    }
+
+    fn checked(self) -> Result<Self, Vec<TrainError>> {
+        let Self {
+            sun,
+            satellite,
+            step,
+            ring,
+            ..
+        } = self;
+        let mut reasons = Vec::new();
+        match self.kind {
+            Kind::Planar | Kind::Stepped => {
+                if ring <= sun {
+                    reasons.push(TrainError::RingNotLarger { sun, ring });
+                }
+                if ring <= step {
+                    let satellite = step;
+                    reasons.push(TrainError::SatelliteNotInside { satellite, ring });
+                }
+            }
+            Kind::Bevel if ring.abs_diff(sun) >= 2 * satellite => {
+                reasons.push(TrainError::NoCones {
+                    sun,
+                    satellite,
+                    ring,
+                });
+            }
+            Kind::Bevel => {}
+        }
+        if reasons.is_empty() {
+            Ok(self)
+        } else {
+            Err(reasons)
+        }
+    }
+}
+
+/// z₁ and z₄ of a planar train.
+fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
+    let [sun, ring] = teeth([(Member::Sun, sun), (Member::Ring, ring)])?;
+    if ring <= sun {
+        return Err(vec![TrainError::RingNotLarger { sun, ring }]);
+    }
+    Ok([sun, ring])
+}
+
+/// Numbers of teeth, or why they are none.
+fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<TrainError>> {
+    let mut reasons = Vec::new();
+    let teeth = members.map(|(member, value)| {
+        let count = Fault::check_count(value, TEETH);
+        count.unwrap_or_else(|fault| {
+            reasons.push(TrainError::Teeth { member, fault });
+            0
+        })
+    });
+    if reasons.is_empty() {
+        Ok(teeth)
+    } else {
+        Err(reasons)
+    }
+}
+
+fn greatest_common_divisor(a: u32, b: u32) -> u32 {
+    if b == 0 {
+        a
+    } else {
+        greatest_common_divisor(b, a % b)
+    }
+}

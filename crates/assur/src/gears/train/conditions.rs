@@ -1,0 +1,144 @@
+//! What a layout has to fulfil, with the numbers of each condition.
+
+use super::{Differential, Kind, Layout, Member};
+
+/// How the wheels turn each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coupling {
+    /// Gears in contact, with standard teeth.
+    Contact,
+    /// Magnets with a gap between them.
+    Magnetic,
+}
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConditionKind {
+    /// Sun and ring have one axis, z₄ = z₁ + z₂ + z₂′: of gears in contact.
+    Coaxiality,
+    /// There is room for gaps, z₄ > z₁ + z₂ + z₂′: of magnets.
+    Room,
+    /// The sun does not touch the satellites, a_w > (d₁ + d₂)/2: of magnets, (1) of the source paper.
+    SunGap,
+    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2: of magnets, (2)
+    /// of the source paper, which prints the opposite sign.
+    RingGap,
+    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole.
+    Assembly,
+    /// Neighbouring satellites do not touch, sin(π/k) > d_a2/(2 a_w); asked of two
+    /// or more.
+    Neighbours,
+}
+
+/// How the two sides of a condition have to compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// They are equal.
+    Equal,
+    /// The left one is greater.
+    Greater,
+    /// The left one is less.
+    Less,
+    /// The left one is a whole multiple of the right one.
+    Multiple,
+}
+
+/// A condition with its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    /// Which.
+    pub kind: ConditionKind,
+    /// The left side.
+    pub left: f64,
+    /// How the sides have to compare.
+    pub relation: Relation,
+    /// The right side.
+    pub right: f64,
+}
+
+impl Condition {
+    /// Whether it holds.
+    pub fn met(&self) -> bool {
+        match self.relation {
+            Relation::Equal => self.left == self.right,
+            Relation::Greater => self.left > self.right,
+            Relation::Less => self.left < self.right,
+            Relation::Multiple => self.left % self.right == 0.0,
+        }
+    }
+}
+
+impl Differential {
+    /// Whether these many satellites can be mounted at equal angles. Of stepped
+    /// ones, all of them alike, the sum is (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′).
+    pub fn assembly(&self, satellites: u32) -> Condition {
+        Condition {
+            kind: ConditionKind::Assembly,
+            left: f64::from(self.pitches()),
+            relation: Relation::Multiple,
+            right: f64::from(satellites),
+        }
+    }
+}
+
+impl Layout {
+    /// The conditions of this coupling, met or not. Bevel wheels are always
+    /// coaxial, and are moved along their axes for a gap.
+    pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
+        let mut conditions = match (self.train().kind(), coupling) {
+            (Kind::Bevel, _) => vec![],
+            (_, Coupling::Contact) => vec![self.coaxiality()],
+            (_, Coupling::Magnetic) => self.gap_conditions().to_vec(),
+        };
+        let satellites = self.counts().satellites;
+        conditions.push(self.train().differential().assembly(satellites));
+        if satellites > 1 {
+            conditions.push(Condition {
+                kind: ConditionKind::Neighbours,
+                left: (std::f64::consts::PI / f64::from(satellites)).sin(),
+                relation: Relation::Greater,
+                right: self.half_width(coupling),
+            });
+        }
+        conditions
+    }
+
+    /// Whether all conditions of this coupling are met.
+    pub fn can_be_built(&self, coupling: Coupling) -> bool {
+        self.conditions(coupling).iter().all(Condition::met)
+    }
+
+    fn coaxiality(&self) -> Condition {
+        let teeth = |member| f64::from(self.train().teeth(member));
+        Condition {
+            kind: ConditionKind::Coaxiality,
+            left: teeth(Member::Ring),
+            relation: Relation::Equal,
+            right: teeth(Member::Sun) + teeth(Member::Satellite) + teeth(Member::Step),
+        }
+    }
+
+    fn gap_conditions(&self) -> [Condition; 3] {
+        let distance = self.axis_distance(Coupling::Magnetic);
+        let [least, most] = self.free_distances();
+        [
+            Condition {
+                kind: ConditionKind::Room,
+                relation: Relation::Greater,
+                ..self.coaxiality()
+            },
+            Condition {
+                kind: ConditionKind::SunGap,
+                left: distance,
+                relation: Relation::Greater,
+                right: least,
+            },
+            Condition {
+                kind: ConditionKind::RingGap,
+                left: distance,
+                relation: Relation::Less,
+                right: most,
+            },
+        ]
+    }
+}

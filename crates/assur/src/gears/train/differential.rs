@@ -1,0 +1,140 @@
+//! The three coaxial shafts and the one equation between them.
+
+use super::{TrainError, planar_shafts};
+use crate::Fault;
+
+/// The greatest speed, angle, torque and factor of a tie.
+pub(super) const GREATEST: f64 = 1e12;
+
+/// A coaxial shaft of a train.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Shaft {
+    /// The sun's, 1.
+    Sun,
+    /// The carrier's, 3.
+    Carrier,
+    /// The ring's, 4.
+    Ring,
+}
+
+impl Shaft {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
+
+    /// The number of its link in the source paper.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::Sun => 1,
+            Self::Carrier => 3,
+            Self::Ring => 4,
+        }
+    }
+}
+
+/// A number for each shaft: angles turned since the assembled position, speeds,
+/// torques or powers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shafts {
+    /// Of the sun.
+    pub sun: f64,
+    /// Of the carrier.
+    pub carrier: f64,
+    /// Of the ring.
+    pub ring: f64,
+}
+
+impl Shafts {
+    /// That of one shaft.
+    pub fn of(&self, shaft: Shaft) -> f64 {
+        match shaft {
+            Shaft::Sun => self.sun,
+            Shaft::Carrier => self.carrier,
+            Shaft::Ring => self.ring,
+        }
+    }
+
+    /// The sum over the shafts.
+    pub fn sum(&self) -> f64 {
+        self.sun + self.ring + self.carrier
+    }
+
+    /// Of torques: the power that each shaft takes in at these speeds. A negative
+    /// one is given off; without losses they sum up to zero.
+    pub fn powers(&self, speeds: &Self) -> Self {
+        Self::from_each(|shaft| self.of(shaft) * speeds.of(shaft))
+    }
+
+    pub(super) fn from_each(value: impl Fn(Shaft) -> f64) -> Self {
+        Self {
+            sun: value(Shaft::Sun),
+            carrier: value(Shaft::Carrier),
+            ring: value(Shaft::Ring),
+        }
+    }
+}
+
+/// What a train makes of its shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
+///
+/// That is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With satellites of one
+/// wheel, planar or bevel, a = z₁ and b = z₄: the source paper's (7). With stepped
+/// ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by what z₂ and z₂′ have in
+/// common. Ratios, torques and powers all follow from the three weights of this
+/// equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Differential {
+    sun: u32,
+    ring: u32,
+}
+
+impl Differential {
+    /// Both are at least 1 and at most 10⁶ by the limits of the teeth.
+    pub(super) fn of(sun: u32, ring: u32) -> Self {
+        Self { sun, ring }
+    }
+
+    /// That of a planar train of z₁ and z₄, whatever its satellites are.
+    ///
+    /// # Errors
+    /// Every reason at once: numbers that are not whole, positive and within
+    /// [`TEETH`](crate::gears::TEETH); a ring not larger than the sun.
+    pub fn planar(sun_and_ring: [f64; 2]) -> Result<Self, Vec<TrainError>> {
+        planar_shafts(sun_and_ring).map(|[sun, ring]| Self::of(sun, ring))
+    }
+
+    /// The shaft's factor in the equation: a, −(a + b), b.
+    pub fn weight(&self, shaft: Shaft) -> i64 {
+        let (sun, ring) = (i64::from(self.sun), i64::from(self.ring));
+        match shaft {
+            Shaft::Sun => sun,
+            Shaft::Carrier => -(sun + ring),
+            Shaft::Ring => ring,
+        }
+    }
+
+    /// a + b: divided by the number of satellites it must be whole, so that they
+    /// can be mounted at equal angles.
+    pub fn pitches(&self) -> u32 {
+        self.sun + self.ring
+    }
+
+    /// Torques that act on the shafts from outside in steady motion without
+    /// losses, from that of one of them: T₁ : T₄ : T₃ = a : b : −(a + b).
+    ///
+    /// They balance, and their powers do at all speeds that the train allows: that
+    /// is the principle of virtual work, and their ratio is that of the weights.
+    ///
+    /// # Errors
+    /// A torque that is no number, or out of range.
+    pub fn torques(&self, known: Shaft, torque: f64) -> Result<Shafts, Fault> {
+        Fault::check_size(torque, GREATEST)?;
+        let unit = torque / self.weight(known) as f64;
+        Ok(Shafts::from_each(|shaft| {
+            // The known one as it is given, not rounded.
+            if shaft == known {
+                torque
+            } else {
+                unit * self.weight(shaft) as f64
+            }
+        }))
+    }
+}

@@ -1,0 +1,136 @@
+//! The wheels of a train in their places.
+
+use super::{Counts, Coupling, Kind, Member, Train, TrainError};
+use crate::Fault;
+use crate::gears::{ADDENDUM, MODULE};
+
+/// A train with its satellites at equal angles, in lengths; always sound.
+///
+/// Whether it can be built is told by its [conditions](Layout::conditions).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    train: Train,
+    counts: Counts,
+    module: f64,
+    axis_distance: Option<f64>,
+}
+
+impl Layout {
+    /// A layout from numbers as a person gives them: how many satellites; the
+    /// module m, which makes a wheel's diameter d = m z; of magnets the distance
+    /// a_w of the satellites' axes from the main one, or none for equal gaps at
+    /// sun and ring.
+    ///
+    /// # Errors
+    /// Every reason at once: satellites that are not 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST); lengths that are not
+    /// positive or not in range.
+    pub fn new(
+        train: Train,
+        satellites: f64,
+        module: f64,
+        axis_distance: Option<f64>,
+    ) -> Result<Self, Vec<TrainError>> {
+        let mut reasons = Vec::new();
+        let counts = Counts::new(satellites).map_err(|error| reasons.push(error));
+        if let Err(fault) = Fault::check_positive(module, MODULE) {
+            reasons.push(TrainError::Module { fault });
+        }
+        // As many modules as the largest wheel has teeth.
+        let range = (MODULE.0, 1e3 * MODULE.1);
+        if let Some(Err(fault)) = axis_distance.map(|given| Fault::check_positive(given, range)) {
+            reasons.push(TrainError::AxisDistance { fault });
+        }
+        match counts {
+            Ok(counts) if reasons.is_empty() => Ok(Self {
+                train,
+                counts,
+                module,
+                axis_distance,
+            }),
+            _ => Err(reasons),
+        }
+    }
+
+    /// The wheels.
+    pub fn train(&self) -> &Train {
+        &self.train
+    }
+
+    /// The same with other wheels.
+    pub(super) fn with(&self, train: Train) -> Self {
+        Self { train, ..*self }
+    }
+
+    /// Its links and pairs.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// The module.
+    pub fn module(&self) -> f64 {
+        self.module
+    }
+
+    /// The diameter of a wheel, d = m z.
+    pub fn diameter(&self, member: Member) -> f64 {
+        self.module * f64::from(self.train.teeth(member))
+    }
+
+    /// The distance a_w of a satellite's middle from the main axis: of gears in
+    /// contact that of sun and satellite; of magnets as given, else with equal
+    /// gaps.
+    pub fn axis_distance(&self, coupling: Coupling) -> f64 {
+        let [sun, satellite, step, ring] =
+            [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
+                .map(|member| f64::from(self.train.teeth(member)));
+        match (self.train.kind(), coupling, self.axis_distance) {
+            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ.
+            (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
+            (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
+            (_, Coupling::Magnetic, Some(given)) => given,
+            (_, Coupling::Magnetic, None) => 0.25 * self.module * (sun + satellite + (ring - step)),
+        }
+    }
+
+    /// The gaps of magnets at sun and ring; negative where the wheels would
+    /// overlap. None of bevel wheels, which are moved along their axes to part.
+    pub fn gaps(&self) -> Option<[f64; 2]> {
+        let planar = self.train.kind() != Kind::Bevel;
+        let distance = self.axis_distance(Coupling::Magnetic);
+        let [least, most] = self.free_distances();
+        planar.then_some([distance - least, most - distance])
+    }
+
+    /// The distances of the axes between which no wheels touch: (d₁ + d₂)/2 and
+    /// (d₄ − d₂′)/2, the source paper's (1) and (2).
+    pub(super) fn free_distances(&self) -> [f64; 2] {
+        let teeth = |member| f64::from(self.train.teeth(member));
+        [
+            0.5 * self.module * (teeth(Member::Sun) + teeth(Member::Satellite)),
+            0.5 * self.module * (teeth(Member::Ring) - teeth(Member::Step)),
+        ]
+    }
+
+    /// The sine of half the angle that a satellite takes up around the main axis,
+    /// to its tips where it has teeth.
+    pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
+        let teeth = |member| f64::from(self.train.teeth(member));
+        let largest = teeth(Member::Satellite).max(teeth(Member::Step));
+        let addendum = match coupling {
+            Coupling::Contact => ADDENDUM,
+            Coupling::Magnetic => 0.0,
+        };
+        match self.train.kind() {
+            Kind::Planar | Kind::Stepped => {
+                self.module * (0.5 * largest + addendum) / self.axis_distance(coupling)
+            }
+            Kind::Bevel => {
+                // Tip cones of neighbours touch where sin(π/k) sin Σ = sin δ_a.
+                let sine = self.train.inclination().sin();
+                let cone = (2.0 * largest * sine).atan2(teeth(Member::Sun) + teeth(Member::Ring));
+                let tip = cone + (2.0 * addendum * cone.sin() / largest).atan();
+                tip.sin() / sine
+            }
+        }
+    }
+}

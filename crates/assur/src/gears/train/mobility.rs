@@ -1,0 +1,50 @@
+//! The mobility of a train by the count of its links and pairs.
+
+use super::TrainError;
+use crate::Fault;
+use crate::gears::GearSet;
+
+/// Moving links and pairs of a train in the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Counts {
+    /// How many satellites there are, k.
+    pub satellites: u32,
+    /// Moving links n: sun, carrier, ring and the satellites.
+    pub links: u32,
+    /// P₁: sun, carrier and ring turn in the frame, each satellite in the carrier.
+    pub one_freedom: u32,
+    /// P₂: each satellite meets sun and ring. A magnetic coupling counts as a pair:
+    /// true in synchronism, as long as it does not slip.
+    pub two_freedoms: u32,
+}
+
+impl Counts {
+    /// Those of a train with so many satellites, as a person gives them.
+    ///
+    /// # Errors
+    /// Satellites that are not 1 to [`GearSet::MOST`].
+    pub fn new(satellites: f64) -> Result<Self, TrainError> {
+        let most = GearSet::MOST as f64;
+        let satellites = Fault::check_count(satellites, (1.0, most))
+            .map_err(|fault| TrainError::Satellites { fault })?;
+        Ok(Self {
+            satellites,
+            links: 3 + satellites,
+            one_freedom: 3 + satellites,
+            two_freedoms: 2 * satellites,
+        })
+    }
+
+    /// W = 3n − 2P₁ − P₂ (Chebyshev); with one satellite 3·4 − 2·4 − 2 = 2, the
+    /// source paper's (3).
+    pub fn mobility(&self) -> i64 {
+        3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
+    }
+
+    /// How many constraints are passive: every satellite but the first only
+    /// repeats what that one does, so the train moves with two freedoms though the
+    /// count says fewer.
+    pub fn passive(&self) -> i64 {
+        2 - self.mobility()
+    }
+}

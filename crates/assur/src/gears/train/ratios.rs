@@ -1,0 +1,102 @@
+//! Transmission ratios with one shaft held.
+
+use std::fmt;
+
+use super::{Differential, Shaft};
+
+/// The ratio u = ω_i/ω_j with the third shaft held, as a fraction in the numbers
+/// of the train.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    /// i, whose speed is told.
+    pub of: Shaft,
+    /// j, relative to whose speed it is.
+    pub to: Shaft,
+    /// The shaft that is held.
+    pub held: Shaft,
+    /// Numerator, with the sign.
+    pub numerator: i64,
+    /// Denominator, positive.
+    pub denominator: i64,
+}
+
+impl Ratio {
+    /// u.
+    pub fn value(&self) -> f64 {
+        self.numerator as f64 / self.denominator as f64
+    }
+}
+
+impl fmt::Display for Ratio {
+    /// The notation `1/3(4)`: link 1 relative to link 3, link 4 held.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [of, to, held] = [self.of, self.to, self.held].map(Shaft::number);
+        write!(f, "{of}/{to}({held})")
+    }
+}
+
+/// u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1: one for each i.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Identity {
+    /// The two ratios, of one denominator.
+    pub terms: [Ratio; 2],
+}
+
+impl Identity {
+    /// The sum as a fraction: numerator and denominator.
+    pub fn sum(&self) -> (i64, i64) {
+        let [first, second] = self.terms;
+        (first.numerator + second.numerator, first.denominator)
+    }
+}
+
+impl Differential {
+    /// u_ij with the third shaft held; 1 of a shaft relative to itself is no ratio.
+    fn ratio(&self, of: Shaft, to: Shaft, held: Shaft) -> Ratio {
+        // w_i ω_i + w_j ω_j = 0.
+        let (numerator, denominator) = (-self.weight(to), self.weight(of));
+        Ratio {
+            of,
+            to,
+            held,
+            numerator: numerator * denominator.signum(),
+            denominator: denominator.abs(),
+        }
+    }
+
+    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3); (5) and (6)
+    /// of the source paper are the second and the third.
+    pub fn ratios(&self) -> [Ratio; 6] {
+        use Shaft::{Carrier, Ring, Sun};
+        [
+            self.ratio(Sun, Carrier, Ring),
+            self.ratio(Carrier, Sun, Ring),
+            self.ratio(Carrier, Ring, Sun),
+            self.ratio(Ring, Carrier, Sun),
+            self.ratio(Sun, Ring, Carrier),
+            self.ratio(Ring, Sun, Carrier),
+        ]
+    }
+
+    /// The source paper's (8), (9), (10).
+    pub fn identities(&self) -> [Identity; 3] {
+        use Shaft::{Carrier, Ring, Sun};
+        let identity = |of, one, other| Identity {
+            terms: [self.ratio(of, one, other), self.ratio(of, other, one)],
+        };
+        [
+            identity(Sun, Carrier, Ring),
+            identity(Carrier, Ring, Sun),
+            identity(Ring, Sun, Carrier),
+        ]
+    }
+
+    /// Whether a ratio is the largest positive one, which characterises the
+    /// differential; two are where z₁ = z₄.
+    pub fn is_largest(&self, ratio: &Ratio) -> bool {
+        let greater = |other: &Ratio| {
+            other.numerator * ratio.denominator > ratio.numerator * other.denominator
+        };
+        !self.ratios().iter().any(greater)
+    }
+}

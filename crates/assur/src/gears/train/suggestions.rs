@@ -1,0 +1,87 @@
+//! Numbers of teeth near by with which a train can be built.
+
+use super::{Coupling, Kind, Layout, Member, Train};
+
+/// A train that fulfils all conditions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// Its wheels.
+    pub train: Train,
+    /// By how many teeth it differs, all wheels together.
+    pub change: u32,
+}
+
+impl Layout {
+    /// By how many teeth trains are looked for; with a fourth wheel there are many
+    /// more of them.
+    fn reach(&self) -> i32 {
+        match self.train().kind() {
+            Kind::Planar | Kind::Bevel => 60,
+            Kind::Stepped => 20,
+        }
+    }
+
+    /// The trains that can be built with as many satellites, this module and this
+    /// distance of the axes, where one is given: those that differ least first,
+    /// among them those whose wheels all differ little. This train comes first
+    /// where it can be built itself.
+    ///
+    /// At most `count`, fewer where there are no more within reach: 60 teeth that
+    /// differ, 20 with stepped satellites.
+    pub fn suggestions(&self, coupling: Coupling, count: usize) -> Vec<Suggestion> {
+        let mut found = Vec::new();
+        for change in 0..=self.reach() {
+            if found.len() >= count {
+                break;
+            }
+            let mut shell: Vec<([i32; 4], Train)> = changes(self.train().kind(), change)
+                .into_iter()
+                .filter_map(|changes| Some((changes, self.train().changed(changes)?)))
+                .filter(|(_, train)| self.with(*train).can_be_built(coupling))
+                .collect();
+            shell.sort_by_key(|(changes, _)| (changes.map(i32::abs).into_iter().max(), *changes));
+            let change = change.unsigned_abs();
+            found.extend(shell.iter().map(|&(_, train)| Suggestion { train, change }));
+        }
+        found.truncate(count);
+        found
+    }
+}
+
+impl Train {
+    /// With so many teeth more on z₁, z₂, z₂′, z₄; none where that is no train.
+    fn changed(&self, [sun, satellite, step, ring]: [i32; 4]) -> Option<Self> {
+        let teeth = |member, change: i32| f64::from(self.teeth(member)) + f64::from(change);
+        let sun = teeth(Member::Sun, sun);
+        let satellite = teeth(Member::Satellite, satellite);
+        let step = teeth(Member::Step, step);
+        let ring = teeth(Member::Ring, ring);
+        match self.kind() {
+            Kind::Planar => Self::planar([sun, satellite, ring]),
+            Kind::Stepped => Self::stepped([sun, satellite, step, ring]),
+            Kind::Bevel => Self::bevel([sun, satellite, ring]),
+        }
+        .ok()
+    }
+}
+
+/// All changes of z₁, z₂, z₂′, z₄ that come to this many teeth. Of a satellite
+/// that is one wheel only z₂ changes.
+fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
+    let mut changes = Vec::new();
+    for sun in -total..=total {
+        let rest = total - sun.abs();
+        for satellite in -rest..=rest {
+            let rest = rest - satellite.abs();
+            let steps = if kind == Kind::Stepped { rest } else { 0 };
+            for step in -steps..=steps {
+                let ring = rest - step.abs();
+                changes.push([sun, satellite, step, ring]);
+                if ring > 0 {
+                    changes.push([sun, satellite, step, -ring]);
+                }
+            }
+        }
+    }
+    changes
+}
