@@ -101,7 +101,7 @@ fn people_are_told_line_by_line() {
         "u 1/3(4)       4.0 = 80/20  largest",
         "identity       1/3(4) + 1/4(3) = 1.0",
         "torques 1:4:3  20 : 60 : -80",
-        "contact        assembly: 80.0 multiple 3.0: not met",
+        "contact        assembly: 80.0 multiple of 3.0: not met",
         "possible       magnets: z1 = 20, z2 = 18, z4 = 61",
     ] {
         assert!(lines.lines().any(|other| other == line), "{line}\n{lines}");

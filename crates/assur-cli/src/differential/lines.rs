@@ -32,74 +32,75 @@ pub(super) fn write(out: &mut impl Write, told: &Map<String, Value>) -> io::Resu
             writeln!(out, "{key:<14} {}", in_line(value))?;
         }
     }
-    let largest: Vec<&str> = entries(told, "largest")
-        .filter_map(|(_, name)| name.as_str())
-        .collect();
-    for (name, value) in entries(told, "ratios") {
-        let fraction = in_line(&told["fractions"][&name]).replace(", ", "/");
-        let mark = if largest.contains(&name.as_str()) {
-            "  largest"
-        } else {
-            ""
-        };
-        writeln!(out, "u {name:<12} {value} = {fraction}{mark}")?;
-    }
-    for (_, identity) in entries(told, "identities") {
-        let terms = in_line(&identity["terms"]).replace(", ", " + ");
-        writeln!(out, "{:<14} {terms} = {}", "identity", identity["sum"])?;
-    }
-    writeln!(
-        out,
-        "{:<14} {}",
-        "torques 1:4:3",
-        ["1", "4", "3"]
-            .map(|shaft| told["torques"][shaft].to_string())
-            .join(" : ")
-    )?;
-    for (coupling, conditions) in entries(told, "conditions") {
-        for (name, told) in conditions.as_object().into_iter().flatten() {
-            let met = if told["met"] == true {
-                "met"
-            } else {
-                "not met"
-            };
-            let relation = in_line(&told["relation"]);
-            writeln!(
-                out,
-                "{coupling:<14} {name}: {} {relation} {}: {met}",
-                told["left"], told["right"]
-            )?;
-        }
-    }
-    for (coupling, found) in entries(told, "suggestions") {
-        let built = told["can_be_built"][&coupling] == true;
-        for train in found.as_array().into_iter().flatten().filter(|_| !built) {
-            let teeth = train.as_object().into_iter().flatten();
-            let teeth: Vec<String> = teeth
-                .map(|(name, count)| format!("{name} = {count}"))
-                .collect();
-            writeln!(out, "{:<14} {coupling}: {}", "possible", teeth.join(", "))?;
-        }
-    }
+    ratios(out, told)?;
+    let torques = ["1", "4", "3"].map(|shaft| told["torques"][shaft].to_string());
+    writeln!(out, "torques 1:4:3  {}", torques.join(" : "))?;
+    conditions(out, told)?;
+    suggestions(out, told)?;
     for (_, note) in entries(told, "notes") {
-        writeln!(out, "{:<14} {}", "note", in_line(&note))?;
+        writeln!(out, "note           {}", in_line(note))?;
     }
     Ok(())
 }
 
-/// What is in a list or a record; nothing where there is none.
-fn entries<'a>(
-    told: &'a Map<String, Value>,
-    key: &str,
-) -> Box<dyn Iterator<Item = (String, Value)> + 'a> {
+/// The six ratios as fractions, the largest marked, and their identities.
+fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
+    let largest = entries(told, "largest");
+    for (name, value) in entries(told, "ratios") {
+        let fraction = in_line(&told["fractions"][name]).replace(", ", "/");
+        let is_largest = largest.iter().any(|(_, other)| *other == name);
+        let mark = if is_largest { "  largest" } else { "" };
+        writeln!(out, "u {name:<12} {value} = {fraction}{mark}")?;
+    }
+    for (_, identity) in entries(told, "identities") {
+        let terms = in_line(&identity["terms"]).replace(", ", " + ");
+        writeln!(out, "identity       {terms} = {}", identity["sum"])?;
+    }
+    Ok(())
+}
+
+/// The conditions of gears in contact and of magnets, with their numbers.
+fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
+    for (coupling, conditions) in entries(told, "conditions") {
+        for (name, told) in conditions.as_object().into_iter().flatten() {
+            let met = told["met"] == true;
+            let met = if met { "met" } else { "not met" };
+            let relation = in_line(&told["relation"]);
+            let [left, right] = [&told["left"], &told["right"]];
+            writeln!(
+                out,
+                "{coupling:<14} {name}: {left} {relation} {right}: {met}"
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Numbers near by, where these cannot be built.
+fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
+    for (coupling, found) in entries(told, "suggestions") {
+        if told["can_be_built"][coupling] == true {
+            continue;
+        }
+        for train in found.as_array().into_iter().flatten() {
+            let teeth = train.as_object().into_iter().flatten();
+            let teeth = teeth.map(|(name, count)| format!("{name} = {count}"));
+            let teeth = teeth.collect::<Vec<_>>().join(", ");
+            writeln!(out, "possible       {coupling}: {teeth}")?;
+        }
+    }
+    Ok(())
+}
+
+/// What is in a list, without names, or in a record; nothing where there is none.
+fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     match told.get(key) {
-        Some(Value::Object(fields)) => Box::new(
-            fields
-                .iter()
-                .map(|(name, value)| (name.clone(), value.clone())),
-        ),
-        Some(Value::Array(all)) => Box::new(all.iter().map(|value| (String::new(), value.clone()))),
-        _ => Box::new(std::iter::empty()),
+        Some(Value::Object(fields)) => fields
+            .iter()
+            .map(|(name, one)| (name.as_str(), one))
+            .collect(),
+        Some(Value::Array(all)) => all.iter().map(|one| ("", one)).collect(),
+        _ => vec![],
     }
 }
 

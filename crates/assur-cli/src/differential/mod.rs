@@ -137,7 +137,9 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
 
 /// What there is to tell, or why there is nothing.
 fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
-    let of_train = |errors: Vec<TrainError>| errors.iter().map(words::train_error).collect();
+    let of_train = |errors: Vec<TrainError>| -> Vec<String> {
+        errors.iter().map(words::train_error).collect()
+    };
     let sentences = |error: TrainError| vec![words::train_error(&error)];
     let train = asked.train().map_err(of_train)?;
     let layout = train.map(|train| {

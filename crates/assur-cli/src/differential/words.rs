@@ -93,6 +93,6 @@ pub(super) fn relation(relation: Relation) -> &'static str {
         Relation::Equal => "=",
         Relation::Greater => ">",
         Relation::Less => "<",
-        Relation::Multiple => "multiple",
+        Relation::Multiple => "multiple of",
     }
 }
