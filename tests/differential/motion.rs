@@ -1,6 +1,8 @@
 //! The satellite against integration of rolling without slip.
 
-use assur::gears::train::{Coupling, Layout, Shaft, Shafts, Train};
+use std::f64::consts::{PI, TAU};
+
+use assur::gears::train::{Coupling, Layout, Member, Shaft, Shafts, Train};
 
 use crate::draw::{from_sun_and_ring, given};
 
@@ -182,4 +184,58 @@ fn angles_do_not_drift() {
     // (10 000 · 20 − 4 000 · 60)/80 = −500 turns; ω₂ = −500 − 10 500 = −11 000.
     assert!((angles.carrier + 500.0 * turn).abs() < 1e-11);
     assert!((train.spin(&angles).along + 11_000.0 * turn).abs() < 1e-10);
+}
+
+/// Where satellites meet sun and ring a tooth's middle stands against a gap's: the
+/// phases in pitches add up (outer) or differ (inner) by a half, at all angles.
+#[test]
+fn teeth_of_every_satellite_meet_gaps() {
+    for (train, count) in [
+        (Train::planar([20.0, 20.0, 60.0]).unwrap(), 5),
+        (Train::planar([21.0, 18.0, 63.0]).unwrap(), 6),
+        (Train::stepped([20.0, 30.0, 18.0, 68.0]).unwrap(), 4),
+    ] {
+        assert!(train.differential().assembly(count).met());
+        let layout = Layout::new(train, f64::from(count), 2.0, None).unwrap();
+        let [z1, z2, step, z4] = [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
+            .map(|member| f64::from(train.teeth(member)));
+        for (sun, ring) in [(0.0, 0.0), (0.4, 0.0), (-7.1, 3.3)] {
+            let angles = from_sun_and_ring(&train, sun, ring);
+            let places = layout.places(Coupling::Magnetic, &angles).unwrap();
+            assert_eq!(places.len(), count as usize);
+            for place in &places {
+                let line = place.centre.y.atan2(place.centre.x);
+                let distance = layout.axis_distance(Coupling::Magnetic);
+                assert!((place.centre.coords.norm() - distance).abs() < 1e-13);
+                let outer = z1 * (line - sun) + z2 * (line + PI - place.angle);
+                let mounted = ring + train.ring_mounting();
+                let inner = step * (line - place.angle) - z4 * (line - mounted);
+                for phase in [outer, inner] {
+                    let pitches = phase / TAU - 0.5;
+                    assert!((pitches - pitches.round()).abs() < 1e-12, "{pitches}");
+                }
+            }
+            // They turn as the formula has it.
+            let start = layout
+                .places(Coupling::Magnetic, &Shafts::default())
+                .unwrap();
+            let turned = places[0].angle - start[0].angle;
+            assert!((turned - train.spin(&angles).along).abs() < 1e-13);
+        }
+    }
+}
+
+/// Seen from any shaft the train is the same one.
+#[test]
+fn inversion_keeps_the_relation() {
+    let train = Train::planar([20.0, 18.0, 60.0]).unwrap();
+    let speeds = from_sun_and_ring(&train, 7.0, -3.0);
+    for shaft in Shaft::ALL {
+        let seen = speeds.relative_to(shaft);
+        assert_eq!(seen.of(shaft), 0.0);
+        let again = from_sun_and_ring(&train, seen.sun, seen.ring);
+        assert!((again.carrier - seen.carrier).abs() < 1e-14);
+        let satellite = train.spin(&speeds).along - speeds.of(shaft);
+        assert!((train.spin(&seen).along - satellite).abs() < 1e-13);
+    }
 }

@@ -64,6 +64,13 @@ impl Shafts {
         Self::from_each(|shaft| self.of(shaft) * speeds.of(shaft))
     }
 
+    /// Of angles or speeds: as they are seen from a shaft, which then stands still
+    /// (Willis's inversion).
+    pub fn relative_to(&self, shaft: Shaft) -> Self {
+        let own = self.of(shaft);
+        Self::from_each(|other| self.of(other) - own)
+    }
+
     pub(super) fn from_each(value: impl Fn(Shaft) -> f64) -> Self {
         Self {
             sun: value(Shaft::Sun),
