@@ -488,9 +488,9 @@ fn bad_linkages_are_refused() {
                     {"name": "first", "points": ["A", "B"]}, {"name": "BC", "points": ["B", "C"]},
                     {"name": "CD", "points": ["C", "D"]}, {"name": "second", "points": ["E", "D"]},
                 ],
-                "drivers": [{"crank": "first"}, {"crank": "second"}],
+                "drivers": [{"crank": "first"}, {"crank": "second", "rate": 0.333}],
             }),
-            "Only one link can be driven, and another one is already; take the driver from: second",
+            "second cannot go at 0.333 to the first driver: the motion must repeat within 24 turns",
         ),
         (
             "undriven",
