@@ -4,7 +4,7 @@
 //! counter-clockwise in radians, lengths in any one unit. The input is the
 //! crank angle φ₁; a derivative is by φ₁ (an *analogue*: φ′ of the velocity,
 //! φ″ of the acceleration), never by time. Angles are continuous along a
-//! motion, never folded into (−π, π].
+//! motion, never folded into (−π, π]. Only [`dynamics`] has a time, and derivatives by it.
 //!
 //! The crate is pure: no serialisation, screen, clock, I/O or randomness. Bad
 //! input is an [`Invalid`] that names the dimension at fault; an angle at which
@@ -21,6 +21,7 @@
 //! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
+pub mod dynamics;
 mod four_bar;
 pub mod gears;
 mod geometry;

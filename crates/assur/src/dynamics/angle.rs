@@ -1,0 +1,120 @@
+//! Angles that keep their digits however often they go round.
+
+use std::f64::consts::{PI, TAU};
+
+/// What 2π is more than its double.
+const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
+
+/// An angle as whole turns and the rest, so that the rest has all the digits of a double after any number of turns.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Angle {
+    turns: i64,
+    part: f64,
+    /// What the sum of all increments is more than turns and part: below the last digit of the part.
+    carry: f64,
+}
+
+impl Angle {
+    /// An angle in radians.
+    pub fn new(radians: f64) -> Self {
+        let mut angle = Self::default();
+        angle.add(radians);
+        angle
+    }
+
+    /// Whole turns.
+    pub fn turns(&self) -> i64 {
+        self.turns
+    }
+
+    /// What is beyond the whole turns, from −π to π, radians.
+    pub fn part(&self) -> f64 {
+        self.part
+    }
+
+    /// All of it in radians, with the digits that a double has left for it.
+    pub fn radians(&self) -> f64 {
+        self.turns as f64 * TAU + self.part
+    }
+
+    /// Turns by an increment, radians.
+    pub(super) fn add(&mut self, increment: f64) {
+        let (part, lost) = sum(self.part, increment);
+        (self.part, self.carry) = sum(part, self.carry + lost);
+        let turns = (self.part / TAU).round();
+        if turns != 0.0 {
+            self.turns = self.turns.saturating_add(turns as i64);
+            // One rounding, of a difference that is small: what it loses goes into the carry.
+            let rest = (-turns).mul_add(TAU, self.part);
+            (self.part, self.carry) = sum(rest, self.carry - turns * TAU_REST);
+        }
+        // Rounding can leave it just outside.
+        self.part = self.part.clamp(-PI, PI);
+    }
+}
+
+/// Σ nᵢ φᵢ, folded: whole turns, and the rest from −π to π. Whole turns of the angles drop out exactly.
+pub(super) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
+    let mut turns: i64 = 0;
+    let mut rest = 0.0;
+    for (factor, angle) in factors.iter().zip(angles) {
+        turns = turns.saturating_add(factor.saturating_mul(angle.turns));
+        rest += *factor as f64 * (angle.part + angle.carry);
+    }
+    let more = (rest / TAU).round();
+    let rest = (-more).mul_add(TAU, rest) - more * TAU_REST;
+    (turns.saturating_add(more as i64), rest.clamp(-PI, PI))
+}
+
+/// A sum, and what its rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+pub(super) fn sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ten_thousand_turns_lose_no_digit() {
+        // 3/1024 rad at a time, 0.003 turns more or less; 10,000 turns in all and then back.
+        let mut angle = Angle::new(0.25);
+        let step = 3.0 / 1024.0;
+        let steps = 21_446_606;
+        for _ in 0..steps {
+            angle.add(step);
+        }
+        // Exactly: 0.25 + 3·21446606/1024 = 62832.103515625 rad; 10,000·2π with forty digits of π taken away.
+        assert_eq!(angle.turns(), 10_000);
+        assert!(
+            (angle.part() - 0.250_443_829_135_230_8).abs() < 1e-15,
+            "{}",
+            angle.part()
+        );
+        for _ in 0..steps {
+            angle.add(-step);
+        }
+        assert_eq!((angle.turns(), angle.part()), (0, 0.25));
+    }
+
+    #[test]
+    fn whole_turns_drop_out_of_a_mesh() {
+        let angle = |turns, part| Angle {
+            turns,
+            part,
+            carry: 0.0,
+        };
+        let angles = [
+            angle(1_000_003, 0.1),
+            angle(-2_000_000, 0.2),
+            angle(7, -0.3),
+            Angle::default(),
+        ];
+        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): 8 + 5 rad beyond the whole turns, which is two turns and some.
+        let (turns, rest) = combination([20, 10, -30, 0], &angles);
+        assert_eq!(turns, 20 * 1_000_003 - 10 * 2_000_000 - 30 * 7 + 2);
+        assert!((rest - (13.0 - 2.0 * TAU)).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,71 @@
+//! What turns, and what couples it.
+
+/// A body of the differential. Its angle is measured in the ground's frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Body {
+    /// The sun, link 1.
+    Sun,
+    /// The satellites, link 2: all alike, with one angle.
+    Satellite,
+    /// The carrier, link 3.
+    Carrier,
+    /// The ring, link 4.
+    Ring,
+}
+
+impl Body {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 4] = [Self::Sun, Self::Satellite, Self::Carrier, Self::Ring];
+
+    /// Where it stands in arrays of all bodies.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A body that turns about the central axis, and so can be driven from the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Shaft {
+    /// The sun's.
+    Sun,
+    /// The carrier's.
+    Carrier,
+    /// The ring's.
+    Ring,
+}
+
+impl Shaft {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
+
+    /// The body.
+    pub fn body(self) -> Body {
+        match self {
+            Self::Sun => Body::Sun,
+            Self::Carrier => Body::Carrier,
+            Self::Ring => Body::Ring,
+        }
+    }
+}
+
+/// A magnetic mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mesh {
+    /// Sun and satellites, outside one another.
+    Sun,
+    /// Satellites and ring, which is around them.
+    Ring,
+}
+
+impl Mesh {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Sun, Self::Ring];
+
+    /// The central wheel of the mesh.
+    pub fn wheel(self) -> Body {
+        match self {
+            Self::Sun => Body::Sun,
+            Self::Ring => Body::Ring,
+        }
+    }
+}

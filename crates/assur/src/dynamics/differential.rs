@@ -1,0 +1,106 @@
+//! A differential that is sound: parameters as its equations of motion need them.
+
+use super::defect::Defects;
+use super::equations::{Equations, Following};
+use super::{Body, Defect, Drive, Mesh, Parameters, Shaft};
+
+/// A differential with magnetic couplings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Differential {
+    parameters: Parameters,
+    pub(super) equations: Equations,
+}
+
+impl Differential {
+    /// A differential of its parameters.
+    ///
+    /// # Errors
+    /// Every reason at once.
+    pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
+        let defects = Defects::of(parameters).0;
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let equations = Equations::new(parameters);
+        if let Some(body) = equations.too_quick() {
+            return Err(vec![Defect::TooQuick(body)]);
+        }
+        Ok(Self {
+            parameters: parameters.clone(),
+            equations,
+        })
+    }
+
+    /// What it was made of.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// p: periods of the field per turn of a wheel; none of the carrier, which has no plates.
+    pub fn periods(&self, wheel: Body) -> Option<u32> {
+        let plates = &self.parameters.plates;
+        let count = match wheel {
+            Body::Sun => plates.sun,
+            Body::Satellite => plates.satellite,
+            Body::Carrier => return None,
+            Body::Ring => plates.ring,
+        };
+        Some(plates.periods(count))
+    }
+
+    /// The greatest torque that can be put on a body slowly, N·m, when the other two of sun, carrier and ring are
+    /// held and nothing else is loaded: what pull-out by the equations of motion can be compared with. On the
+    /// satellites: all together, with sun, carrier and ring held.
+    ///
+    /// Where the satellites bear no load, both meshes have the same torque relative to the periods of a wheel, E sin δ, and the
+    /// weaker mesh sets the limit; the torques on sun, ring and carrier are as p₁ : p₄ : −(p₁ + p₄).
+    pub fn static_limit(&self, body: Body) -> f64 {
+        let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
+        let [p1, p4] = [sun.wheel_periods, ring.wheel_periods];
+        let weaker = sun.energy.min(ring.energy);
+        match body {
+            Body::Sun => p1 * weaker,
+            Body::Ring => p4 * weaker,
+            Body::Carrier => (p1 + p4) * weaker,
+            Body::Satellite => {
+                let periods = sun.factors[Body::Satellite.index()];
+                periods * (sun.energy + ring.energy)
+            }
+        }
+    }
+
+    /// Rate of small swings of a mesh's phase by itself, rad/s: the root of E Σ nᵢ²/Jᵢ over the bodies that are
+    /// free to move.
+    pub fn swing_rate(&self, mesh: Mesh) -> f64 {
+        self.equations.stiffness(mesh).sqrt()
+    }
+
+    /// The speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips, when sun and ring have
+    /// these speeds (Willis), rad/s.
+    pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
+        let equations = &self.equations;
+        let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);
+        let p2 = equations.mesh(Mesh::Sun).factors[Body::Satellite.index()];
+        let carrier = (p1 * sun + p4 * ring) / (p1 + p4);
+        let satellite = carrier - (sun - carrier) * (p1 / p2);
+        [sun, satellite, carrier, ring]
+    }
+}
+
+/// What each body follows, in the order of [`Body::ALL`].
+pub(super) fn following(parameters: &Parameters) -> [Following; 4] {
+    let of = |shaft: Shaft| match &parameters.shaft(shaft).drive {
+        Drive::Torque(profile) => Following::Torques(Some(profile.clone())),
+        Drive::Speed(profile) => Following::Speed(profile.clone()),
+        Drive::Tied { to, ratio } => Following::Body {
+            to: to.body().index(),
+            ratio: *ratio,
+        },
+    };
+    [
+        of(Shaft::Sun),
+        Following::Torques(None),
+        of(Shaft::Carrier),
+        of(Shaft::Ring),
+    ]
+}

@@ -1,0 +1,314 @@
+//! The equations of motion: torques, accelerations, powers, and how quick they are.
+//!
+//! All arrays of bodies are in the order of [`Body::ALL`]; what is said of the satellites is of all k together.
+
+use super::angle::{Angle, combination};
+use super::differential::following;
+use super::gauss::{Moment, N};
+use super::{Load, Mesh, Parameters, Profile};
+
+/// Numbers of the equations.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Equations {
+    pub(super) meshes: [Field; 2],
+    inertia: [f64; N],
+    /// With the inertia of what is tied to the body.
+    pub(super) carried: [f64; N],
+    /// Damping of the bearings; of the satellites relative to the carrier.
+    pub(super) damping: [f64; N],
+    pub(super) load: [Load; N],
+    /// How many bodies of the kind there are: each bears its load.
+    pub(super) count: [f64; N],
+    pub(super) following: [Following; N],
+}
+
+/// What the motion of a body follows.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Following {
+    /// The torques on it, among them that of a drive.
+    Torques(Option<Profile>),
+    /// A given speed.
+    Speed(Profile),
+    /// Another body.
+    Body {
+        /// Which.
+        to: usize,
+        /// Its speed relative to that one's.
+        ratio: f64,
+    },
+}
+
+/// The field in a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Field {
+    /// δ = Σ nᵢφᵢ.
+    turns: [i64; N],
+    /// The same as numbers.
+    pub(super) factors: [f64; N],
+    /// Periods of the central wheel.
+    pub(super) wheel_periods: f64,
+    /// kE: half of what it takes to lift it over a period, J.
+    pub(super) energy: f64,
+    /// Torque by δ per rate of δ.
+    pub(super) damping: f64,
+}
+
+/// What does not depend on the state during a step: drives.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Driving {
+    /// Torques at the start of the step and how fast they grow.
+    torque: [(f64, f64); N],
+    /// Accelerations of given speeds.
+    slope: [f64; N],
+    /// Phases of the meshes at the start of the step.
+    phases: [f64; 2],
+}
+
+/// Powers, W.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Powers {
+    /// Of drives.
+    pub(super) driven: f64,
+    /// Lost in bearings and to eddy currents.
+    pub(super) dissipated: f64,
+    /// Taken by loads.
+    pub(super) delivered: f64,
+}
+
+impl Field {
+    /// Σ nᵢxᵢ.
+    pub(super) fn phase(&self, of: &[f64; N]) -> f64 {
+        let n = &self.factors;
+        n[0] * of[0] + n[1] * of[1] + n[2] * of[2] + n[3] * of[3]
+    }
+
+    /// The phase by all angles: whole periods, and the rest.
+    pub(super) fn folded(&self, angles: &[Angle; N]) -> (i64, f64) {
+        combination(self.turns, angles)
+    }
+
+    /// −∂U/∂δ, which times nᵢ is the torque on a body, and what damping adds.
+    pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
+        (-self.energy * phase.sin(), -self.damping * rate)
+    }
+
+    /// U: zero where there is no load.
+    pub(super) fn potential(&self, phase: f64) -> f64 {
+        let half = (0.5 * phase).sin();
+        2.0 * self.energy * half * half
+    }
+}
+
+impl Equations {
+    /// The equations of sound parameters.
+    pub(super) fn new(parameters: &Parameters) -> Self {
+        let (plates, satellites) = (&parameters.plates, &parameters.satellites);
+        let [p1, p2, p4] = [plates.sun, plates.satellite, plates.ring]
+            .map(|count| i64::from(plates.periods(count)));
+        let k = f64::from(satellites.count);
+        let field = |turns: [i64; N], periods: i64, mesh: &super::Coupling| {
+            let periods = periods as f64;
+            Field {
+                turns,
+                factors: turns.map(|n| n as f64),
+                wheel_periods: periods,
+                energy: k * mesh.peak / periods,
+                damping: k * mesh.damping / (periods * periods),
+            }
+        };
+        let [sun, carrier, ring] = [&parameters.sun, &parameters.carrier, &parameters.ring];
+        let orbiting = k * satellites.mass * satellites.orbit * satellites.orbit;
+        let inertia = [
+            sun.inertia,
+            k * satellites.inertia,
+            carrier.inertia + orbiting,
+            ring.inertia,
+        ];
+        let following = following(parameters);
+        let mut carried = inertia;
+        for (body, follows) in following.iter().enumerate() {
+            if let Following::Body { to, ratio } = follows {
+                carried[*to] += ratio * ratio * inertia[body];
+            }
+        }
+        Self {
+            meshes: [
+                field([p1, p2, -p1 - p2, 0], p1, &parameters.sun_mesh),
+                field([0, p2, p4 - p2, -p4], p4, &parameters.ring_mesh),
+            ],
+            inertia,
+            carried,
+            damping: [
+                sun.damping,
+                k * satellites.damping,
+                carrier.damping,
+                ring.damping,
+            ],
+            load: [sun.load, satellites.load, carrier.load, ring.load],
+            count: [1.0, k, 1.0, 1.0],
+            following,
+        }
+    }
+
+    pub(super) fn mesh(&self, mesh: Mesh) -> &Field {
+        &self.meshes[mesh as usize]
+    }
+
+    /// Whether a drive acts on the body.
+    pub(super) fn has_drive(&self, body: usize) -> bool {
+        use Following::{Speed, Torques};
+        matches!(self.following[body], Torques(Some(_)) | Speed(_))
+    }
+
+    /// The first knot of any drive within a span of time.
+    pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
+        let knots = self.following.iter().filter_map(|follows| match follows {
+            Following::Torques(Some(profile)) | Following::Speed(profile) => {
+                profile.knot_within(start, end)
+            }
+            _ => None,
+        });
+        knots.min_by(f64::total_cmp)
+    }
+
+    /// Drives and phases for a step.
+    pub(super) fn driving(&self, angles: &[Angle; N], start: f64, length: f64) -> Driving {
+        let ends = |profile: &Profile| {
+            let (first, last) = (profile.value(start), profile.value(start + length));
+            (first, (last - first) / length)
+        };
+        let mut driving = Driving {
+            torque: [(0.0, 0.0); N],
+            slope: [0.0; N],
+            phases: [0, 1].map(|mesh: usize| self.meshes[mesh].folded(angles).1),
+        };
+        for (body, follows) in self.following.iter().enumerate() {
+            match follows {
+                Following::Torques(Some(profile)) => driving.torque[body] = ends(profile),
+                Following::Speed(profile) => driving.slope[body] = ends(profile).1,
+                Following::Torques(None) | Following::Body { .. } => {}
+            }
+        }
+        driving
+    }
+
+    /// Torques on the bodies, those of given speeds and ties left out.
+    fn torques(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
+        let v = &moment.rates;
+        let mut torques: [f64; N] = std::array::from_fn(|body| {
+            let (torque, growth) = driving.torque[body];
+            torque + growth * moment.time + self.load_torque(body, v[body])
+        });
+        for (field, phase) in self.meshes.iter().zip(&driving.phases) {
+            let phase = phase + field.phase(&moment.moved);
+            let (magnetic, damping) = field.forces(phase, field.phase(v));
+            for (torque, n) in torques.iter_mut().zip(&field.factors) {
+                *torque += n * (magnetic + damping);
+            }
+        }
+        let [c1, c2, c3, c4] = self.damping;
+        let satellite = c2 * (v[1] - v[2]);
+        torques[0] -= c1 * v[0];
+        torques[1] -= satellite;
+        torques[2] += satellite - c3 * v[2];
+        torques[3] -= c4 * v[3];
+        torques
+    }
+
+    /// The torque of a load on its body.
+    pub(super) fn load_torque(&self, body: usize, speed: f64) -> f64 {
+        self.count[body] * self.load[body].torque(speed)
+    }
+
+    /// φ̈ of all bodies.
+    pub(super) fn accelerations(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
+        let mut torques = self.torques(driving, moment);
+        for (body, follows) in self.following.iter().enumerate() {
+            if let Following::Body { to, ratio } = follows {
+                torques[*to] += ratio * torques[body];
+            }
+        }
+        let mut found = [0.0; N];
+        for (body, follows) in self.following.iter().enumerate() {
+            found[body] = match follows {
+                Following::Torques(_) => torques[body] / self.carried[body],
+                Following::Speed(_) => driving.slope[body],
+                Following::Body { .. } => continue,
+            };
+        }
+        self.tie(&mut found);
+        found
+    }
+
+    /// Gives bodies that are tied to others what follows from these.
+    pub(super) fn tie(&self, values: &mut [f64; N]) {
+        for (body, follows) in self.following.iter().enumerate() {
+            if let Following::Body { to, ratio } = follows {
+                values[body] = ratio * values[*to];
+            }
+        }
+    }
+
+    /// The torques of the drives: what is left of the equation of a body that follows a speed.
+    pub(super) fn drive_torques(
+        &self,
+        driving: &Driving,
+        moment: &Moment,
+        accelerations: &[f64; N],
+    ) -> [f64; N] {
+        let torques = self.torques(driving, moment);
+        let lacking = |body: usize| self.inertia[body] * accelerations[body] - torques[body];
+        let tied = |body: usize| {
+            let others = self.following.iter().enumerate();
+            let ratios = others.map(|(other, follows)| match follows {
+                Following::Body { to, ratio } if *to == body => ratio * lacking(other),
+                _ => 0.0,
+            });
+            ratios.sum::<f64>()
+        };
+        std::array::from_fn(|body| match &self.following[body] {
+            Following::Torques(_) => {
+                let (torque, growth) = driving.torque[body];
+                torque + growth * moment.time
+            }
+            Following::Speed(_) => lacking(body) + tied(body),
+            Following::Body { .. } => 0.0,
+        })
+    }
+
+    /// Powers of drives, dampings and loads.
+    pub(super) fn powers(
+        &self,
+        driving: &Driving,
+        moment: &Moment,
+        accelerations: &[f64; N],
+    ) -> Powers {
+        let v = &moment.rates;
+        let torques = self.drive_torques(driving, moment, accelerations);
+        let driven = torques.iter().zip(v).map(|(torque, speed)| torque * speed);
+        let loads = v.iter().enumerate();
+        let [c1, c2, c3, c4] = self.damping;
+        let bearings = c1 * v[0] * v[0]
+            + c2 * (v[1] - v[2]) * (v[1] - v[2])
+            + c3 * v[2] * v[2]
+            + c4 * v[3] * v[3];
+        let eddies = self.meshes.iter().map(|field| {
+            let rate = field.phase(v);
+            field.damping * rate * rate
+        });
+        Powers {
+            driven: driven.sum(),
+            dissipated: bearings + eddies.sum::<f64>(),
+            delivered: loads
+                .map(|(body, speed)| -self.load_torque(body, *speed) * speed)
+                .sum(),
+        }
+    }
+
+    /// ½ Σ Jφ̇².
+    pub(super) fn kinetic(&self, speeds: &[f64; N]) -> f64 {
+        let each = self.inertia.iter().zip(speeds);
+        each.map(|(inertia, speed)| 0.5 * inertia * speed * speed)
+            .sum()
+    }
+}

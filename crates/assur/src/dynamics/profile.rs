@@ -1,0 +1,143 @@
+//! A quantity given over time.
+
+use crate::Fault;
+
+/// Times beyond this are out of any range, seconds.
+const TIME: f64 = 1e9;
+
+/// A piecewise linear function of time, constant before its first knot and after its last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// Time and value, at least one, times strictly increasing.
+    knots: Vec<(f64, f64)>,
+}
+
+/// Why knots make no profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProfileFault {
+    /// There is no knot.
+    Empty,
+    /// The time of this knot, from 0, cannot be taken.
+    Time(usize, Fault),
+    /// The value at this knot, from 0, is no finite number.
+    Value(usize),
+    /// This knot, from 0, is no later than the one before it.
+    Order(usize),
+}
+
+impl Profile {
+    /// A value that stays.
+    ///
+    /// # Errors
+    /// Where it is no finite number.
+    pub fn constant(value: f64) -> Result<Self, Vec<ProfileFault>> {
+        Self::new(vec![(0.0, value)])
+    }
+
+    /// From one value to another, evenly from the first time to the second; seconds.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn ramp(from: f64, to: f64, start: f64, end: f64) -> Result<Self, Vec<ProfileFault>> {
+        Self::new(vec![(start, from), (end, to)])
+    }
+
+    /// Of times (seconds) and values.
+    ///
+    /// # Errors
+    /// Every reason at once.
+    pub fn new(knots: Vec<(f64, f64)>) -> Result<Self, Vec<ProfileFault>> {
+        let mut faults = vec![];
+        if knots.is_empty() {
+            faults.push(ProfileFault::Empty);
+        }
+        for (at, (time, value)) in knots.iter().enumerate() {
+            if !time.is_finite() {
+                faults.push(ProfileFault::Time(at, Fault::NotFinite));
+            } else if time.abs() > TIME {
+                let (value, min, max) = (*time, -TIME, TIME);
+                faults.push(ProfileFault::Time(
+                    at,
+                    Fault::OutOfRange { value, min, max },
+                ));
+            }
+            if !value.is_finite() {
+                faults.push(ProfileFault::Value(at));
+            }
+            if at > 0 && *time <= knots[at - 1].0 {
+                faults.push(ProfileFault::Order(at));
+            }
+        }
+        if faults.is_empty() {
+            Ok(Self { knots })
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// Zero at all times.
+    pub fn zero() -> Self {
+        Self {
+            knots: vec![(0.0, 0.0)],
+        }
+    }
+
+    /// Times and values.
+    pub fn knots(&self) -> &[(f64, f64)] {
+        &self.knots
+    }
+
+    /// The value at a time.
+    pub fn value(&self, time: f64) -> f64 {
+        let later = self.knots.partition_point(|(knot, _)| *knot <= time);
+        match (later.checked_sub(1), self.knots.get(later)) {
+            (Some(before), Some(after)) => {
+                let before = self.knots[before];
+                let along = (time - before.0) / (after.0 - before.0);
+                before.1 + along * (after.1 - before.1)
+            }
+            (Some(last), None) => self.knots[last].1,
+            (None, _) => self.knots[0].1,
+        }
+    }
+
+    /// The first knot within a span of time, its ends left out.
+    pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
+        let mut times = self.knots.iter().map(|(time, _)| *time);
+        times.find(|time| *time > start).filter(|time| *time < end)
+    }
+
+    /// The greatest size of its values.
+    pub(super) fn greatest(&self) -> f64 {
+        let sizes = self.knots.iter().map(|(_, value)| value.abs());
+        sizes.fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_between_knots_and_beyond() {
+        let profile = Profile::ramp(2.0, 6.0, 1.0, 3.0).unwrap();
+        let values = [0.0, 1.0, 1.5, 3.0, 9.0].map(|time| profile.value(time));
+        assert_eq!(values, [2.0, 2.0, 3.0, 6.0, 6.0]);
+        assert_eq!(profile.knot_within(0.0, 1.0), None);
+        assert_eq!(profile.knot_within(0.5, 4.0), Some(1.0));
+        assert_eq!(profile.knot_within(1.0, 4.0), Some(3.0));
+        assert_eq!(profile.knot_within(3.0, 4.0), None);
+    }
+
+    #[test]
+    fn what_is_no_profile() {
+        assert_eq!(Profile::new(vec![]), Err(vec![ProfileFault::Empty]));
+        let faults = Profile::new(vec![(1.0, f64::NAN), (1.0, 0.0), (f64::INFINITY, 0.0)]);
+        let expected = [
+            ProfileFault::Value(0),
+            ProfileFault::Order(1),
+            ProfileFault::Time(2, Fault::NotFinite),
+        ];
+        assert_eq!(faults, Err(expected.to_vec()));
+    }
+}

@@ -1,0 +1,106 @@
+//! How quick the equations of motion are, which tells how long a step may be.
+
+use super::angle::Angle;
+use super::equations::{Equations, Following};
+use super::gauss::N;
+use super::run::{QUICKEST, TICK};
+use super::{Body, Mesh};
+
+/// How quickly a body can swing, and be stopped.
+#[derive(Clone, Copy, Debug)]
+struct Quickness {
+    /// The square of the rate of swings, (rad/s)².
+    swings: f64,
+    /// The rate of damping, 1/s.
+    damping: f64,
+}
+
+impl Quickness {
+    fn sum(each: &[Self; N]) -> Self {
+        Self {
+            swings: each.iter().map(|each| each.swings).sum(),
+            damping: each.iter().map(|each| each.damping).sum(),
+        }
+    }
+
+    fn rate(&self) -> f64 {
+        self.swings.sqrt().max(self.damping)
+    }
+}
+
+impl Equations {
+    /// (Σ nᵢ)²/J of each body that follows torques, what is tied to it included: how much a torque of this form
+    /// turns it.
+    fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
+        let mut sums = *factors;
+        for (body, follows) in self.following.iter().enumerate() {
+            if let Following::Body { to, ratio } = follows {
+                sums[*to] += ratio * factors[body];
+            }
+        }
+        std::array::from_fn(|body| match self.following[body] {
+            Following::Torques(_) => sums[body] * sums[body] / self.carried[body],
+            _ => 0.0,
+        })
+    }
+
+    /// E Σ nᵢ²/Jᵢ, (rad/s)².
+    pub(super) fn stiffness(&self, mesh: Mesh) -> f64 {
+        let field = self.mesh(mesh);
+        field.energy * self.yielding(&field.factors).iter().sum::<f64>()
+    }
+
+    /// How quick each body can be at these speeds: by the traces of all stiffnesses and dampings, which are bounds of
+    /// what they are together.
+    fn quickness(&self, speeds: &[f64; N]) -> [Quickness; N] {
+        let mut squares = [0.0; N];
+        let mut rates = [0.0; N];
+        let mut damp = |damping: f64, factors: &[f64; N]| {
+            for (rate, share) in rates.iter_mut().zip(self.yielding(factors)) {
+                *rate += damping * share;
+            }
+        };
+        for (body, speed) in speeds.iter().enumerate() {
+            let mut factors = [0.0; N];
+            factors[body] = 1.0;
+            damp(self.count[body] * self.load[body].growth(*speed), &factors);
+            if body == Body::Satellite.index() {
+                factors[Body::Carrier.index()] = -1.0;
+            }
+            damp(self.damping[body], &factors);
+        }
+        for field in &self.meshes {
+            damp(field.damping, &field.factors);
+            for (square, share) in squares.iter_mut().zip(self.yielding(&field.factors)) {
+                *square += field.energy * share;
+            }
+        }
+        std::array::from_fn(|body| Quickness {
+            swings: squares[body],
+            damping: rates[body],
+        })
+    }
+
+    /// The quickest rate in a state, rad/s: of swings, of damping, of phases running through.
+    pub(super) fn rate(&self, angles: &[Angle; N], speeds: &[f64; N]) -> f64 {
+        let own = Quickness::sum(&self.quickness(speeds)).rate();
+        let passing = Mesh::ALL.map(|mesh| {
+            let field = self.mesh(mesh);
+            let rate = field.phase(speeds);
+            // Its rate where the field is lowest, which stays as it is while it slips.
+            let height = field.potential(field.folded(angles).1) / field.energy;
+            (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
+        });
+        passing.into_iter().fold(own, f64::max)
+    }
+
+    /// The body that is too quick to be followed, if any.
+    pub(super) fn too_quick(&self) -> Option<Body> {
+        let each = self.quickness(&[0.0; N]);
+        let bodies = Body::ALL.into_iter().zip(&each);
+        (Quickness::sum(&each).rate() * TICK > QUICKEST)
+            .then(|| bodies.max_by(|a, b| a.1.rate().total_cmp(&b.1.rate())))
+            .flatten()
+            .map(|(body, _)| body)
+    }
+}

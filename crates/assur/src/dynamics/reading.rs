@@ -1,0 +1,167 @@
+//! What is read of a run at its time.
+
+use std::f64::consts::TAU;
+
+use super::gauss::Moment;
+use super::run::{Run, TICK};
+use super::{Angle, Body, Mesh};
+
+/// A mesh is told synchronous when it has not slipped for so many of its own swings.
+const SWINGS: f64 = 3.0;
+
+/// Everything at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// Seconds since the start.
+    pub time: f64,
+    /// The bodies, in the order of [`Body::ALL`].
+    pub bodies: [BodyReading; 4],
+    /// The meshes, in the order of [`Mesh::ALL`].
+    pub meshes: [MeshReading; 2],
+    /// The account of energies.
+    pub energy: Energy,
+}
+
+/// A body. What is said of the satellites' torques and powers is of all together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyReading {
+    /// Angle in the ground's frame.
+    pub angle: Angle,
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// Torque of its drive on it, N·m; none where it has no drive of its own: it is tied, or it is the satellites.
+    pub drive_torque: Option<f64>,
+    /// Torque of its load on it, N·m.
+    pub load_torque: f64,
+}
+
+/// A mesh, of all satellites together. Senses are those of the central wheel, the sun or the ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshReading {
+    /// Δ: by what angle the wheel is ahead of where it is without a load, within half a period, radians.
+    pub load_angle: f64,
+    /// The same within a period of the field: pΔ, from −π to π.
+    pub phase: f64,
+    /// Torque of the field on the wheel, N·m: −T sin(pΔ) of each satellite.
+    pub torque: f64,
+    /// Speed at which the wheel slips, rad/s: swings are in it.
+    pub slip_speed: f64,
+    /// By how many periods of the field the wheel has slipped forward, less those backward.
+    pub slipped: i64,
+    /// Whether it runs synchronously: it has not slipped for three of its own swings. For reading only.
+    pub synchronous: bool,
+}
+
+/// Energies and works, J; works since the account was opened, at the start or at a change of the differential.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy {
+    /// Of motion.
+    pub kinetic: f64,
+    /// Of the fields: zero without a load.
+    pub potential: f64,
+    /// Work of all drives.
+    pub driven: f64,
+    /// Lost in bearings and to eddy currents.
+    pub dissipated: f64,
+    /// Work taken by loads.
+    pub delivered: f64,
+    /// Kinetic and potential energy when the account was opened.
+    pub opening: f64,
+}
+
+impl Energy {
+    /// What the account lacks: zero but for errors of the integration.
+    pub fn imbalance(&self) -> f64 {
+        let stored = self.kinetic + self.potential - self.opening;
+        stored + self.dissipated + self.delivered - self.driven
+    }
+}
+
+impl BodyReading {
+    /// Power of its drive, W; none where it has none of its own.
+    pub fn drive_power(&self) -> Option<f64> {
+        self.drive_torque.map(|torque| torque * self.speed)
+    }
+
+    /// Power that its load takes, W.
+    pub fn load_power(&self) -> f64 {
+        -self.load_torque * self.speed
+    }
+}
+
+impl Reading {
+    /// A body.
+    pub fn body(&self, body: Body) -> &BodyReading {
+        &self.bodies[body.index()]
+    }
+
+    /// A mesh.
+    pub fn mesh(&self, mesh: Mesh) -> &MeshReading {
+        &self.meshes[mesh as usize]
+    }
+}
+
+impl Run {
+    /// What is read now.
+    pub fn reading(&self) -> Reading {
+        Reading {
+            time: self.time(),
+            bodies: self.bodies(),
+            meshes: Mesh::ALL.map(|mesh| self.mesh(mesh)),
+            energy: self.energy(),
+        }
+    }
+
+    fn bodies(&self) -> [BodyReading; 4] {
+        let (state, equations) = (&self.state, &self.differential().equations);
+        let driving = equations.driving(&state.angles, self.time(), TICK);
+        let now = Moment {
+            time: 0.0,
+            moved: [0.0; 4],
+            rates: state.speeds,
+        };
+        let accelerations = equations.accelerations(&driving, &now);
+        let torques = equations.drive_torques(&driving, &now, &accelerations);
+        std::array::from_fn(|body| BodyReading {
+            angle: state.angles[body],
+            speed: state.speeds[body],
+            drive_torque: equations.has_drive(body).then_some(torques[body]),
+            load_torque: equations.load_torque(body, state.speeds[body]),
+        })
+    }
+
+    fn mesh(&self, mesh: Mesh) -> MeshReading {
+        let (state, equations) = (&self.state, &self.differential().equations);
+        let field = equations.mesh(mesh);
+        let periods = field.factors[mesh.wheel().index()];
+        // Phases are counted as the equations have them; here as the wheel turns.
+        let sense = periods.signum();
+        let (_, phase) = field.folded(&state.angles);
+        let rate = field.phase(&state.speeds);
+        let slip = &state.slips[mesh as usize];
+        let swings = SWINGS * TAU / self.differential().swing_rate(mesh);
+        MeshReading {
+            load_angle: phase / periods,
+            phase: sense * phase,
+            torque: periods * field.forces(phase, rate).0,
+            slip_speed: rate / periods,
+            slipped: sense as i64 * slip.periods,
+            synchronous: slip
+                .last
+                .is_none_or(|last| (state.ticks - last) as f64 * TICK > swings),
+        }
+    }
+
+    fn energy(&self) -> Energy {
+        let (kinetic, potential) = self.state.energies(&self.differential().equations);
+        let [driven, dissipated, delivered] = self.state.works.map(|(work, _)| work);
+        Energy {
+            kinetic,
+            potential,
+            driven,
+            dissipated,
+            delivered,
+            opening: self.opening,
+        }
+    }
+}
