@@ -7,12 +7,15 @@
     reason = "a benchmark that cannot run has failed"
 )]
 
+#[path = "speed/coupled.rs"]
+mod coupled;
 #[path = "speed/schemes.rs"]
 mod schemes;
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
+use assur::dynamics::TICKS_PER_SECOND;
 use assur::mechanism::{self, LinkId, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
@@ -112,6 +115,18 @@ fn speed() {
                     }
                 }
             }),
+        ));
+    }
+
+    for (name, load) in [
+        ("a second of the differential, synchronous", 5.0),
+        ("a second of the differential, slipping", 25.0),
+    ] {
+        let mut run = coupled::run(load);
+        contestants.push((
+            name,
+            1,
+            Box::new(move || run.advance(TICKS_PER_SECOND).unwrap()),
         ));
     }
 
