@@ -36,6 +36,9 @@ const DEGREES: usize = 360;
 /// Every contestant has its turn this many times; the median counts.
 const ROUNDS: usize = 25;
 
+/// What is timed, how often it happens in a run, and the run.
+type Contestant = (&'static str, usize, Box<dyn FnMut()>);
+
 /// Six columns: φ₂, φ₃ and both derivatives of each.
 type Columns = [Vec<f64>; 6];
 
@@ -45,7 +48,7 @@ fn speed() {
     let moving = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
     let rocker = Quantity::named(moving.mechanism(), "rocker.angle").unwrap();
     let mut columns: Columns = std::array::from_fn(|_| vec![0.0; SAMPLES]);
-    let mut contestants: Vec<(&str, usize, Box<dyn FnMut()>)> = Vec::new();
+    let mut contestants: Vec<Contestant> = Vec::new();
     let mut own = columns.clone();
     contestants.push((
         "yardstick, scalar closed form, full state",

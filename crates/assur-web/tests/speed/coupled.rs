@@ -6,7 +6,7 @@ use assur::dynamics::{
 };
 
 /// A run with so much friction of the brush, N·m; pull-out is at 18.9.
-pub fn run(friction: f64) -> Run {
+pub(crate) fn run(friction: f64) -> Run {
     let shaft = |inertia, drive, load| Driven {
         inertia,
         damping: 1e-3,
