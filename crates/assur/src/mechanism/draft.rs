@@ -195,7 +195,7 @@ pub enum Defect {
         links: Vec<String>,
     },
     /// A driver whose rate is not finite, of the first not 1; or with which the motion would not repeat within
-    /// [`MOST_TURNS`] turns of the first crank.
+    /// 24 turns of the first crank.
     Rate {
         /// What the driver turns or moves.
         link: String,
