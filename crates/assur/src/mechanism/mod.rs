@@ -44,7 +44,7 @@ pub use crate::index::{BodyId, LinkId, PointId, StepId};
 pub use crate::position::Cause;
 
 use crate::index::{Id, List};
-use crate::position::{Anchor, Course, Given, Nearby, Orientation, Predictor, Sign, State, Step};
+use crate::position::{Anchor, Given, Nearby, Orientation, Predictor, Sign, State, Step};
 use crate::structure::Structure;
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
@@ -320,41 +320,6 @@ impl Mechanism {
     /// True where the first driver is a crank; else it is a slide.
     pub fn turns(&self) -> bool {
         self.range.is_none()
-    }
-
-    /// By how much the coordinate of each driver grows with that of the first.
-    pub fn rates(&self) -> impl Iterator<Item = f64> {
-        self.draft.drivers.iter().map(DraftDriver::rate)
-    }
-
-    /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
-    /// further driver is a slide that goes on with the crank.
-    pub(crate) fn period(&self) -> Option<f64> {
-        self.rounds.map(|rounds| TAU * rounds as f64)
-    }
-
-    /// The same in turns; 1 where there is none.
-    pub(crate) fn rounds(&self) -> usize {
-        self.rounds.unwrap_or(1)
-    }
-
-    /// Takes the drawing for that at another input, whole turns of the crank away: further drivers, too, are where
-    /// they are drawn.
-    fn counted_from(&mut self, input: f64) {
-        let turns = ((input - self.home) / TAU).round();
-        if !self.turns() || turns == 0.0 {
-            return;
-        }
-        for step in self.steps.iter_mut() {
-            let course = match step {
-                Step::Crank(crank) => &mut crank.course,
-                Step::Slider(slider) => &mut slider.course,
-                _ => continue,
-            };
-            if *course != Course::FIRST {
-                course.offset -= course.rate * turns * TAU;
-            }
-        }
     }
 }
 

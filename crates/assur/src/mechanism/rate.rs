@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use super::Mechanism;
 use super::draft::{Defect, Draft, DraftDriver};
+use crate::position::{Course, Step};
 
 /// A motion that has not repeated after so many turns of the first crank is followed no further.
 pub(crate) const MOST_TURNS: usize = 24;
@@ -59,5 +61,42 @@ pub(super) fn rounds(draft: &Draft) -> Result<Option<usize>, Vec<Defect>> {
         Ok(rounds)
     } else {
         Err(found)
+    }
+}
+
+impl Mechanism {
+    /// By how much the coordinate of each driver grows with that of the first.
+    pub fn rates(&self) -> impl Iterator<Item = f64> {
+        self.draft.drivers.iter().map(DraftDriver::rate)
+    }
+
+    /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
+    /// further driver is a slide that goes on with the crank.
+    pub(crate) fn period(&self) -> Option<f64> {
+        self.rounds.map(|rounds| TAU * rounds as f64)
+    }
+
+    /// The same in turns; 1 where there is none.
+    pub(crate) fn rounds(&self) -> usize {
+        self.rounds.unwrap_or(1)
+    }
+
+    /// Takes the drawing for that at another input, whole turns of the crank away: further drivers, too, are where
+    /// they are drawn.
+    pub(super) fn counted_from(&mut self, input: f64) {
+        let turns = ((input - self.home) / TAU).round();
+        if !self.turns() || turns == 0.0 {
+            return;
+        }
+        for step in self.steps.iter_mut() {
+            let course = match step {
+                Step::Crank(crank) => &mut crank.course,
+                Step::Slider(slider) => &mut slider.course,
+                _ => continue,
+            };
+            if *course != Course::FIRST {
+                course.offset -= course.rate * turns * TAU;
+            }
+        }
     }
 }
