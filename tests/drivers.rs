@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-use assur::mechanism::{Defect, Draft, Mechanism};
+use assur::mechanism::{Defect, Draft, DraftDriver, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
 use assur::{Point, Vector};
 
@@ -175,32 +175,57 @@ fn a_length_set_in_a_later_turn() {
     assert!(moved.norm() < 1e-9, "{moved:?}");
 }
 
+/// A crank AB about the origin and a block D on the line from (`zero`, −1) to the right, both driven, with a dyad
+/// between B and D.
+fn crank_and_slide([b, c]: [Point; 2], [zero, d]: [f64; 2], range: [f64; 2], rate: f64) -> Draft {
+    let mut draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("O", zero, -1.0)
+        .point("X", zero + 1.0, -1.0)
+        .point("B", b.x, b.y)
+        .point("C", c.x, c.y)
+        .point("D", zero + d, -1.0)
+        .fixed(&["A", "O", "X"])
+        .bar("AB", &["A", "B"])
+        .bar("BC", &["B", "C"])
+        .bar("CD", &["C", "D"])
+        .bar("block", &["D"])
+        .slide("block", "D", "frame", ["O", "X"])
+        .crank("AB");
+    draft.drivers.push(DraftDriver::Slide {
+        slide: 0,
+        range,
+        rate,
+    });
+    draft
+}
+
+/// A slide that in a later turn has come as far as the crank stands, at the rate of the first driver: it is a further
+/// driver all the same, and stays where it is when a length is set there.
+#[test]
+fn a_slide_as_far_as_the_crank_has_turned() {
+    let places = [Point::new(0.5, 0.0), Point::new(-3.94, 9.29)];
+    let motion = motion(&crank_and_slide(places, [2.0, -TAU], [-7.0, 3.0], 1.0));
+    let input = TAU + 1.0;
+    let mechanism = motion.mechanism();
+    let length = mechanism.dimensions()[1];
+    let set = motion
+        .changed(length, mechanism.value(length).unwrap() + 0.1, input)
+        .unwrap();
+    let mechanism = set.motion.mechanism();
+    let after = set.motion.pose::<1>(set.input).unwrap();
+    let d = mechanism.place(&after, mechanism.point("D").unwrap());
+    assert!((d.place().x - (2.0 + input - TAU)).abs() < 1e-9, "{d:?}");
+}
+
 /// A crank and a slide of the frame drive the coupler between them: the crank goes to and fro with the slide.
 #[test]
 fn a_crank_and_a_slide() {
     let rate = 0.1;
     let [from, to] = [2.0, 3.0];
     let drawn = 2.6;
-    let draft = Draft::default()
-        .point("A", 0.0, 0.0)
-        .point("O", 0.0, -1.0)
-        .point("X", 1.0, -1.0)
-        .point("B", 0.5, 0.0)
-        .point("C", 1.6, 1.0)
-        .point("D", drawn, -1.0)
-        .fixed(&["A", "O", "X"])
-        .bar("AB", &["A", "B"])
-        .bar("BC", &["B", "C"])
-        .bar("CD", &["C", "D"])
-        .bar("block", &["D"])
-        .slide("block", "D", "frame", ["O", "X"]);
-    let mut draft = draft.crank("AB");
-    draft.drivers.push(assur::mechanism::DraftDriver::Slide {
-        slide: 0,
-        range: [from, to],
-        rate,
-    });
-    let motion = motion(&draft);
+    let places = [Point::new(0.5, 0.0), Point::new(1.6, 1.0)];
+    let motion = motion(&crank_and_slide(places, [0.0, drawn], [from, to], rate));
     let cycle = motion.cycle();
     assert!(!cycle.is_full() && cycle.period().is_none());
     let [arc] = cycle.arcs() else {

@@ -59,13 +59,14 @@ fn keys(value: &Value) -> Vec<String> {
     found
 }
 
-/// The engine takes it: a scheme with its cuts, of all others the motion.
+/// The engine takes it: a scheme with its cuts, a train by time, of all others the motion.
 fn taken(state: &State) -> Result<(), Vec<Problem>> {
     state.check()?;
-    if let Document::Scheme(document) = &state.document {
-        return document.cuts(&document.scheme()?).map(|_| ());
+    match &state.document {
+        Document::Scheme(document) => document.cuts(&document.scheme()?).map(|_| ()),
+        Document::GearTrain(document) => document.train().map(|_| ()),
+        _ => state.moved().map(|_| ()),
     }
-    state.moved().map(|_| ())
 }
 
 #[test]

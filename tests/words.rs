@@ -23,7 +23,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 46] = [
+const BUILT: [(&str, &[&str]); 48] = [
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
     (
@@ -74,6 +74,7 @@ const BUILT: [(&str, &[&str]); 46] = [
     ("transport.input.", MOVES),
     ("transport.scrubber.", MOVES),
     ("transport.true_time.", MOVES),
+    ("unit.", MOVES),
     ("unit.acceleration.", MOVES),
     ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
@@ -90,6 +91,7 @@ const BUILT: [(&str, &[&str]); 46] = [
     ("notice.", &["www/app/opening.js"]),
     // Of a panel: its kind, by what its derivatives are, its order.
     ("plots.", &[]),
+    ("plots.overview.", MOVES),
     ("plots.angle.by_length.", ORDERS),
     ("plots.length.by_length.", ORDERS),
     ("plots.angle.by_time.", ORDERS),
@@ -125,8 +127,11 @@ const BUILT: [(&str, &[&str]); 46] = [
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
 
-/// Who says what the input is: an angle or a length.
-const MOVES: &[&str] = &["crates/assur-web/src/summary.rs"];
+/// Who says what the input is, an angle, a length or time, and what is plotted by it.
+const MOVES: &[&str] = &[
+    "crates/assur-web/src/summary.rs",
+    "crates/assur-web/src/kinds/gear_train/summary.rs",
+];
 
 /// Who counts the orders of derivatives.
 const ORDERS: &[&str] = &["crates/assur-draw/src/chart.rs"];
@@ -509,6 +514,8 @@ fn every_problem_has_words() {
         "not_hinged",
         "teeth",
         "concentric",
+        "train_undetermined",
+        "mesh_contradicts",
         "no_driver",
         "loose",
         "underdriven",

@@ -9,3 +9,4 @@ mod formulas;
 mod motion;
 mod refusals;
 mod suggestions;
+mod turning;

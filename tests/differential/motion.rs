@@ -194,6 +194,7 @@ fn teeth_of_every_satellite_meet_gaps() {
         (Train::planar([20.0, 20.0, 60.0]).unwrap(), 5),
         (Train::planar([21.0, 18.0, 63.0]).unwrap(), 6),
         (Train::stepped([20.0, 30.0, 18.0, 68.0]).unwrap(), 4),
+        (Train::stepped([24.0, 15.0, 21.0, 60.0]).unwrap(), 4),
     ] {
         assert!(train.differential().assembly(count).met());
         let layout = Layout::new(train, f64::from(count), 2.0, None).unwrap();

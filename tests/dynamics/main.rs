@@ -4,9 +4,11 @@
 #![cfg(not(target_family = "wasm"))]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod angle;
 mod bad_input;
 mod energy;
 mod pull_out;
+mod recording;
 mod reference;
 mod sample;
 mod swings;

@@ -11,7 +11,7 @@ use assur::motion::{Motion, OutputProfile};
 use assur_file::{catalogue, from_catalogue};
 
 /// Name, structural formula, and whether its crank turns fully.
-const GALLERY: [(&str, &str, bool); 20] = [
+const GALLERY: [(&str, &str, bool); 23] = [
     ("slider-crank", "I(frame,crank) → II₂(rod,slider)", true),
     (
         "slider-crank-offset",
@@ -73,6 +73,21 @@ const GALLERY: [(&str, &str, bool); 20] = [
     (
         "geared-five-bar",
         "I(frame,crank) → II₂(follower) → II₂(BC,DC)",
+        true,
+    ),
+    (
+        "sun-and-planet",
+        "I(frame,sun) → III₃(carrier,rod,beam)",
+        true,
+    ),
+    (
+        "planetary",
+        "I(frame,sun) → III₃(carrier,planet) → II₂(planet 2) → II₂(planet 3)",
+        true,
+    ),
+    (
+        "differential",
+        "I(frame,sun) → I(frame,ring) → III₃(carrier,planet) → II₂(planet 2) → II₂(planet 3)",
         true,
     ),
     (

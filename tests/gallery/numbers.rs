@@ -251,3 +251,67 @@ fn geared_five_bar() {
     // Drawn with the crank at 40°, the follower at 100°.
     assert!(angle_between(start, PI) < 1e-12, "the follower at φ = 0");
 }
+
+/// Four turns of the sun are one of the carrier; a point of a planet as large as the sun goes from cusp to cusp of a
+/// hypocycloid with three of them.
+#[test]
+fn planetary_set() {
+    let motion = moved("planetary");
+    assert_eq!(motion.cycle().period(), Some(4.0 * TAU));
+    assert_eq!(motion.mechanism().counts().passive, 2);
+    let mut cusps = 0;
+    for degrees in 0..1440 {
+        let [_, carrier, second, _] = at(&motion, "carrier.angle", f64::from(degrees));
+        assert_eq!([carrier, second], [0.25, 0.0]);
+        let [_, planet, ..] = at(&motion, "planet 2.angle", f64::from(degrees));
+        assert_near(planet, -0.5, 1e-15, "planet");
+        let [x, y] = ["T.x", "T.y"].map(|name| at(&motion, name, f64::from(degrees)));
+        // At the ring it rolls on, and so it stands for a moment.
+        if (x[0].hypot(y[0]) - 3.0).abs() < 1e-9 {
+            assert!(x[1].hypot(y[1]) < 1e-7, "{degrees}");
+            cusps += 1;
+        }
+    }
+    assert_eq!(cusps, 3);
+}
+
+/// The carrier turns by (z₁ω₁ + z₄ω₄)/(z₁ + z₄).
+#[test]
+fn differential() {
+    let motion = moved("differential");
+    assert_eq!(motion.cycle().period(), Some(4.0 * TAU));
+    for degrees in [0.0, 100.0, 1000.0] {
+        let rates = ["sun", "ring", "carrier"]
+            .map(|link| at(&motion, &format!("{link}.angle"), degrees)[1]);
+        assert_eq!(rates, [1.0, 0.25, 0.5]);
+    }
+}
+
+/// With equal wheels the sun turns twice while the carrier goes round; on the way it is ahead and behind.
+#[test]
+fn sun_and_planet() {
+    let motion = moved("sun-and-planet");
+    assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
+    let four_bar = FourBar::new([1.0, 4.0, 3.0, 5.0]).unwrap();
+    // Of the other four-bar the frame lies on the axis.
+    let leaning = 4.0_f64.atan2(3.0);
+    for degrees in 0..720 {
+        let [carrier, first, second, _] = at(&motion, "carrier.angle", f64::from(degrees));
+        let pose = four_bar
+            .pose::<3>(Assembly::First, carrier - leaning)
+            .unwrap();
+        // θ₁ + θ₂ = 2θ₃ + const.
+        let rate = 2.0 - pose.coupler.derivative(1);
+        assert_near(first, 1.0 / rate, 1e-12, "carrier");
+        assert_near(
+            second,
+            pose.coupler.derivative(2) / rate.powi(3),
+            1e-11,
+            "carrier",
+        );
+        let beam = at(&motion, "beam.angle", f64::from(degrees));
+        let expected = pose.rocker.value() + leaning;
+        assert!(angle_between(beam[0], expected) < 1e-12, "{degrees}");
+        assert_near(beam[1], pose.rocker.derivative(1) / rate, 1e-12, "beam");
+    }
+}

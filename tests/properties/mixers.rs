@@ -3,7 +3,7 @@
 use assur::gears::Mesh;
 use assur::mechanism::{Multiple, Pose, Quantity};
 use assur::mixer::{Carrier, Case, Mixer, Tracer};
-use assur::motion::{Motion, OutputProfile, Unjoinable};
+use assur::motion::{Motion, OutputProfile, Placed, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use proptest::prelude::*;
 
@@ -36,7 +36,10 @@ fn agree<const N: usize>(
     motion: &Motion,
     crank: f64,
     size: f64,
-) -> Result<(), TestCaseError> {
+) -> Result<(), TestCaseError>
+where
+    Pose<N>: Placed,
+{
     let (Ok(exact), Ok(pose)) = (
         mixer.linkage.pose::<N>(mixer.assembly, crank),
         motion.pose::<N>(crank),

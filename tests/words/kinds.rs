@@ -97,6 +97,7 @@ pub(crate) fn kinds() -> Vec<Kind> {
 /// The scripts of a kind and its modules of every crate, by their paths.
 fn sources(id: &str) -> BTreeMap<String, String> {
     let mut found = scripts(&format!("www/kinds/{id}"));
+    let id = id.replace('-', "_");
     for entry in fs::read_dir(root().join("crates")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         let folder = format!("crates/{name}/src/kinds");

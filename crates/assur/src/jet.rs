@@ -28,6 +28,17 @@ impl<const N: usize> Jet<N> {
         }))
     }
 
+    /// From a value and its derivatives.
+    pub fn of_derivatives(derivatives: [f64; N]) -> Self {
+        let mut factorial = 1.0;
+        let mut coefficients = derivatives;
+        for (order, one) in coefficients.iter_mut().enumerate().skip(1) {
+            factorial *= order as f64;
+            *one /= factorial;
+        }
+        Self(coefficients)
+    }
+
     /// From Taylor coefficients, the value first.
     pub(crate) fn from_coefficients(coefficients: [f64; N]) -> Self {
         Self(coefficients)

@@ -21,6 +21,7 @@
 //! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
+mod angle;
 pub mod dynamics;
 mod four_bar;
 pub mod gears;
@@ -33,9 +34,11 @@ pub mod mixer;
 pub mod mobility;
 pub mod motion;
 mod position;
+pub mod sorting;
 pub mod structure;
 pub mod synthesis;
 
+pub use angle::Angle;
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
 };

@@ -1,5 +1,7 @@
 //! What turns, and what couples it.
 
+use crate::gears::train::Shaft;
+
 /// A body of the differential. Its angle is measured in the ground's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {
@@ -23,21 +25,8 @@ impl Body {
     }
 }
 
-/// A body that turns about the central axis, and so can be driven from the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Shaft {
-    /// The sun's.
-    Sun,
-    /// The carrier's.
-    Carrier,
-    /// The ring's.
-    Ring,
-}
-
+/// A shaft can be driven from the ground.
 impl Shaft {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
-
     /// The body.
     pub fn body(self) -> Body {
         match self {

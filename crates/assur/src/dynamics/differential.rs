@@ -48,6 +48,12 @@ impl Differential {
         Some(plates.periods(count))
     }
 
+    /// The greatest torque of the field on the central wheel of a mesh, N·m: of all satellites together.
+    pub fn peak(&self, mesh: Mesh) -> f64 {
+        let field = self.equations.mesh(mesh);
+        field.energy * field.wheel_periods
+    }
+
     /// The greatest torque that can be put on a body slowly, N·m, when the other two of sun, carrier and ring are
     /// held and nothing else is loaded: what pull-out by the equations of motion can be compared with. On the
     /// satellites: all together, with sun, carrier and ring held.

@@ -2,10 +2,10 @@
 //!
 //! All arrays of bodies are in the order of [`Body::ALL`]; what is said of the satellites is of all k together.
 
-use super::angle::{Angle, combination};
 use super::differential::following;
 use super::gauss::{Moment, N};
 use super::{Load, Mesh, Parameters, Profile};
+use crate::angle::{Angle, combination};
 
 /// Numbers of the equations.
 #[derive(Clone, Debug, PartialEq)]

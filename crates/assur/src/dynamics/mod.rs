@@ -27,7 +27,6 @@
 //!
 //! [`Parameters`] as they are given make a [`Differential`], which is sound; a [`Run`] of it is advanced tick by tick.
 
-mod angle;
 mod body;
 mod defect;
 mod differential;
@@ -37,13 +36,15 @@ mod parameters;
 mod profile;
 mod quickness;
 mod reading;
+mod recording;
 mod run;
 
-pub use angle::Angle;
-pub use body::{Body, Mesh, Shaft};
+pub use crate::gears::train::Shaft;
+pub use body::{Body, Mesh};
 pub use defect::{Defect, Quantity};
 pub use differential::Differential;
 pub use parameters::{Coupling, Drive, Driven, Load, Parameters, Plates, Poles, Satellites};
 pub use profile::{Profile, ProfileFault};
 pub use reading::{BodyReading, Energy, MeshReading, Reading};
+pub use recording::Recording;
 pub use run::{Halt, Run, Start, TICKS_PER_SECOND};

@@ -1,10 +1,10 @@
 //! How quick the equations of motion are, which tells how long a step may be.
 
-use super::angle::Angle;
 use super::equations::{Equations, Following};
 use super::gauss::N;
 use super::run::{QUICKEST, TICK};
 use super::{Body, Mesh};
+use crate::Angle;
 
 /// How quickly a body can swing, and be stopped.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use super::gauss::Moment;
 use super::run::{Run, TICK};
-use super::{Angle, Body, Mesh};
+use super::{Body, Mesh};
+use crate::Angle;
+use crate::gears::train::Turned;
 
 /// A mesh is told synchronous when it has not slipped for so many of its own swings.
 const SWINGS: f64 = 3.0;
@@ -29,6 +31,8 @@ pub struct BodyReading {
     pub angle: Angle,
     /// Speed, rad/s.
     pub speed: f64,
+    /// Acceleration, rad/s².
+    pub acceleration: f64,
     /// Torque of its drive on it, N·m; none where it has no drive of its own: it is tied, or it is the satellites.
     pub drive_torque: Option<f64>,
     /// Torque of its load on it, N·m.
@@ -46,8 +50,12 @@ pub struct MeshReading {
     pub torque: f64,
     /// Speed at which the wheel slips, rad/s: swings are in it.
     pub slip_speed: f64,
+    /// How fast that grows, rad/s².
+    pub slip_acceleration: f64,
     /// By how many periods of the field the wheel has slipped forward, less those backward.
     pub slipped: i64,
+    /// By what angle the wheel is ahead with all by which it has slipped, radians.
+    pub advance: f64,
     /// Whether it runs synchronously: it has not slipped for three of its own swings. For reading only.
     pub synchronous: bool,
 }
@@ -90,6 +98,16 @@ impl BodyReading {
 }
 
 impl Reading {
+    /// Angles, speeds and accelerations of the bodies.
+    pub fn turned(&self) -> Turned {
+        Turned {
+            angles: self.bodies.map(|body| body.angle),
+            speeds: self.bodies.map(|body| body.speed),
+            accelerations: self.bodies.map(|body| body.acceleration),
+            spins: false,
+        }
+    }
+
     /// A body.
     pub fn body(&self, body: Body) -> &BodyReading {
         &self.bodies[body.index()]
@@ -104,10 +122,12 @@ impl Reading {
 impl Run {
     /// What is read now.
     pub fn reading(&self) -> Reading {
+        let bodies = self.bodies();
+        let accelerations = bodies.map(|body| body.acceleration);
         Reading {
             time: self.time(),
-            bodies: self.bodies(),
-            meshes: Mesh::ALL.map(|mesh| self.mesh(mesh)),
+            bodies,
+            meshes: Mesh::ALL.map(|mesh| self.mesh(mesh, &accelerations)),
             energy: self.energy(),
         }
     }
@@ -125,12 +145,13 @@ impl Run {
         std::array::from_fn(|body| BodyReading {
             angle: state.angles[body],
             speed: state.speeds[body],
+            acceleration: accelerations[body],
             drive_torque: equations.has_drive(body).then_some(torques[body]),
             load_torque: equations.load_torque(body, state.speeds[body]),
         })
     }
 
-    fn mesh(&self, mesh: Mesh) -> MeshReading {
+    fn mesh(&self, mesh: Mesh, accelerations: &[f64; 4]) -> MeshReading {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
@@ -140,12 +161,15 @@ impl Run {
         let rate = field.phase(&state.speeds);
         let slip = &state.slips[mesh as usize];
         let swings = SWINGS * TAU / self.differential().swing_rate(mesh);
+        let slipped = sense as i64 * slip.periods;
         MeshReading {
             load_angle: phase / periods,
+            advance: phase / periods + slipped as f64 * TAU / periods.abs(),
             phase: sense * phase,
             torque: periods * field.forces(phase, rate).0,
             slip_speed: rate / periods,
-            slipped: sense as i64 * slip.periods,
+            slip_acceleration: field.phase(accelerations) / periods,
+            slipped,
             synchronous: slip
                 .last
                 .is_none_or(|last| (state.ticks - last) as f64 * TICK > swings),

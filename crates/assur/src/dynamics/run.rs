@@ -1,10 +1,10 @@
 //! A run: the state of a differential, advanced tick by tick.
 
-use super::angle::{Angle, sum};
 use super::defect::{Defects, SPEED};
 use super::equations::{Equations, Following, Powers};
 use super::gauss::{self, N, Past};
 use super::{Body, Defect, Differential, Mesh};
+use crate::angle::{Angle, sum};
 
 /// Ticks of a second: a power of two, so that times are exact.
 pub const TICKS_PER_SECOND: u32 = 1024;

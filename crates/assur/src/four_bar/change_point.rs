@@ -1,5 +1,6 @@
 //! Where the two motions of a change point linkage cross.
 
+use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar, Pose};
@@ -24,7 +25,7 @@ impl FourBar {
         let at_zero = self.changes_at_zero().then_some([0.0, TAU]);
         let mut cranks: Vec<f64> = at_pi.into_iter().chain(at_zero).flatten().collect();
         cranks.retain(|crank| (start..end).contains(crank));
-        cranks.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut cranks, f64::total_cmp);
         cranks
             .into_iter()
             .filter_map(|crank| {

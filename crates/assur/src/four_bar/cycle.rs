@@ -1,5 +1,6 @@
 //! Over which crank angles a four-bar moves.
 
+use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::FourBar;
@@ -54,7 +55,7 @@ impl Cycle {
         let before = self.period.is_none() && last <= from;
         let later = other.arcs.iter().map(|arc| arc.map(|end| end + shift));
         let mut arcs: Vec<[f64; 2]> = self.arcs.iter().copied().chain(later).collect();
-        arcs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort_by(&mut arcs, |a, b| a[0].total_cmp(&b[0]));
         let period = self.period;
         let full = false;
         (after || before).then_some((Self { period, full, arcs }, shift))

@@ -1,6 +1,7 @@
 //! Grashof's classes.
 
 use super::{FourBar, tolerance};
+use crate::sorting::sort_by;
 
 /// The kind of a four-bar by Grashof: which link can turn fully against which
 /// (s shortest, l longest, p and q the others).
@@ -26,7 +27,7 @@ impl FourBar {
     /// |s + l − p − q| ≤ 8 ε (s + l).
     pub fn grashof(&self) -> Grashof {
         let mut sorted = self.lengths;
-        sorted.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut sorted, f64::total_cmp);
         let [s, p, q, l] = sorted;
         let excess = (s - p) + (l - q);
         if excess.abs() <= tolerance(&self.lengths) {

@@ -1,5 +1,6 @@
 //! Limit positions of the rocker, its swing and the time ratio.
 
+use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar};
@@ -67,7 +68,7 @@ impl FourBar {
                 turned += TAU;
             }
         }
-        cranks.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut cranks, f64::total_cmp);
         let limit = |crank| {
             let rocker = self.pose::<1>(assembly, crank).ok()?.rocker.value();
             Some(Limit { crank, rocker })

@@ -31,6 +31,7 @@ mod mobility;
 mod places;
 mod ratios;
 mod suggestions;
+mod turning;
 mod velocities;
 
 pub use conditions::{Condition, ConditionKind, Coupling, Relation};
@@ -38,9 +39,10 @@ pub use differential::{Differential, Shaft, Shafts};
 pub use inputs::{Drive, Input, InputError};
 pub use layout::Layout;
 pub use mobility::Counts;
-pub use places::Place;
+pub use places::{Mounting, Place};
 pub use ratios::{Identity, Ratio};
 pub use suggestions::Suggestion;
+pub use turning::{TimedInput, Turned, Turning};
 pub use velocities::{PointVelocity, Spin, Velocities};
 
 use super::TEETH;
@@ -141,21 +143,8 @@ impl Train {
     /// # Errors
     /// Every reason at once: numbers that are not whole, positive and within
     /// [`TEETH`]; a ring not larger than the sun or than the satellite.
-    pub fn planar([sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
-        let members = [
-            (Member::Sun, sun),
-            (Member::Satellite, satellite),
-            (Member::Ring, ring),
-        ];
-        let [sun, satellite, ring] = teeth(members)?;
-        Self {
-            kind: Kind::Planar,
-            sun,
-            satellite,
-            step: satellite,
-            ring,
-        }
-        .checked()
+    pub fn planar(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
+        Self::whole(Kind::Planar, teeth)
     }
 
     /// A planar train with stepped satellites, of z₁, z₂, z₂′, z₄.
@@ -185,7 +174,12 @@ impl Train {
     /// # Errors
     /// Every reason at once: numbers as for [`Train::planar`]; wheels without
     /// common cones.
-    pub fn bevel([sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
+    pub fn bevel(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
+        Self::whole(Kind::Bevel, teeth)
+    }
+
+    /// A train of z₁, z₂, z₄ whose satellites are one wheel each.
+    fn whole(kind: Kind, [sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         let members = [
             (Member::Sun, sun),
             (Member::Satellite, satellite),
@@ -193,7 +187,7 @@ impl Train {
         ];
         let [sun, satellite, ring] = teeth(members)?;
         Self {
-            kind: Kind::Bevel,
+            kind,
             sun,
             satellite,
             step: satellite,

@@ -8,6 +8,7 @@ use crate::structure::{self, Graph, Pair};
 
 use super::draft::Defect;
 use super::resolved::{Driver, Resolved};
+use super::willis;
 
 /// Bodies with their points, in local coordinates; those of the frame are those of
 /// the drawing.
@@ -18,7 +19,10 @@ pub(super) struct Bodies {
     /// Where each body's origin is drawn, and its turn there.
     drawn: List<BodyId, (Vector, Vector)>,
     pub(super) slides: List<SlideId, Slide>,
+    /// Gear couplings without the passive ones.
     pub(super) gears: Vec<Gear>,
+    /// Of each gear coupling of the draft whether it is passive.
+    pub(super) passive: Vec<bool>,
 }
 
 /// A prismatic pair between two bodies.
@@ -74,6 +78,7 @@ impl Bodies {
             drawn: vec![(Vector::zeros(), Vector::x())].into(),
             slides: List::default(),
             gears: Vec::new(),
+            passive: Vec::new(),
         };
         for link in draft.bodies.iter().flatten() {
             bodies.make(draft, *link);
@@ -91,12 +96,18 @@ impl Bodies {
             let slide = bodies.slide(draft, slide)?;
             bodies.slides.push(slide);
         }
-        bodies.gears.extend(draft.gears.iter().map(|gear| Gear {
+        let gears = draft.gears.iter().map(|gear| Gear {
             bodies: gear.links.map(|link| draft.body(link)),
             carrier: draft.body(gear.carrier),
             teeth: gear.teeth,
             mesh: gear.mesh,
-        }));
+        });
+        let gears: Vec<Gear> = gears.collect();
+        bodies.passive = willis::passive(&gears);
+        let active = gears.into_iter().zip(&bodies.passive);
+        bodies.gears = active
+            .filter_map(|(gear, passive)| (!passive).then_some(gear))
+            .collect();
         Ok((bodies, placements))
     }
 
@@ -262,6 +273,12 @@ impl Bodies {
         Some(structure::Driver { pair, links })
     }
 
+    /// Whether the drawing shows how a body is turned: a wheel with nothing but its hinge looks the same all round.
+    pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
+        let mut slides = self.slides.iter();
+        self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))
+    }
+
     /// The turn of a body in the drawing.
     pub(super) fn drawn_turn(&self, body: BodyId) -> Vector {
         self.drawn[body].1
@@ -285,6 +302,13 @@ impl Bodies {
         self.of(body)
             .iter()
             .find_map(|(point, hinge)| Some((self.local(BodyId::FRAME, *point)?, *hinge)))
+    }
+}
+
+impl Gear {
+    /// The wheels and their carrier.
+    pub(super) fn all(&self) -> [BodyId; 3] {
+        [self.bodies[0], self.bodies[1], self.carrier]
     }
 }
 

@@ -30,14 +30,14 @@ pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
 fn names(draft: &Draft, found: &mut Vec<Defect>) {
     let mut points = BTreeSet::new();
     for point in &draft.points {
-        if !points.insert(&point.name) {
+        if !points.insert(point.name.as_str()) {
             found.push(Defect::Twice(point.name.clone()));
         }
     }
-    let frame = FRAME.to_owned();
-    let mut links = BTreeSet::from([&frame]);
+    let mut links = BTreeSet::new();
+    links.insert(FRAME);
     for link in &draft.links {
-        if !links.insert(&link.name) {
+        if !links.insert(link.name.as_str()) {
             found.push(Defect::Twice(link.name.clone()));
         }
         if link.points.is_empty() {
@@ -67,14 +67,16 @@ fn names(draft: &Draft, found: &mut Vec<Defect>) {
         DraftDriver::Crank { link, base, .. } => vec![link, base],
         DraftDriver::Slide { .. } => Vec::new(),
     }));
-    let unknown: BTreeSet<&String> = named_points
+    let named_points = named_points.map(String::as_str);
+    let named_links = named_links.map(String::as_str);
+    let unknown: BTreeSet<&str> = named_points
         .filter(|name| !points.contains(name))
         .chain(named_links.filter(|name| !links.contains(name)))
         .collect();
     found.extend(
         unknown
             .into_iter()
-            .map(|name| Defect::Unknown(name.clone())),
+            .map(|name| Defect::Unknown(name.to_owned())),
     );
 }
 

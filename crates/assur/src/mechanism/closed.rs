@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::Mechanism;
 use crate::index::{BodyId, StepId};
-use crate::position::Step;
-use crate::{Assembly, FourBar};
+use crate::position::{Solvable, Step};
+use crate::{Assembly, FourBar, Grashof};
 
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
@@ -89,14 +89,32 @@ impl Mechanism {
     /// Whether it is one crank, at most one four-bar, and wheels that drive nothing
     /// else: then the closed form tells all of its motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
-        let idle = |body: BodyId| !self.steps.iter().any(|step| step.rests_on(body));
         let known = |step: &Step| match step {
             Step::Crank(_) | Step::Closed(_) => true,
-            Step::Geared(wheel) => idle(wheel.body),
+            Step::Geared(train) => train
+                .bodies()
+                .all(|body| !self.carries(body) && self.returns(body)),
             _ => false,
         };
         let alone = self.draft.drivers.len() == 1;
         alone && self.closed_steps().count() <= 1 && self.steps.iter().all(known)
+    }
+
+    /// Whether a wheel is back with the crank or the four-bar that turns it, or looks the same all round.
+    fn returns(&self, wheel: BodyId) -> bool {
+        let Some(link) = self.link_of(wheel).filter(|_| self.shows_its_angle(wheel)) else {
+            return true;
+        };
+        let multiple = self.multiple_of(link);
+        let swings = |closed: ClosedStep<'_>| {
+            let turns = matches!(
+                closed.linkage.grashof(),
+                Grashof::DoubleCrank | Grashof::ChangePoint
+            );
+            !turns && self.rocker_of(&closed) == Some(multiple.of)
+        };
+        let is_whole = multiple.factor.fract() == 0.0 && multiple.of != link;
+        is_whole || self.closed_steps().any(swings)
     }
 
     /// The number of the assembly in which the four-bar of the closed form is

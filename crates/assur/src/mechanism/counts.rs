@@ -2,8 +2,10 @@
 
 use super::Mechanism;
 use super::body::Bodies;
+use super::draft::{Draft, DraftLink};
 use super::resolved::Resolved;
 use crate::gears::Mesh;
+use crate::index::LinkId;
 
 /// What mobility is counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,8 +16,10 @@ pub struct Counts {
     pub lower_pairs: usize,
     /// P₂: wheels in mesh.
     pub higher_pairs: usize,
-    /// W.
+    /// W by the formula, which is too low by one for each passive mesh.
     pub mobility: isize,
+    /// How many meshes are passive: they only repeat what the others do.
+    pub passive: usize,
 }
 
 impl Mechanism {
@@ -24,6 +28,26 @@ impl Mechanism {
     pub fn counts(&self) -> Counts {
         self.counts
     }
+
+    /// The wheels of passive meshes, one of each: the satellite, whose hinge fewer links share than that of sun and
+    /// ring. Their meshes fulfil their equations whatever the others do.
+    pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
+        let Draft { gears, links, .. } = &self.draft;
+        let passive = gears.iter().zip(&self.passive);
+        let passive = passive.filter(|(_, passive)| **passive);
+        passive.filter_map(move |(gear, _)| {
+            let wheels = gear.links.iter().filter_map(|wheel| self.link(wheel));
+            let sharing = |wheel: &LinkId| {
+                let own = &links[wheel.index()].points;
+                let shares =
+                    |link: &&DraftLink| link.points.iter().any(|point| own.contains(point));
+                links.iter().filter(shares).count()
+            };
+            let wheels: Vec<LinkId> = wheels.collect();
+            // Of equals the second.
+            wheels.into_iter().rev().min_by_key(sharing)
+        })
+    }
 }
 
 /// The counts of a draft.
@@ -31,11 +55,13 @@ pub(super) fn counts(draft: &Resolved<'_>, bodies: &Bodies) -> Counts {
     let graph = bodies.graph(draft.places.ids());
     let gears = draft.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
+    let passive = bodies.passive.iter().filter(|passive| **passive).count();
     Counts {
         links: graph.links - 1 + idlers,
         lower_pairs: graph.lower_pairs() + idlers,
-        higher_pairs: graph.higher_pairs() + idlers,
+        higher_pairs: graph.higher_pairs() + passive + idlers,
         // Three freedoms, less a hinge and one mesh more.
-        mobility: graph.mobility(),
+        mobility: graph.mobility() - passive as isize,
+        passive,
     }
 }

@@ -39,7 +39,7 @@ impl Mechanism {
         let hinges = points.filter(|(_, point)| {
             let name = &point.name;
             draft.frame.contains(name)
-                && !bound.contains(name)
+                && !bound.contains(name.as_str())
                 && draft.links.iter().any(|link| link.points.contains(name))
         });
         let hinges = hinges.flat_map(|(point, _)| [Dimension::X(point), Dimension::Y(point)]);
@@ -134,15 +134,18 @@ pub(super) fn straight(length: f64) -> Vec<Point> {
 
 /// The points on which more rests than hinges: guides, and links that are fixed to
 /// others and lie on them as drawn.
-fn bound(draft: &Draft) -> BTreeSet<&String> {
+fn bound(draft: &Draft) -> BTreeSet<&str> {
     let guides = draft.slides.iter();
     let guides = guides.flat_map(|DraftSlide { point, line, .. }| line.iter().chain([point]));
-    let bases: BTreeSet<&String> = draft
+    let bases: BTreeSet<&str> = draft
         .links
         .iter()
-        .filter_map(|link| link.fixed_to.as_ref())
+        .filter_map(|link| link.fixed_to.as_deref())
         .collect();
     let lying = draft.links.iter();
-    let lying = lying.filter(|link| link.fixed_to.is_some() || bases.contains(&link.name));
-    guides.chain(lying.flat_map(|link| &link.points)).collect()
+    let lying = lying.filter(|link| link.fixed_to.is_some() || bases.contains(&*link.name));
+    guides
+        .chain(lying.flat_map(|link| &link.points))
+        .map(String::as_str)
+        .collect()
 }

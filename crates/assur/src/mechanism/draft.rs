@@ -70,8 +70,11 @@ pub struct DraftSlide {
     pub line: [String; 2],
 }
 
-/// A gear coupling of two links that are hinged on the same carrier: seen from
-/// it, the second turns with the first, in the ratio of the teeth.
+/// A gear coupling of two links that are hinged on the same carrier: seen from it, the
+/// second turns with the first, in the ratio of the teeth,
+/// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841).
+/// The drawing gives the constant; a wheel with nothing but its hinge is mounted so
+/// that its angle is zero, seen from the carrier, where its mate's is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DraftGear {
     /// The two links.
@@ -206,6 +209,17 @@ pub enum Defect {
     ParallelGuides {
         /// The links that slide on them.
         links: Vec<String>,
+    },
+    /// Wheels in mesh whose numbers of teeth do not determine how these links turn: their mates turn alike.
+    Undetermined {
+        /// The links of the train.
+        links: Vec<String>,
+    },
+    /// Two wheels that can only turn together with all the others if none of them turns: their mesh closes a ring of
+    /// wheels, with another ratio than the rest of it.
+    Contradiction {
+        /// The wheels.
+        links: [String; 2],
     },
     /// A group for which no way of solving it is known yet.
     Unsupported {

@@ -20,9 +20,12 @@ mod plan;
 mod pose;
 mod quantity;
 mod rate;
+mod repeated;
 mod resolved;
 mod structured;
 mod tracer;
+mod train;
+mod willis;
 
 use std::f64::consts::TAU;
 
@@ -48,6 +51,7 @@ use crate::position::{Anchor, Given, Nearby, Orientation, Predictor, Sign, State
 use crate::structure::Structure;
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
+use plan::Drawn;
 use resolved::Resolved;
 
 /// A linkage that can be assembled as it is drawn.
@@ -66,6 +70,8 @@ pub struct Mechanism {
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
     counts: Counts,
+    /// Of each gear coupling whether it is passive.
+    passive: Vec<bool>,
     size: f64,
     range: Option<[f64; 2]>,
     /// After how many turns of the crank all drivers are back; none of a slide, and where one goes on.
@@ -104,7 +110,7 @@ impl Mechanism {
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
         let structure = structured::structured(&resolved, &bodies)?;
-        let mut mechanism = Self::of(&resolved, &bodies, &placements, structure)?;
+        let mut mechanism = Self::of(&resolved, &bodies, &placements, structure, None)?;
         mechanism.settle()?;
         let parts = constraint::Parts {
             draft: &resolved,
@@ -116,20 +122,18 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// The same not joined yet: which way its groups are is still open.
+    /// The same not joined yet: which way its groups are is still open. Of a drawing of a known pose all angles are
+    /// told by as many whole turns as there.
     fn of(
         resolved: &Resolved<'_>,
         bodies: &Bodies,
         placements: &List<LinkId, Placement>,
         structure: Structure,
+        drawn: Option<Drawn<'_>>,
     ) -> Result<Self, Vec<Defect>> {
-        let rounds = rate::rounds(resolved.draft)?;
-        let name = |body: &BodyId| resolved.body_name(*body).to_owned();
-        let plan = plan::plan(resolved, bodies, placements, &structure);
-        let plan = plan.map_err(|group| {
-            let links = group.iter().map(name).collect();
-            vec![Defect::Unsupported { links }]
-        })?;
+        let rounds = rate::rounds(resolved)?;
+        let plan = plan::plan(resolved, bodies, placements, &structure, drawn);
+        let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
             // A point that no link has stays where it is drawn.
             let still = || Anchor {
@@ -154,7 +158,7 @@ impl Mechanism {
         let unknowns = plan.natural.len() / 2;
         let size = resolved.draft.size();
         let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, size);
-        Ok(Self {
+        let mut mechanism = Self {
             draft: resolved.draft.clone(),
             points: points.collect(),
             links: links.collect(),
@@ -166,15 +170,18 @@ impl Mechanism {
             placed_by,
             constraints: Vec::new(),
             counts: counts::counts(resolved, bodies),
+            passive: bodies.passive.clone(),
             size,
             range: plan.range,
             rounds,
             home: plan.home,
             start: (plan.home, blank),
-            orientations: bodies.orientations(),
+            orientations: plan.orientations,
             natural: plan.natural,
             assemblies: Vec::new(),
-        })
+        };
+        mechanism.count_turns_of_wheels();
+        Ok(mechanism)
     }
 
     /// The linkage as it is drawn.
@@ -356,34 +363,6 @@ impl Mechanism {
     /// One turn, or the range of the driven slide.
     pub(crate) fn span(&self) -> f64 {
         self.range.map_or(TAU, |[from, to]| to - from)
-    }
-
-    /// Whether every link that matters is in the same place in two poses.
-    pub(crate) fn is_same_pose(&self, a: &Predictor, b: &Predictor, within: f64) -> bool {
-        self.moved(a, b, within).is_none()
-    }
-
-    /// A body that is in another place, or turned otherwise, in another pose. A wheel
-    /// that moves nothing else may have turned.
-    pub(crate) fn moved<const N: usize>(
-        &self,
-        a: &State<N>,
-        b: &State<N>,
-        within: f64,
-    ) -> Option<BodyId> {
-        self.bodies.ids().find(|body| {
-            let turned = [a, b].map(|state| state.turn[*body].value());
-            let moved = [a, b].map(|state| state.origin[*body].value());
-            let near = (turned[0] - turned[1]).norm() <= within
-                && (moved[0] - moved[1]).norm() <= within * self.size;
-            !near && !self.is_idle_wheel(*body)
-        })
-    }
-
-    fn is_idle_wheel(&self, body: BodyId) -> bool {
-        let placing = self.placed_by[body].map(|step| &self.steps[step]);
-        matches!(placing, Some(Step::Geared(_)))
-            && !self.steps.iter().any(|step| step.rests_on(body))
     }
 
     /// The step that places a body; none of the frame.

@@ -2,7 +2,7 @@
 //! fixed to links.
 
 use super::Mechanism;
-use crate::index::{BodyId, LinkId};
+use crate::index::LinkId;
 use crate::position::Step;
 
 /// What an angle is a multiple of.
@@ -18,8 +18,8 @@ pub struct Multiple {
 
 impl Mechanism {
     /// The link whose angle this one's is a constant multiple of, at all inputs: a
-    /// wheel's is that of what drives it where both are carried by the frame. Of
-    /// itself where there is none.
+    /// wheel's, or a carrier's, is that of what alone turns it in a train. Of itself
+    /// where there is none.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         let own = Multiple {
             of: link,
@@ -30,16 +30,18 @@ impl Mechanism {
         let (mut body, mut factor, mut offset) = (part.body, 1.0, part.lead);
         // A train of wheels ends after as many as there are steps.
         for _ in 0..self.steps.len() {
-            let wheel = self.steps.iter().find_map(|step| match step {
-                Step::Geared(wheel) if wheel.body == body && wheel.at.body == BodyId::FRAME => {
-                    Some(wheel)
-                }
+            let trains = self.steps.iter().filter_map(|step| match step {
+                Step::Geared(train) => Some(&train.members),
                 _ => None,
             });
-            let Some(wheel) = wheel else { break };
-            offset += factor * wheel.shift;
-            factor *= wheel.ratio;
-            body = wheel.mate;
+            let member = trains.flatten().find(|member| member.body == body);
+            let Some(member) = member else { break };
+            let [(turned_by, ratio)] = member.ratios[..] else {
+                break;
+            };
+            offset += factor * member.shift;
+            factor *= ratio;
+            body = turned_by;
         }
         match self.link_of(body) {
             Some(of) => Multiple { of, factor, offset },

@@ -5,35 +5,33 @@ use std::collections::BTreeMap;
 
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
-use crate::position::{Anchor, Equation, Form, Group, Input, conjugate, product, quotient};
+use crate::position::{
+    Anchor, Equation, Form, Group, Input, Mesh, Orientation, conjugate, quotient,
+};
 
-use super::body::{Bodies, Slide};
+use super::body::{Bodies, Gear, Slide};
+use super::plan::Placed;
+use super::willis;
 
-/// The plan of a group and the drawn values of its unknowns; none where a gear
-/// coupling is inside the group, or the equations are not as many as the unknowns.
+/// The plan of a group and the drawn values of its unknowns; none where the equations
+/// are not as many as the unknowns.
 pub(super) fn group(
-    bodies: &Bodies,
+    placed: &Placed<'_>,
     members: &[BodyId],
-    solved: &List<BodyId, bool>,
     offset: usize,
     drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
-    let inside = |body: &BodyId| members.contains(body);
-    if bodies
-        .gears
-        .iter()
-        .any(|gear| gear.bodies.iter().any(inside))
-    {
-        return None;
-    }
+    let Placed { bodies, solved, .. } = placed;
     let mut plan = Plan {
         bodies,
         solved,
+        orientations: &placed.orientations,
         inputs: Vec::new(),
         points: BTreeMap::new(),
         placed: BTreeMap::new(),
         by_slide: Vec::new(),
         conditions: Vec::new(),
+        meshes: Vec::new(),
         home: Vec::new(),
     };
     for body in members {
@@ -62,6 +60,9 @@ pub(super) fn group(
         }
     }
     plan.slides();
+    for gear in placed.couplings(members) {
+        plan.mesh(gear);
+    }
     plan.finished(offset)
 }
 
@@ -82,6 +83,9 @@ enum Condition {
     /// A direction of length 1, and the length of the link along it.
     Unit(Form, f64),
     Zero(Form),
+    /// The turns of bodies, with what their angles are multiplied by; and which of the
+    /// meshes says what they add up to.
+    Mesh(Vec<(Form, f64)>, usize),
     /// The length of the direction, if the way has one too; none where both are
     /// directions.
     Line {
@@ -94,6 +98,7 @@ enum Condition {
 struct Plan<'a> {
     bodies: &'a Bodies,
     solved: &'a List<BodyId, bool>,
+    orientations: &'a List<BodyId, Orientation>,
     inputs: Vec<Input>,
     /// Where points are.
     points: BTreeMap<PointId, Form>,
@@ -102,6 +107,7 @@ struct Plan<'a> {
     /// Slides that have given a direction.
     by_slide: Vec<SlideId>,
     conditions: Vec<Condition>,
+    meshes: Vec<Mesh>,
     /// The drawn values of the unknowns.
     home: Vec<Vector>,
 }
@@ -192,7 +198,7 @@ impl Plan<'_> {
             return;
         }
         // A block with one point: its direction is the unknown.
-        let turn = self.unknown(self.bodies.drawn_turn(body));
+        let turn = self.unknown(self.orientations[body].turn);
         self.conditions.push(Condition::Unit(turn.clone(), 0.0));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {
             return;
@@ -307,6 +313,31 @@ impl Plan<'_> {
         }
     }
 
+    /// The condition of wheels in mesh.
+    fn mesh(&mut self, gear: &Gear) {
+        let equation = willis::Equation::of(gear);
+        // In parts of a turn of the larger wheel.
+        let scale = gear.teeth[0].max(gear.teeth[1]).recip();
+        let terms = equation.terms();
+        let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
+        let drawn = terms.iter();
+        let drawn = drawn.map(|(body, by)| self.orientations[*body].angle * by);
+        let constant = drawn.sum();
+        let (turns, known): (Vec<_>, Vec<_>) = terms
+            .into_iter()
+            .partition(|(body, _)| self.placed.contains_key(body));
+        let forms = turns
+            .iter()
+            .map(|(body, by)| (self.placed[body][1].clone(), *by));
+        let condition = Condition::Mesh(forms.collect(), self.meshes.len());
+        self.conditions.push(condition);
+        self.meshes.push(Mesh {
+            turning: turns.into_iter().map(|(body, _)| body).collect(),
+            known,
+            constant,
+        });
+    }
+
     /// The group; none where the equations are not as many as the unknowns.
     fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
@@ -328,6 +359,11 @@ impl Plan<'_> {
                     let both = [Equation::Real(form), Equation::Imaginary(form)];
                     equations.extend(both.map(|equation| (equation, 1.0)));
                 }
+                Condition::Mesh(turns, mesh) => {
+                    let mut turns = turns.into_iter();
+                    let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
+                    equations.push((Equation::Mesh { turns, mesh }, 0.0));
+                }
                 Condition::Line {
                     direction,
                     way,
@@ -343,44 +379,15 @@ impl Plan<'_> {
             .map(|(body, forms)| (body, forms.map(&mut index)))
             .collect();
         let unknowns = self.home.len();
-        let group = Group::new(offset, unknowns, self.inputs, &forms, equations, bodies);
+        let group = Group::new(
+            offset,
+            unknowns,
+            self.inputs,
+            &forms,
+            equations,
+            self.meshes,
+            bodies,
+        );
         group.map(|group| (group, self.home))
-    }
-}
-
-impl Form {
-    fn by(&self, factor: Vector) -> Self {
-        let times = |terms: &[(usize, Vector)]| {
-            terms
-                .iter()
-                .map(|(k, c)| (*k, product(*c, factor)))
-                .collect()
-        };
-        Self {
-            constant: product(self.constant, factor),
-            inputs: times(&self.inputs),
-            unknowns: times(&self.unknowns),
-        }
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        let sum = |a: &[(usize, Vector)], b: &[(usize, Vector)]| {
-            let mut all: BTreeMap<usize, Vector> = a.iter().copied().collect();
-            for (k, c) in b {
-                *all.entry(*k).or_default() += c;
-            }
-            all.into_iter()
-                .filter(|(_, c)| *c != Vector::zeros())
-                .collect()
-        };
-        Self {
-            constant: self.constant + other.constant,
-            inputs: sum(&self.inputs, &other.inputs),
-            unknowns: sum(&self.unknowns, &other.unknowns),
-        }
-    }
-
-    fn minus(&self, other: &Self) -> Self {
-        self.plus(&other.by(-Vector::x()))
     }
 }

@@ -4,6 +4,7 @@
 use super::body::Bodies;
 use super::dimension::straight;
 use super::draft::Draft;
+use super::plan::Drawn;
 use super::resolved::Resolved;
 use super::{Mechanism, Pose};
 use crate::index::{LinkId, List, PointId, StepId};
@@ -53,7 +54,12 @@ impl Joined {
     /// A mechanism in one of its poses, with a shape for every link.
     pub(crate) fn new(mechanism: &Mechanism, pose: &Pose<1>, input: f64) -> Result<Self, Apart> {
         let draft = mechanism.shaped_in(pose);
-        let mut joined = mechanism.laid_out(&draft, None, [input, input])?;
+        let orientations = &pose.state.orientations();
+        let drawn = Drawn {
+            input,
+            orientations,
+        };
+        let mut joined = mechanism.laid_out(&draft, None, drawn, input)?;
         let state = joined.join(None)?;
         Ok(joined.joined(state))
     }
@@ -93,8 +99,11 @@ impl Joined {
             }
             Setting::Hinge(point, at) => Some((point, at.coords)),
         };
-        let drawn = self.mechanism.home;
-        let mut next = self.mechanism.laid_out(&draft, hinge, [drawn, input])?;
+        let drawn = Drawn {
+            input: self.mechanism.home,
+            orientations: &self.state.orientations(),
+        };
+        let mut next = self.mechanism.laid_out(&draft, hinge, drawn, input)?;
         let state = next.join(Some(&self.sides))?;
         if let Some(step) = next.lost(&self.state, &state) {
             return Err(next.apart(step, Cause::DeadPoint));
@@ -111,22 +120,23 @@ impl Mechanism {
         draft
     }
 
-    /// The mechanism of a draft that is drawn at the first input, to be joined at the second.
+    /// The mechanism of a draft that is drawn in a known pose, to be joined at an input.
     fn laid_out(
         &self,
         draft: &Draft,
         hinge: Option<(PointId, Vector)>,
-        [drawn, input]: [f64; 2],
+        drawn: Drawn<'_>,
+        input: f64,
     ) -> Result<Self, Apart> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
-            Self::of(&resolved, &bodies, &placements, self.structure.clone())
+            let structure = self.structure.clone();
+            Self::of(&resolved, &bodies, &placements, structure, Some(drawn))
         };
         let mut mechanism =
             laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
-        mechanism.counted_from(drawn);
         mechanism.home = input;
         Ok(mechanism)
     }

@@ -1,16 +1,19 @@
 //! In which order a mechanism is solved, and by which closed form each group.
 
+use std::f64::consts::TAU;
+
 use crate::Vector;
-use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
 use crate::position::{
-    Anchor, Arm, Closed, Course, Crank, Geared, Prp, Rpp, Rpr, Rrp, Rrr, Slider, Step,
+    Anchor, Arm, Closed, Course, Crank, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Slider, Step,
 };
 use crate::structure::{self, Structure};
 
 use super::body::{Bodies, Placement, Slide};
+use super::draft::Defect;
 use super::natural;
 use super::resolved::{Driver, Resolved};
+use super::train::Singular;
 
 /// The plan of a mechanism.
 pub(super) struct Plan {
@@ -21,12 +24,22 @@ pub(super) struct Plan {
     pub(super) range: Option<[f64; 2]>,
     /// The drawn unknowns of groups that Newton's method solves.
     pub(super) natural: Vec<f64>,
+    /// How the bodies are turned in the drawing, those of wheels as they are mounted.
+    pub(super) orientations: List<BodyId, Orientation>,
+}
+
+/// A drawn pose of which more is known than the drawing tells: how often its bodies have turned.
+#[derive(Clone, Copy)]
+pub(super) struct Drawn<'a> {
+    pub(super) input: f64,
+    pub(super) orientations: &'a List<BodyId, Orientation>,
 }
 
 /// What has been placed by the steps so far.
-struct Placed<'a> {
-    bodies: &'a Bodies,
-    solved: List<BodyId, bool>,
+pub(super) struct Placed<'a> {
+    pub(super) bodies: &'a Bodies,
+    pub(super) solved: List<BodyId, bool>,
+    pub(super) orientations: List<BodyId, Orientation>,
     /// The crank that the input turns.
     crank: Option<BodyId>,
 }
@@ -40,19 +53,39 @@ pub(super) fn plan(
     bodies: &Bodies,
     placements: &List<LinkId, Placement>,
     structure: &Structure,
-) -> Result<Plan, Vec<BodyId>> {
+    known: Option<Drawn<'_>>,
+) -> Result<Plan, Defect> {
     let solved = bodies.ids().map(|body| body == BodyId::FRAME);
     let mut placed = Placed {
         bodies,
         solved: solved.collect(),
+        orientations: known
+            .map_or_else(|| bodies.orientations(), |known| known.orientations.clone()),
         crank: None,
     };
-    let first = draft.drivers.first();
+    let mut home = 0.0;
+    if let Some(first) = draft.drivers.first() {
+        home = placed.drawn(draft, placements, first);
+        if let Driver::Crank { link, .. } = first {
+            if let Some(Drawn { input, .. }) = known {
+                home += TAU * ((input - home) / TAU).round();
+            }
+            placed.orientations[draft.body(*link)].angle = home - lead(placements, first);
+        }
+    }
     let mut plan = Plan {
         steps: List::default(),
-        home: first.map_or(0.0, |driver| drawn(draft, bodies, placements, driver)),
+        home,
         range: None,
         natural: Vec::new(),
+        orientations: List::default(),
+    };
+    let names = |group: &[BodyId]| -> Vec<String> {
+        let names = group.iter().map(|body| draft.body_name(*body));
+        names.map(str::to_owned).collect()
+    };
+    let unsupported = |group: &[BodyId]| Defect::Unsupported {
+        links: names(group),
     };
     for part in &structure.steps {
         let step = match part {
@@ -61,13 +94,13 @@ pub(super) fn plan(
                 let first = *driver == 0;
                 let driver = &draft.drivers[*driver];
                 if base != BodyId::FRAME {
-                    return Err(vec![body]);
+                    return Err(unsupported(&[body]));
                 }
-                let drawn = drawn(draft, bodies, placements, driver);
                 let course = if first {
                     Course::FIRST
                 } else {
-                    Course::through(driver.rate(), [plan.home, drawn])
+                    let drawn = placed.drawn(draft, placements, driver);
+                    Course::through(driver.rate(), [home, drawn])
                 };
                 match driver {
                     Driver::Crank { .. } if first => placed.crank = Some(body),
@@ -75,17 +108,26 @@ pub(super) fn plan(
                     Driver::Crank { .. } | Driver::Slide { .. } => {}
                 }
                 let lead = lead(placements, driver);
-                driven(bodies, driver, body, lead, course).ok_or_else(|| vec![body])?
+                driven(bodies, driver, body, lead, course).ok_or_else(|| unsupported(&[body]))?
             }
             structure::Step::Group(group) => {
                 let links: Vec<BodyId> = group.links().into_iter().map(BodyId::at).collect();
-                match placed.closed_form(&links) {
+                if known.is_none() {
+                    placed.mount(&links);
+                }
+                let train = placed
+                    .train(&links)
+                    .map_err(|Singular| Defect::Undetermined {
+                        links: names(&links),
+                    })?;
+                let closed = train.map(Step::from).or_else(|| placed.closed_form(&links));
+                match closed {
                     Some(step) => step,
                     None => {
                         let offset = plan.natural.len() / 2;
                         let places = |point| draft.places[point];
-                        let group = natural::group(bodies, &links, &placed.solved, offset, places);
-                        let (group, places) = group.ok_or(links)?;
+                        let group = natural::group(&placed, &links, offset, places);
+                        let (group, places) = group.ok_or_else(|| unsupported(&links))?;
                         let places = places.iter().flat_map(|place| [place.x, place.y]);
                         plan.natural.extend(places);
                         group.into()
@@ -98,6 +140,7 @@ pub(super) fn plan(
         }
         plan.steps.push(step);
     }
+    plan.orientations = placed.orientations;
     Ok(plan)
 }
 
@@ -106,25 +149,6 @@ fn lead(placements: &List<LinkId, Placement>, driver: &Driver) -> f64 {
     match driver {
         Driver::Crank { link, .. } => link.map_or(0.0, |link| placements[link].lead),
         Driver::Slide { .. } => 0.0,
-    }
-}
-
-/// The drawn coordinate of a driver; that of a slide is within its range.
-fn drawn(
-    draft: &Resolved<'_>,
-    bodies: &Bodies,
-    placements: &List<LinkId, Placement>,
-    driver: &Driver,
-) -> f64 {
-    match driver {
-        Driver::Crank { link, .. } => {
-            bodies.drawn_angle(draft.body(*link)) + lead(placements, driver)
-        }
-        Driver::Slide { slide, range, .. } => {
-            let slide = &bodies.slides[*slide];
-            let track = slide.track(slide.bodies[1]);
-            bodies.drawn_way(&track).clamp(range[0], range[1])
-        }
     }
 }
 
@@ -176,12 +200,30 @@ enum Inner<'a> {
 }
 
 impl Placed<'_> {
-    /// The step that solves a group of bodies, all others of which it is joined to
-    /// being solved; none where no closed form is known.
+    /// The drawn coordinate of a driver; that of a slide is within its range.
+    fn drawn(
+        &self,
+        draft: &Resolved<'_>,
+        placements: &List<LinkId, Placement>,
+        driver: &Driver,
+    ) -> f64 {
+        match driver {
+            Driver::Crank { link, .. } => {
+                self.orientations[draft.body(*link)].angle + lead(placements, driver)
+            }
+            Driver::Slide { slide, range, .. } => {
+                let slide = &self.bodies.slides[*slide];
+                let track = slide.track(slide.bodies[1]);
+                self.bodies.drawn_way(&track).clamp(range[0], range[1])
+            }
+        }
+    }
+
+    /// The dyad that a group of bodies is, all others to which it is joined being solved; none where no closed form
+    /// is known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
         match *group {
-            [wheel] => self.geared(wheel).map(Step::from),
-            [i, j] => self.dyad([i, j]),
+            [i, j] if self.couplings(group).is_empty() => self.dyad([i, j]),
             _ => None,
         }
     }
@@ -277,46 +319,5 @@ impl Placed<'_> {
             return None;
         };
         Closed::new(crank, self.bodies.crank_hinge(crank)?, arms)
-    }
-
-    fn geared(&self, wheel: BodyId) -> Option<Geared> {
-        self.bodies.gears.iter().find_map(|gear| {
-            let second = gear.bodies[1] == wheel;
-            if !second && gear.bodies[0] != wheel {
-                return None;
-            }
-            let mate = gear.bodies[usize::from(!second)];
-            if !self.solved[mate] || !self.solved[gear.carrier] {
-                return None;
-            }
-            let step = gear.teeth[0] / gear.teeth[1];
-            let step = if second { step } else { 1.0 / step };
-            let ratio = if gear.mesh == Mesh::External {
-                -step
-            } else {
-                step
-            };
-            let own = self.bodies.of(wheel);
-            let (at, hinge) = own.iter().find_map(|(point, hinge)| {
-                let (body, local) = (gear.carrier, self.bodies.local(gear.carrier, *point)?);
-                Some((Anchor { body, local }, *hinge))
-            })?;
-            let drawn = |body| self.bodies.drawn_angle(body);
-            let [angle, other, carrier] = [wheel, mate, gear.carrier].map(drawn);
-            // A wheel without a marked radius turns from where its mate is at zero.
-            let shift = if own.len() > 1 {
-                angle - carrier - ratio * (other - carrier)
-            } else {
-                0.0
-            };
-            Some(Geared {
-                body: wheel,
-                at,
-                hinge,
-                mate,
-                ratio,
-                shift,
-            })
-        })
     }
 }

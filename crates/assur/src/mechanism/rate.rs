@@ -3,8 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::Mechanism;
-use super::draft::{Defect, Draft, DraftDriver};
-use crate::position::{Course, Step};
+use super::draft::{Defect, DraftDriver};
+use super::resolved::{Driver, Resolved};
+use crate::index::{BodyId, List};
+use crate::position::Step;
 
 /// A motion that has not repeated after so many turns of the first crank is followed no further.
 pub(crate) const MOST_TURNS: usize = 24;
@@ -17,15 +19,15 @@ const WHOLE: f64 = 1e-11;
 ///
 /// # Errors
 /// Each driver with a rate that will not do.
-pub(super) fn rounds(draft: &Draft) -> Result<Option<usize>, Vec<Defect>> {
-    let defect = |driver: &DraftDriver| Defect::Rate {
-        link: draft.driven(driver).unwrap_or_default().to_owned(),
+pub(super) fn rounds(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
+    let defect = |driver: &Driver| Defect::Rate {
+        link: draft.link_name(draft.driven(driver)).to_owned(),
         rate: driver.rate(),
     };
     let [first, further @ ..] = &draft.drivers[..] else {
         return Ok(None);
     };
-    let turns = matches!(first, DraftDriver::Crank { .. });
+    let turns = matches!(first, Driver::Crank { .. });
     let mut found = Vec::new();
     if first.rate() != 1.0 {
         found.push(defect(first));
@@ -36,18 +38,16 @@ pub(super) fn rounds(draft: &Draft) -> Result<Option<usize>, Vec<Defect>> {
         let back = match driver {
             _ if !rate.is_finite() => None,
             _ if !turns => Some(None),
-            DraftDriver::Crank { .. } => {
+            Driver::Crank { .. } => {
                 let all = rounds.unwrap_or(1);
                 let mut together = (1..=MOST_TURNS).filter(|turns| turns % all == 0);
-                let is_whole = |turns: &usize| {
-                    let turned = rate * *turns as f64;
-                    (turned - turned.round()).abs() <= WHOLE * *turns as f64
-                };
-                together.find(is_whole).map(|turns| rounds.map(|_| turns))
+                together
+                    .find(|turns| is_whole(rate, *turns))
+                    .map(|turns| rounds.map(|_| turns))
             }
-            DraftDriver::Slide { .. } if rate == 0.0 => Some(rounds),
+            Driver::Slide { .. } if rate == 0.0 => Some(rounds),
             // It comes to an end of its range before the motion is cut.
-            DraftDriver::Slide { range, .. } => {
+            Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
                 (way < TAU * (MOST_TURNS - 1) as f64).then_some(None)
             }
@@ -64,7 +64,48 @@ pub(super) fn rounds(draft: &Draft) -> Result<Option<usize>, Vec<Defect>> {
     }
 }
 
+/// Whether what turns at a rate is back after so many turns.
+fn is_whole(rate: f64, turns: usize) -> bool {
+    let turned = rate * turns as f64;
+    (turned - turned.round()).abs() <= WHOLE * turns as f64
+}
+
 impl Mechanism {
+    /// Lets the period be that of the wheels as well that turn in proportion to the input: of those that carry
+    /// others or show how they are turned. What is not back after [`MOST_TURNS`] does not count.
+    pub(super) fn count_turns_of_wheels(&mut self) {
+        let Some(rounds) = self.rounds else { return };
+        let rates = self.rates_of_bodies();
+        let counts = |body: &BodyId| self.carries(*body) || self.shows_its_angle(*body);
+        let bodies = self.bodies().filter(counts);
+        let rates: Vec<f64> = bodies.filter_map(|body| rates[body]).collect();
+        let are_back = |turns: &usize| rates.iter().all(|rate| is_whole(*rate, *turns));
+        let mut together = (1..=MOST_TURNS).filter(|turns| turns % rounds == 0);
+        self.rounds = together.find(are_back).or(self.rounds);
+    }
+
+    /// Of each body by how much its angle grows with the input, where that is constant by the drivers and the
+    /// numbers of teeth.
+    fn rates_of_bodies(&self) -> List<BodyId, Option<f64>> {
+        let mut rates = self.placed_by.alike(None);
+        rates[BodyId::FRAME] = Some(0.0);
+        for step in self.steps.iter() {
+            match step {
+                Step::Crank(crank) => rates[crank.body] = Some(crank.course.rate),
+                Step::Slider(slider) => rates[slider.track.body] = Some(0.0),
+                Step::Geared(train) => {
+                    for member in &train.members {
+                        let terms = member.ratios.iter();
+                        let terms = terms.map(|(body, ratio)| Some(rates[*body]? * ratio));
+                        rates[member.body] = terms.sum();
+                    }
+                }
+                _ => {}
+            }
+        }
+        rates
+    }
+
     /// By how much the coordinate of each driver grows with that of the first.
     pub fn rates(&self) -> impl Iterator<Item = f64> {
         self.draft.drivers.iter().map(DraftDriver::rate)
@@ -80,23 +121,15 @@ impl Mechanism {
     pub(crate) fn rounds(&self) -> usize {
         self.rounds.unwrap_or(1)
     }
-
-    /// Takes the drawing for that at another input, whole turns of the crank away: further drivers, too, are where
-    /// they are drawn.
-    pub(super) fn counted_from(&mut self, input: f64) {
-        let turns = ((input - self.home) / TAU).round();
-        if !self.turns() || turns == 0.0 {
-            return;
-        }
-        for step in self.steps.iter_mut() {
-            let course = match step {
-                Step::Crank(crank) => &mut crank.course,
-                Step::Slider(slider) => &mut slider.course,
-                _ => continue,
-            };
-            if *course != Course::FIRST {
-                course.offset -= course.rate * turns * TAU;
-            }
-        }
+    /// What the input can be told by without another pose, where the motion does not repeat: its period, unless a
+    /// group reckons with how often the crank has turned.
+    pub(crate) fn period_of_arcs(&self) -> Option<f64> {
+        let rates = self.rates_of_bodies();
+        let mut counted = self.steps.iter().flat_map(|step| match step {
+            Step::Group(group) => group.turned_by().collect(),
+            _ => Vec::new(),
+        });
+        let counts_turns = counted.any(|body| rates[body].is_some_and(|rate| rate != 0.0));
+        self.period().filter(|_| !counts_turns)
     }
 }

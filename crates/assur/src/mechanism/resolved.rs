@@ -129,6 +129,14 @@ impl<'a> Resolved<'a> {
         })
     }
 
+    /// The link that a driver turns or moves.
+    pub(super) fn driven(&self, driver: &Driver) -> LinkOrFrame {
+        match driver {
+            Driver::Crank { link, .. } => *link,
+            Driver::Slide { slide, .. } => self.slides[*slide].link,
+        }
+    }
+
     /// The body of a link, or of the frame.
     pub(super) fn body(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)

@@ -1,10 +1,10 @@
 //! The structure of a draft's bodies, and what is wrong with it by their names.
 
-use super::body::Bodies;
+use super::body::{Bodies, Gear};
 use super::draft::Defect;
 use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
-use crate::structure::{Fault, Structure, decompose};
+use crate::structure::{self, Fault, Graph, Pair, Structure, decompose};
 
 /// Driver and Assur groups of the bodies.
 ///
@@ -20,6 +20,13 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
     decompose(&graph, &drivers).map_err(|faults| {
+        let contradicting = contradicting(bodies, &graph, &drivers);
+        let active = draft.gears.iter().zip(&bodies.passive);
+        let mut active = active.filter(|(_, passive)| !**passive);
+        if let Some((gear, _)) = contradicting.and_then(|at| active.nth(at)) {
+            let links = gear.links.map(|link| draft.link_name(link).to_owned());
+            return vec![Defect::Contradiction { links }];
+        }
         let defect = |fault: Fault| match fault {
             Fault::Apart { links } => Defect::Loose(named(links)),
             Fault::Undriven { links, .. } => Defect::Underdriven {
@@ -35,4 +42,36 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
         };
         faults.into_iter().map(defect).collect()
     })
+}
+
+/// Which of the gear couplings that are not passive is the last that closes a ring of wheels, and without which nothing
+/// would be wrong.
+fn contradicting(bodies: &Bodies, graph: &Graph, drivers: &[structure::Driver]) -> Option<usize> {
+    bodies.gears.iter().rposition(|gear| {
+        let joined = Pair::Gear(gear.bodies.map(BodyId::index));
+        let mut without = graph.clone();
+        let mesh = without.pairs.iter().rposition(|pair| *pair == joined);
+        mesh.map(|mesh| without.pairs.remove(mesh));
+        closes_ring(&bodies.gears, gear) && decompose(&without, drivers).is_ok()
+    })
+}
+
+/// Whether the wheels of a gear coupling are joined by others as well.
+fn closes_ring(gears: &[Gear], closing: &Gear) -> bool {
+    let mut reached = vec![closing.bodies[0]];
+    let mut next = 0;
+    while let Some(wheel) = reached.get(next).copied() {
+        for gear in gears.iter().filter(|gear| !std::ptr::eq(*gear, closing)) {
+            let mate = match gear.bodies {
+                [a, b] if a == wheel => b,
+                [a, b] if b == wheel => a,
+                _ => continue,
+            };
+            if !reached.contains(&mate) {
+                reached.push(mate);
+            }
+        }
+        next += 1;
+    }
+    reached.contains(&closing.bodies[1])
 }

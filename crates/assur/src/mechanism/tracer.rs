@@ -71,7 +71,8 @@ impl Mechanism {
 
 /// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
 pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
-    let mut names: BTreeSet<&String> = draft.points.iter().map(|point| &point.name).collect();
+    let names = draft.points.iter().map(|point| point.name.as_str());
+    let mut names: BTreeSet<&str> = names.collect();
     let mut found = Vec::new();
     for DraftTracer { name, link, at } in &draft.tracers {
         if !names.insert(name) {

@@ -1,6 +1,7 @@
 //! Cutting pairs: by name, which to choose, and what is wrong with a choice.
 
 use super::Scheme;
+use crate::sorting::sort;
 
 /// A link taken off a pair. Of a pair of two links it does not matter which of them: the pair is gone. A
 /// compound hinge loses one link at a time.
@@ -123,7 +124,7 @@ impl Scheme {
                 },
             }
         }
-        cuts.sort_unstable();
+        sort(&mut cuts);
         cuts
     }
 }

@@ -5,6 +5,7 @@ use super::displaced::{Displaced, Placement};
 use super::elimination::System;
 use super::screw::{Form, Screw};
 use super::{NoRank, Scheme, Space};
+use crate::sorting::sort_by_key;
 
 /// Steps away from the drawn pose, angles and ways relative to the size.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
@@ -51,7 +52,7 @@ impl Scheme {
             return Ok(Generic::At { mobility: 0 });
         }
         if !contacts.is_empty() {
-            contacts.sort_by_key(|pair| &self.pairs()[*pair].name);
+            sort_by_key(&mut contacts, |pair| &self.pairs()[*pair].name);
             return Ok(Generic::Contact { pairs: contacts });
         }
         let drawn = self.forms(space)?;

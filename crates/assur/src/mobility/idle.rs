@@ -1,5 +1,6 @@
 //! Idle links: such as move while all others stand still.
 
+use crate::sorting::sort_by_key;
 use std::collections::BTreeSet;
 
 use super::constraints::Constraints;
@@ -56,9 +57,9 @@ impl Scheme {
             }
         }
         for links in &mut idle {
-            links.sort_by_key(|link| self.link_name(*link));
+            sort_by_key(links, |link| self.link_name(*link));
         }
-        idle.sort_by_key(|links| -> Vec<&str> {
+        sort_by_key(&mut idle, |links| -> Vec<&str> {
             links.iter().map(|link| self.link_name(*link)).collect()
         });
         idle

@@ -4,6 +4,7 @@ use super::constraints::Constraints;
 use super::elimination::Eliminated;
 use super::screw::Form;
 use super::{PairKind, Scheme};
+use crate::sorting::sort_by_key;
 
 /// Where motions are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,14 +130,14 @@ impl Scheme {
             let mut pairs: Vec<usize> = (0..count)
                 .filter(|pair| parts.lead(*pair) == lead)
                 .collect();
-            pairs.sort_by_key(|pair| &self.pairs()[*pair].name);
+            sort_by_key(&mut pairs, |pair| &self.pairs()[*pair].name);
             Redundancy {
                 count: counts[lead],
                 pairs,
             }
         });
         let mut parts: Vec<Redundancy> = parts.collect();
-        parts.sort_by_key(|part| self.pair_names(&part.pairs));
+        sort_by_key(&mut parts, |part| self.pair_names(&part.pairs));
         parts
     }
 

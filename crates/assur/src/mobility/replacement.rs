@@ -4,6 +4,7 @@
 //! as many are given up as are redundant and no self-stress does without them: each freedom that is added is a
 //! linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
 
+use crate::sorting::sort_by_key;
 use std::f64::consts::PI;
 
 use super::constraints::Constraints;
@@ -57,7 +58,7 @@ impl Scheme {
         let equilibrium = constraints.equilibrium(self).eliminated(None);
         let stresses: Vec<Vec<f64>> = equilibrium.solutions().map(scaled).collect();
         let mut order: Vec<usize> = (0..self.pairs().len()).collect();
-        order.sort_by_key(|pair| &self.pairs()[*pair].name);
+        sort_by_key(&mut order, |pair| &self.pairs()[*pair].name);
         let raises = order.iter().enumerate().map(|(place, &pair)| {
             let bears: Vec<_> = stresses
                 .iter()

@@ -243,7 +243,8 @@ impl Scale {
 fn links(draft: &SchemeDraft) -> Vec<&str> {
     let ground = draft.ground.as_str();
     let named = draft.pairs.iter().flat_map(|pair| &pair.links);
-    let mut seen = BTreeSet::from([ground]);
+    let mut seen = BTreeSet::new();
+    seen.insert(ground);
     let others = named.map(String::as_str).filter(|link| seen.insert(link));
     [ground].into_iter().chain(others).collect()
 }
@@ -251,7 +252,7 @@ fn links(draft: &SchemeDraft) -> Vec<&str> {
 /// What is wrong with the links of a pair.
 fn joins(pair: &PairDraft, defects: &mut Vec<SchemeDefect>) {
     let mut seen = BTreeSet::new();
-    let again = pair.links.iter().find(|link| !seen.insert(*link));
+    let again = pair.links.iter().find(|link| !seen.insert(link.as_str()));
     if let Some(link) = again {
         let (pair, link) = (pair.name.clone(), link.clone());
         defects.push(SchemeDefect::JoinsItself { pair, link });

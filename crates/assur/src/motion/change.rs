@@ -237,7 +237,7 @@ impl Motion {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
                     let (input, gave_way) = (motion.home, part != 0.0);
-                    let moves = motion.pose::<2>(input).is_ok();
+                    let moves = motion.pose::<3>(input).is_ok();
                     let changed = Changed {
                         motion,
                         input,
@@ -374,9 +374,9 @@ fn returned(here: Joined, setting: Setting, wanted: f64) -> Joined {
 /// Makes a driver the first. A further one that it was before gives its place, and its rate the other way round, to
 /// the first that there was; else that one drives no more.
 fn drive_first(draft: &mut Draft, driver: &DraftDriver) {
-    let driven = draft.driven(driver).map(str::to_owned);
+    let driven = draft.driven(driver);
     let mut all = draft.drivers.iter();
-    let before = all.position(|one| draft.driven(one).map(str::to_owned) == driven);
+    let before = all.position(|one| draft.driven(one) == driven);
     let rate = before.map_or(1.0, |before| draft.drivers[before].rate());
     if let Some(before) = before {
         draft.drivers.swap(0, before);

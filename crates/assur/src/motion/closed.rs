@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 use super::interpolation::Knots;
 use super::{DeadPoint, DeadPointKind, Motion};
 use crate::mechanism::{ClosedStep, Mechanism, Quantity};
+use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
@@ -53,7 +54,7 @@ impl Motion {
             .map(|limit| self.cycle.wrap(limit.crank - closed.lead))
             .filter(|input| self.cycle.contains(*input))
             .collect();
-        inputs.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut inputs, f64::total_cmp);
         Some(inputs)
     }
 

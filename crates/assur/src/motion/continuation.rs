@@ -310,7 +310,7 @@ impl<'a> Continuation<'a> {
         {
             return None;
         }
-        let mut probe: State<2> = self.mechanism.blank_state();
+        let mut probe: State<3> = self.mechanism.blank_state();
         let lowest = bisect([self.input, next], |input| {
             let solved = self.solve(input, &mut probe);
             solved.map_err(|(at, cause)| (input, at, cause))?;

@@ -1,6 +1,7 @@
 //! The cyclogram: what a quantity does over a turn, bar by bar.
 
 use super::{Dwell, OutputProfile};
+use crate::sorting::sort_by;
 
 /// What a quantity does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +41,7 @@ impl OutputProfile<'_> {
         } else {
             self.touching(tolerance)
         };
-        arcs.sort_by(|a, b| b.length().total_cmp(&a.length()));
+        sort_by(&mut arcs, |a, b| b.length().total_cmp(&a.length()));
         let mut dwells: Vec<Dwell> = Vec::new();
         let clash = |a: &Dwell, b: &Dwell| {
             let shifts = period.map_or([0.0; 3], |period| [-period, 0.0, period]);
@@ -60,7 +61,7 @@ impl OutputProfile<'_> {
                 dwells.push(arc);
             }
         }
-        dwells.sort_by(|a, b| a.arc[0].total_cmp(&b.arc[0]));
+        sort_by(&mut dwells, |a, b| a.arc[0].total_cmp(&b.arc[0]));
         let start = dwells.first().map_or(first[0], |dwell| dwell.arc[0]);
         let [from, to] = match period {
             Some(period) => [start, start + period],

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Extremum, Input, Kind, Motion};
 use crate::mechanism::Quantity;
+use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
 /// What stands out of a quantity over a motion, in ascending crank angle.
@@ -295,7 +296,7 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
             }
         }
         cranks.retain(|crank| (from..=to).contains(&crank));
-        cranks.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut cranks, f64::total_cmp);
         cranks
     };
     if cycle.is_full() {

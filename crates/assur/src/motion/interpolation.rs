@@ -4,6 +4,7 @@
 use crate::index::{BodyId, List};
 use crate::mechanism::Signs;
 use crate::position::{Nearby, Orientation, Predictor};
+use crate::sorting::sort_by;
 
 /// Samples in ascending inputs (or descending, while a motion is followed back):
 /// which way each group is joined, how the bodies are turned, and the unknowns of
@@ -54,7 +55,7 @@ impl Knots {
     /// With the knots of another motion over other inputs.
     pub(super) fn join(&mut self, mut other: Self) {
         self.list.append(&mut other.list);
-        self.list.sort_by(|a, b| a.input.total_cmp(&b.input));
+        sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
     }
 
     pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
@@ -102,7 +103,7 @@ impl Knots {
         for knot in &mut self.list {
             *knot = later(knot, -(knot.input / period).floor());
         }
-        self.list.sort_by(|a, b| a.input.total_cmp(&b.input));
+        sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
         if let [first, .., last] = &self.list[..] {
             let [before, after] = [later(last, -1.0), later(first, 1.0)];
             self.list.insert(0, before);

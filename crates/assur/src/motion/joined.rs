@@ -2,6 +2,7 @@
 
 use super::Motion;
 use crate::mechanism::Quantity;
+use crate::sorting::sort_by;
 
 /// Why two motions are not those of one linkage over different inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,10 +35,10 @@ impl Motion {
             ..*dead
         });
         self.dead_points.extend(dead_points);
-        self.dead_points.sort_by(|a, b| a.input.total_cmp(&b.input));
+        sort_by(&mut self.dead_points, |a, b| a.input.total_cmp(&b.input));
         let change_points = other.change_points.iter().map(|input| input + shift);
         self.change_points.extend(change_points);
-        self.change_points.sort_by(f64::total_cmp);
+        sort_by(&mut self.change_points, f64::total_cmp);
         self.cycle = cycle;
         // What is told of the other linkage must be so of this one.
         other.knots.shift(-shift);

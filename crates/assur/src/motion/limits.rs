@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use super::OutputProfile;
 use crate::Swing;
+use crate::sorting::sort_by;
 
 /// A limit position: the quantity stands still and turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +90,7 @@ impl OutputProfile<'_> {
         if inputs.is_empty() {
             inputs.push(self.motion.home());
         }
-        inputs.sort_unstable_by(f64::total_cmp);
+        sort_by(&mut inputs, f64::total_cmp);
         self.valued(inputs.into_iter())
     }
 }

@@ -12,6 +12,7 @@ mod input;
 mod interpolation;
 mod joined;
 mod limits;
+mod placed;
 mod profile;
 pub(crate) mod root;
 mod table;
@@ -25,6 +26,7 @@ pub use features::{Features, features};
 pub use input::Input;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
+pub use placed::Placed;
 pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
 pub use transmission::LeastTransmission;
@@ -32,9 +34,9 @@ pub use transmission::LeastTransmission;
 use std::f64::consts::{PI, TAU};
 
 use crate::Cycle;
-use crate::index::StepId;
-use crate::mechanism::{Cause, Mechanism, Pose, Unsolved};
+use crate::mechanism::{Mechanism, Pose, Unsolved};
 use crate::position::Step;
+use crate::sorting::sort_by;
 use continuation::{Continuation, End};
 use interpolation::Knots;
 
@@ -84,7 +86,7 @@ impl Motion {
                 };
                 forth.change_points.extend(back.change_points);
                 knots.prepend(before);
-                let period = mechanism.period();
+                let period = mechanism.period_of_arcs();
                 // The arc is told by whole periods so that it begins within one from −π on.
                 let shift = period.map_or(0.0, |turn| turn * ((first.input + PI) / turn).floor());
                 knots.shift(-shift);
@@ -103,7 +105,7 @@ impl Motion {
         let passed = passed.into_iter();
         let passed: Vec<f64> = passed.map(|at| motion.cycle.wrap(at - turned)).collect();
         motion.change_points.extend(passed);
-        motion.change_points.sort_by(f64::total_cmp);
+        sort_by(&mut motion.change_points, f64::total_cmp);
         motion
     }
 
@@ -203,7 +205,10 @@ impl Motion {
     ///
     /// # Errors
     /// Which links find no place, and why.
-    pub fn pose<const N: usize>(&self, input: f64) -> Result<Pose<N>, Unsolved> {
+    pub fn pose<const N: usize>(&self, input: f64) -> Result<Pose<N>, Unsolved>
+    where
+        Pose<N>: Placed,
+    {
         let mut pose = self.mechanism.blank();
         self.place(input, &mut pose)?;
         Ok(pose)
@@ -213,19 +218,7 @@ impl Motion {
     ///
     /// # Errors
     /// Which links find no place, and why; `pose` is then of no use.
-    pub fn place<const N: usize>(&self, input: f64, pose: &mut Pose<N>) -> Result<(), Unsolved> {
-        let wrapped = self.cycle.wrap(input);
-        let unsolved = |(step, cause)| Unsolved { input, step, cause };
-        if !wrapped.is_finite() {
-            return Err(unsolved((StepId::FIRST, Cause::Input)));
-        }
-        let (state, guess) = pose.parts();
-        let (signs, near) = self.knots.near(wrapped, guess);
-        let solved = self.mechanism.solve(wrapped, signs, near, state);
-        solved.map_err(unsolved)?;
-        if !self.cycle.contains(wrapped) {
-            return Err(unsolved((StepId::FIRST, Cause::Unreached)));
-        }
-        Ok(())
+    pub fn place(&self, input: f64, pose: &mut impl Placed) -> Result<(), Unsolved> {
+        pose.put(self, input)
     }
 }

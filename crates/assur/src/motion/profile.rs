@@ -126,7 +126,7 @@ impl<'a> OutputProfile<'a> {
         };
         let turned = mechanism.multiple_of(link);
         let value = |input: f64| {
-            let pose = self.motion.pose::<2>(input).ok()?;
+            let pose = self.motion.pose::<3>(input).ok()?;
             Some(mechanism.angle(&pose, turned.of))
         };
         // The very end is the start again, where a deltoid has no pose: from just
@@ -366,7 +366,7 @@ impl Flank<'_> {
         let from = profile.reaches(self.pieces[0], way * level)?;
         let to = profile.reaches(self.pieces[1], way * (level + self.tolerance))?;
         let slope = |input: f64| -> Option<f64> {
-            let pose = profile.motion.pose::<2>(input).ok()?;
+            let pose = profile.motion.pose::<3>(input).ok()?;
             let jet = profile.quantity.of(profile.motion.mechanism(), &pose);
             Some(way * jet.derivative(1))
         };

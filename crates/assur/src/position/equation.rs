@@ -1,7 +1,8 @@
 //! What a group's equations are made of: complex-linear forms of what is solved and
 //! of the unknowns, and the quadratic equations between them.
 
-use super::complex::Complex;
+use super::complex::{Complex, conjugate, product};
+use super::mesh::Given;
 use crate::Vector;
 
 /// A complex-linear form of solved quantities and of the unknowns.
@@ -9,11 +10,54 @@ use crate::Vector;
 pub(crate) struct Form {
     /// What does not change.
     pub(crate) constant: Vector,
-    /// Indices of inputs with their coefficients.
+    /// Indices of inputs, ascending, with their coefficients.
     pub(crate) inputs: Vec<(usize, Vector)>,
-    /// Indices of unknowns with their coefficients.
+    /// Indices of unknowns, ascending, with their coefficients.
     pub(crate) unknowns: Vec<(usize, Vector)>,
 }
+
+impl Form {
+    /// Turned and stretched by a complex factor.
+    pub(crate) fn by(&self, factor: Vector) -> Self {
+        let times = |terms: &[(usize, Vector)]| {
+            terms
+                .iter()
+                .map(|(k, c)| (*k, product(*c, factor)))
+                .collect()
+        };
+        Self {
+            constant: product(self.constant, factor),
+            inputs: times(&self.inputs),
+            unknowns: times(&self.unknowns),
+        }
+    }
+
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &[(usize, Vector)], b: &[(usize, Vector)]| {
+            let mut all = a.to_vec();
+            for (k, c) in b {
+                match all.binary_search_by_key(k, |(k, _)| *k) {
+                    Ok(at) => all[at].1 += c,
+                    Err(at) => all.insert(at, (*k, *c)),
+                }
+            }
+            all.retain(|(_, c)| *c != Vector::zeros());
+            all
+        };
+        Self {
+            constant: self.constant + other.constant,
+            inputs: sum(&self.inputs, &other.inputs),
+            unknowns: sum(&self.unknowns, &other.unknowns),
+        }
+    }
+
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.by(-Vector::x()))
+    }
+}
+
+/// The most forms that stand in an equation.
+pub(super) const MOST_FORMS: usize = 3;
 
 /// An equation between forms, by their indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,29 +72,50 @@ pub(crate) enum Equation {
         direction: usize,
         way: usize,
     },
+    /// Wheels in mesh: the angles of turns, each multiplied by its number, add up to
+    /// what the mesh says.
+    Mesh {
+        turns: [Option<(usize, f64)>; MOST_FORMS],
+        mesh: usize,
+    },
 }
 
 impl Equation {
     /// The forms that stand in it.
     pub(super) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
-            Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None],
-            Self::Line { direction, way } => [Some(direction), Some(way)],
+            Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
+            Self::Line { direction, way } => [Some(direction), Some(way), None],
+            Self::Mesh { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
     }
 
     /// What is left of it.
-    pub(super) fn left<const N: usize>(&self, values: &[Complex<N>]) -> f64 {
-        let constant = match self {
-            Self::Unit(_) => 0.5,
-            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => 0.0,
-        };
-        self.coefficient(values, 0) - constant
+    pub(super) fn left<const N: usize>(&self, values: &[Complex<N>], given: &[Given<N>]) -> f64 {
+        match self {
+            Self::Unit(_) => self.coefficient(values, given, 0) - 0.5,
+            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => {
+                self.coefficient(values, given, 0)
+            }
+            Self::Mesh { turns, mesh } => {
+                let given = &given[*mesh];
+                let near = turns.iter().flatten().zip(given.near);
+                near.fold(given.angle.value(), |sum, ((form, by), near)| {
+                    let turned = product(values[*form].value(), conjugate(near.turn));
+                    sum + by * (near.angle + turned.y.atan2(turned.x))
+                })
+            }
+        }
     }
 
-    /// Its coefficient of an order.
-    pub(super) fn coefficient<const N: usize>(&self, values: &[Complex<N>], order: usize) -> f64 {
+    /// Its coefficient of an order; of wheels in mesh those of derivatives only.
+    pub(super) fn coefficient<const N: usize>(
+        &self,
+        values: &[Complex<N>],
+        given: &[Given<N>],
+        order: usize,
+    ) -> f64 {
         match *self {
             Self::Unit(form) => {
                 let v = &values[form];
@@ -62,6 +127,43 @@ impl Equation {
             Self::Line { direction, way } => {
                 let [u, v] = [direction, way].map(|form| &values[form]);
                 (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
+            }
+            Self::Mesh { turns, mesh } => {
+                // θ′ = u × u′ of a turn u, whose length is 1.
+                let rate = |form: usize| -> f64 {
+                    let u = &values[form];
+                    let terms = (1..=order).map(|k| k as f64 * u[order - k].perp(&u[k]));
+                    terms.sum::<f64>() / order as f64
+                };
+                let turns = turns.into_iter().flatten();
+                turns.fold(given[mesh].angle.coefficient(order), |sum, (form, by)| {
+                    sum + by * rate(form)
+                })
+            }
+        }
+    }
+
+    /// Its derivatives by the forms that stand in it, each as the vector whose scalar
+    /// product with a change of the form is the change of the equation.
+    #[inline(always)]
+    pub(super) fn slopes<const N: usize>(&self, values: &[Complex<N>], slopes: &mut [Vector]) {
+        let value = |form: usize| values[form][0];
+        match *self {
+            Self::Unit(form) => slopes[0] = value(form),
+            Self::Real(_) => slopes[0] = Vector::x(),
+            Self::Imaginary(_) => slopes[0] = Vector::y(),
+            Self::Line { direction, way } => {
+                let [u, v] = [direction, way].map(value);
+                // u × v = u · (v turned to the right) = v · (u turned to the left).
+                slopes[0] = Vector::new(v.y, -v.x);
+                slopes[1] = Vector::new(-u.y, u.x);
+            }
+            // dθ = u × du / |u|².
+            Self::Mesh { turns, .. } => {
+                for (slope, (form, by)) in slopes.iter_mut().zip(turns.into_iter().flatten()) {
+                    let u = value(form);
+                    *slope = Vector::new(-u.y, u.x) * (by / u.norm_squared());
+                }
             }
         }
     }

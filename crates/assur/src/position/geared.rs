@@ -1,38 +1,56 @@
-//! A wheel: its angle follows from that of the wheel it is in mesh with.
+//! An epicyclic train: wheels and carriers whose angles follow from those of others by the numbers of teeth.
 
 use super::{Anchor, Cause, Given, Solvable, State};
-use crate::Vector;
 use crate::index::BodyId;
+use crate::{Jet, Vector};
 
-/// A wheel hinged on a solved carrier and in mesh with a solved wheel.
+/// Bodies each of which is hinged on one that is placed before it, and whose meshes determine all their angles: a
+/// wheel in mesh with a solved one, or the carrier between sun and ring with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Geared {
+    /// In the order in which they are placed.
+    pub(crate) members: Vec<Member>,
+}
+
+/// A body of the train.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Member {
     pub(crate) body: BodyId,
-    /// The hinge, on the carrier and on the wheel.
+    /// The hinge, on what is placed before it and on itself.
     pub(crate) at: Anchor,
     pub(crate) hinge: Vector,
-    /// The wheel it is in mesh with.
-    pub(crate) mate: BodyId,
-    /// dθ/dθ of the mate, seen from the carrier, and the angle at its zero.
-    pub(crate) ratio: f64,
+    /// The solved bodies that turn it: dθ/dθ of each.
+    pub(crate) ratios: Vec<(BodyId, f64)>,
+    /// Its angle where theirs are zero.
     pub(crate) shift: f64,
+}
+
+impl Member {
+    /// What the others make of its angle.
+    pub(crate) fn angle<const N: usize>(&self, of: impl Fn(BodyId) -> Jet<N>) -> Jet<N> {
+        let terms = self.ratios.iter().map(|(body, ratio)| of(*body) * *ratio);
+        terms.fold(Jet::constant(self.shift), |sum, term| sum + term)
+    }
 }
 
 impl Solvable for Geared {
     fn solve<const N: usize>(&self, state: &mut State<N>, _: &Given<'_, N>) -> Result<(), Cause> {
-        let carrier = state.angle(self.at.body);
-        let turned = state.angle(self.mate) - carrier;
-        let angle = carrier + turned * self.ratio + self.shift;
-        state.pin(self.body, angle, self.at, self.hinge);
+        for member in &self.members {
+            let angle = member.angle(|body| state.angle(body));
+            state.pin(member.body, angle, member.at, member.hinge);
+        }
         Ok(())
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {
-        [self.body].into_iter()
+        self.members.iter().map(|member| member.body)
     }
 
+    /// A carrier is needed by its own planets.
     fn rests_on(&self, body: BodyId) -> bool {
-        self.at.body == body || self.mate == body
+        self.members.iter().any(|member| {
+            member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)
+        })
     }
 
     fn winds(&self) -> bool {

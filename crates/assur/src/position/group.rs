@@ -1,15 +1,16 @@
 //! An Assur group of any class, by Newton's method in natural coordinates.
 //!
-//! The unknowns are places of joints (and directions of links) as complex
-//! numbers; every other place is a linear combination of them with constant
-//! complex coefficients, since links are rigid (class4 paper, (3)–(5)). What is
-//! left are quadratic equations. Derivatives follow order by order from the
+//! The unknowns are places of joints (and directions of links) as complex numbers; every other place is a linear
+//! combination of them with constant complex coefficients, since links are rigid (class4 paper, (3)–(5)). What is left
+//! are quadratic equations, and those of wheels in mesh, linear in angles. Derivatives follow order by order from the
 //! same Jacobian at the solution: J x⁽ᵏ⁾ = −(what the lower orders leave).
 
 use std::ops::Range;
 
 use super::complex::product;
 use super::elimination::Elimination;
+use super::equation::MOST_FORMS;
+use super::mesh::Mesh;
 use super::step::finite;
 use super::work::{Work, largest};
 use super::{Anchor, Cause, Equation, Form, Given, Nearby, Solvable, State};
@@ -42,6 +43,7 @@ pub(crate) struct Group {
     sought: Vec<Term>,
     further: Vec<Term>,
     equations: Vec<Equation>,
+    pub(super) meshes: Vec<Mesh>,
     /// What an equation is left with becomes a length by this; none for angles.
     lengths: Vec<f64>,
     /// Each body with the forms of its origin and its turn.
@@ -88,6 +90,7 @@ impl Group {
         inputs: Vec<Input>,
         forms: &[Form],
         equations: Vec<(Equation, f64)>,
+        meshes: Vec<Mesh>,
         bodies: Vec<(BodyId, [usize; 2])>,
     ) -> Option<Self> {
         let size = 2 * unknowns;
@@ -109,7 +112,7 @@ impl Group {
                     pattern[at..][..2].fill(true);
                     list.push(Entry {
                         at,
-                        slope: 2 * row + side,
+                        slope: MOST_FORMS * row + side,
                         by: *by,
                     });
                 }
@@ -138,6 +141,7 @@ impl Group {
             sought: terms(|form| &form.unknowns, 0..equated),
             further: terms(|form| &form.unknowns, equated..forms.len()),
             equations,
+            meshes,
             lengths,
             bodies,
             pattern,
@@ -160,6 +164,9 @@ impl Group {
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
         }
+        for (k, mesh) in self.meshes.iter().enumerate() {
+            state.work.given[k] = mesh.given(state, near);
+        }
         let work = &mut state.work;
         self.guess(work, near);
         for (value, constant) in work.values.iter_mut().zip(&self.constants) {
@@ -176,6 +183,12 @@ impl Group {
             self.differentiate(&mut state.work, order);
         }
         self.settle(state, near)
+    }
+
+    /// The solved bodies whose angles, with all their turns, its meshes take.
+    pub(crate) fn turned_by(&self) -> impl Iterator<Item = BodyId> {
+        let known = self.meshes.iter().flat_map(|mesh| &mesh.known);
+        known.map(|(body, _)| *body)
     }
 
     /// Takes over the order of elimination that the Jacobian needed in the pose that
@@ -200,11 +213,11 @@ impl Group {
             // where there is nothing to correct.
             for (left, equation) in work.left.iter_mut().zip(&self.equations) {
                 let rate = if N > 1 {
-                    equation.coefficient(&work.values, 1)
+                    equation.coefficient(&work.values, &work.given, 1)
                 } else {
                     0.0
                 };
-                *left = [equation.left(&work.values), rate];
+                *left = [equation.left(&work.values, &work.given), rate];
             }
             let left = largest(&work.left);
             let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
@@ -261,11 +274,11 @@ impl Group {
         self.evaluate(work);
         let equations = self.equations.iter().zip(&self.lengths);
         equations.fold(0.0, |most, (equation, length)| {
-            let left = equation.left(&work.values);
+            let left = equation.left(&work.values, &work.given);
             let by = match equation {
                 // (|v|² − 1)/2 is left of it.
                 Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
-                Equation::Real(_) | Equation::Imaginary(_) | Equation::Line { .. } => left,
+                _ => left,
             };
             f64::max(most, by.abs() * length)
         })
@@ -300,20 +313,9 @@ impl Group {
 
     /// The derivatives of the equations by the unknowns, row by row.
     fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
-        let slopes = work.slopes.chunks_exact_mut(2);
+        let slopes = work.slopes.chunks_exact_mut(MOST_FORMS);
         for (slopes, equation) in slopes.zip(&self.equations) {
-            let value = |form: usize| work.values[form][0];
-            match *equation {
-                Equation::Unit(form) => slopes[0] = value(form),
-                Equation::Real(_) => slopes[0] = Vector::x(),
-                Equation::Imaginary(_) => slopes[0] = Vector::y(),
-                Equation::Line { direction, way } => {
-                    let [u, v] = [direction, way].map(value);
-                    // u × v = u · (v turned to the right) = v · (u turned to the left).
-                    slopes[0] = Vector::new(v.y, -v.x);
-                    slopes[1] = Vector::new(-u.y, u.x);
-                }
-            }
+            equation.slopes(&work.values, slopes);
         }
         for entry in &self.entries {
             let slope = work.slopes[entry.slope];
@@ -327,8 +329,8 @@ impl Group {
         }
     }
 
-    /// The coefficients of an order from those below it: all equations are
-    /// quadratic, so that of an order holds the new ones linearly.
+    /// The coefficients of an order from those below it: that of an equation holds the
+    /// new ones linearly.
     fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first was solved for with the last correction.
         if order == 1 {
@@ -337,7 +339,7 @@ impl Group {
             }
         } else {
             for (lack, equation) in work.lack.iter_mut().zip(&self.equations) {
-                *lack = [equation.coefficient(&work.values, order)];
+                *lack = [equation.coefficient(&work.values, &work.given, order)];
             }
             self.suited(work.planned, &work.spare).solve(
                 &work.jacobian,
@@ -395,6 +397,6 @@ impl Solvable for Group {
     fn rests_on(&self, body: BodyId) -> bool {
         self.inputs.iter().any(|input| match input {
             Input::Place(anchor) | Input::Direction(anchor) => anchor.body == body,
-        })
+        }) || self.turned_by().any(|other| other == body)
     }
 }

@@ -2,21 +2,25 @@
 
 use super::complex::Complex;
 use super::elimination::Elimination;
+use super::equation::MOST_FORMS;
 use super::group::Group;
+use super::mesh::Given;
 use crate::Vector;
 
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// The counts of inputs, unknowns and forms that there is room for.
-    fits: [usize; 4],
+    /// The counts of inputs, unknowns, forms and meshes that there is room for.
+    fits: [usize; 5],
     pub(super) inputs: Vec<Complex<N>>,
+    /// What is given of wheels in mesh.
+    pub(super) given: Vec<Given<N>>,
     pub(super) unknowns: Vec<Complex<N>>,
     /// Of the forms that stand in equations what is known of their value; and all
     /// forms: of orders not solved yet what is known.
     pub(super) known: Vec<Vector>,
     pub(super) values: Vec<Complex<N>>,
-    /// The derivatives of the equations by their forms, two for each equation.
+    /// The derivatives of the equations by their forms, as many for each equation as can stand in one.
     pub(super) slopes: Vec<Vector>,
     /// What is left of the equations, and the step that this asks for; then the same
     /// for the first derivative.
@@ -38,6 +42,7 @@ impl<const N: usize> Work<N> {
             group.unknowns,
             group.equated,
             group.constants.len(),
+            group.meshes.len(),
         ];
         if self.fits == fits {
             return;
@@ -46,10 +51,11 @@ impl<const N: usize> Work<N> {
         let size = 2 * group.unknowns;
         let nothing = Complex::constant(Vector::zeros());
         self.inputs.resize(group.inputs.len(), nothing);
+        self.given.resize(group.meshes.len(), Given::nothing());
         self.unknowns.resize(group.unknowns, nothing);
         self.known.resize(group.equated, Vector::zeros());
         self.values.resize(group.constants.len(), nothing);
-        self.slopes.resize(2 * size, Vector::zeros());
+        self.slopes.resize(MOST_FORMS * size, Vector::zeros());
         self.left.resize(size, [0.0; 2]);
         self.step.resize(size, [0.0; 2]);
         self.lack.resize(size, [0.0]);

@@ -1,5 +1,6 @@
 //! The highest contour of a group.
 
+use crate::sorting::sort_by_key;
 use std::collections::VecDeque;
 
 /// The number of pairs in the longest contour of a shortest basis of the
@@ -38,7 +39,7 @@ pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
             }
         }
     }
-    walks.sort_by_key(|&(length, _)| length);
+    sort_by_key(&mut walks, |&(length, _)| length);
 
     let mut longest = 0;
     let mut basis: Vec<(usize, Cycle)> = vec![];

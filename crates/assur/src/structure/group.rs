@@ -2,6 +2,7 @@
 
 use super::pebbles::Pebbles;
 use super::{Depends, Driver, Fault, Graph, Pair, contour};
+use crate::sorting::sort;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An Assur group.
@@ -50,7 +51,7 @@ impl Group {
     /// Its links, ascending.
     pub fn links(&self) -> Vec<usize> {
         let mut links = self.bodies.concat();
-        links.sort_unstable();
+        sort(&mut links);
         links
     }
 
@@ -71,11 +72,6 @@ impl Group {
         for body in &bodies {
             check_body(graph, drivers, body)?;
         }
-        let body_of: BTreeMap<usize, usize> = bodies
-            .iter()
-            .enumerate()
-            .flat_map(|(body, links)| links.iter().map(move |&link| (link, body)))
-            .collect();
 
         let mut group = Self {
             bodies,
@@ -90,7 +86,7 @@ impl Group {
         for (index, pair) in graph.pairs.iter().enumerate() {
             let mut here = BTreeMap::new();
             for &link in pair.links() {
-                if let Some(&body) = body_of.get(&link) {
+                if let Some(body) = group.body_of(link) {
                     // Of links of one body the first stands for all.
                     let first = here.entry(body).or_insert(link);
                     *first = link.min(*first);
@@ -98,7 +94,7 @@ impl Group {
             }
             // It is the group's own where no link of it is solved before.
             let base = depends.base(pair.links());
-            let outer = !body_of.contains_key(&base);
+            let outer = group.body_of(base).is_none();
             if outer {
                 group.outer.extend(here.values().map(|&link| Outer {
                     pair: index,
@@ -119,14 +115,19 @@ impl Group {
                 joints.push(joint);
             }
         }
-        group.check_sliding(graph, &body_of)?;
+        group.check_sliding(graph)?;
         if count == 2 {
             group.dyad = group.form(graph);
         } else {
             group.class = contour::longest(count, &joints).max(3);
         }
-        group.outer.sort_unstable();
+        sort(&mut group.outer);
         Ok(group)
+    }
+
+    /// Which of its bodies a link is in.
+    fn body_of(&self, link: usize) -> Option<usize> {
+        self.bodies.iter().position(|body| body.contains(&link))
     }
 
     /// The form of two bodies, or none of the dyads.
@@ -148,7 +149,7 @@ impl Group {
 
     /// An error where prismatic pairs alone determine the angle of bodies twice
     /// over.
-    fn check_sliding(&self, graph: &Graph, body_of: &BTreeMap<usize, usize>) -> Result<(), Fault> {
+    fn check_sliding(&self, graph: &Graph) -> Result<(), Fault> {
         let sliding: Vec<BTreeSet<usize>> = self
             .inner
             .iter()
@@ -157,9 +158,7 @@ impl Group {
             .filter(|&pair| matches!(graph.pairs[pair], Pair::Prismatic(_)))
             .map(|pair| {
                 let links = graph.pairs[pair].links().iter();
-                links
-                    .filter_map(|link| body_of.get(link).copied())
-                    .collect()
+                links.filter_map(|&link| self.body_of(link)).collect()
             })
             .collect();
         // Bodies of one angle.
@@ -178,7 +177,7 @@ impl Group {
         });
         let bodies = parts.into_iter().flatten();
         let mut links: Vec<usize> = bodies.flat_map(|body| self.bodies[body].clone()).collect();
-        links.sort_unstable();
+        sort(&mut links);
         if links.is_empty() {
             Ok(())
         } else {

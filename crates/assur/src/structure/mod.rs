@@ -45,7 +45,9 @@
 //! # What counting cannot see
 //!
 //! Special dimensions. A parallelogram with a third rocker moves, though it
-//! counts as locked, and is refused as [`Fault::Overconstrained`]. Prismatic pairs
+//! counts as locked, and is refused as [`Fault::Overconstrained`]. So would a second
+//! satellite between sun and ring, were it not for [`crate::mechanism::Mechanism`],
+//! which knows the numbers of teeth and leaves its passive mesh out. Prismatic pairs
 //! with nothing else between them, which count right and yet do not determine
 //! a place, are [`Fault::Sliding`]. What is not refused can be solved, but for
 //! special dimensions.
@@ -78,6 +80,7 @@ pub use fault::Fault;
 pub use formula::roman;
 pub use group::{Dyad, Group, Outer};
 
+use crate::sorting::sort_by_key;
 use pebbles::{BODY, Pebbles};
 use std::collections::BTreeSet;
 
@@ -238,7 +241,9 @@ pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fau
                 && depends.base(&driver.links) != block[0]
         })
     };
-    blocks.sort_by_key(|block| (level[block[0]], driven(block).is_none(), block[0]));
+    sort_by_key(&mut blocks, |block| {
+        (level[block[0]], driven(block).is_none(), block[0])
+    });
 
     let mut steps = vec![];
     let mut step_of = vec![None; graph.links];
@@ -302,7 +307,7 @@ impl Depends {
                 blocks.push(block);
             }
         }
-        blocks.sort_by_key(|block| self.on[block[0]].len());
+        sort_by_key(&mut blocks, |block| self.on[block[0]].len());
         blocks
     }
 

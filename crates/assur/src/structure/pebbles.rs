@@ -1,6 +1,7 @@
 //! Counting freedoms against constraints, for every part of a linkage at once.
 
 use super::{Driver, Graph, Pair};
+use crate::sorting::sort;
 
 /// The freedoms of a body in the plane.
 pub(super) const BODY: usize = 3;
@@ -121,7 +122,7 @@ impl Pebbles {
     /// All nodes on which these depend, themselves among them, ascending.
     pub(super) fn reach(&self, nodes: &[usize]) -> Vec<usize> {
         let mut reach = self.search(nodes).0;
-        reach.sort_unstable();
+        sort(&mut reach);
         reach
     }
 
@@ -159,7 +160,7 @@ impl Surplus {
 
     fn join(&mut self, other: Self) {
         self.nodes.extend(other.nodes);
-        self.nodes.sort_unstable();
+        sort(&mut self.nodes);
         self.nodes.dedup();
         self.excess += other.excess;
     }

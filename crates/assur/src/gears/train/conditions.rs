@@ -23,7 +23,7 @@ pub enum ConditionKind {
     /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2: of magnets, (2)
     /// of the source paper, which prints the opposite sign.
     RingGap,
-    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole.
+    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole; where poles alternate, half of it.
     Assembly,
     /// Neighbouring satellites do not touch, sin(π/k) > d_a2/(2 a_w); asked of two
     /// or more.
@@ -91,7 +91,12 @@ impl Layout {
             (_, Coupling::Magnetic) => self.gap_conditions().to_vec(),
         };
         let satellites = self.counts().satellites;
-        conditions.push(self.train().differential().assembly(satellites));
+        let assembly = self.train().differential().assembly(satellites);
+        conditions.push(Condition {
+            // In periods of the field.
+            left: assembly.left / f64::from(self.plates_to_period(coupling)),
+            ..assembly
+        });
         if satellites > 1 {
             conditions.push(Condition {
                 kind: ConditionKind::Neighbours,
@@ -103,9 +108,10 @@ impl Layout {
         conditions
     }
 
-    /// Whether all conditions of this coupling are met.
+    /// Whether all conditions of this coupling are met, and poles of magnets can be as they are to be.
     pub fn can_be_built(&self, coupling: Coupling) -> bool {
-        self.conditions(coupling).iter().all(Condition::met)
+        let poles = coupling == Coupling::Contact || self.odd_wheels().next().is_none();
+        poles && self.conditions(coupling).iter().all(Condition::met)
     }
 
     fn coaxiality(&self) -> Condition {

@@ -21,6 +21,15 @@ impl Shaft {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
 
+    /// Its place among sun, satellite, carrier and ring.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Sun => 0,
+            Self::Carrier => 2,
+            Self::Ring => 3,
+        }
+    }
+
     /// The number of its link in the source paper.
     pub fn number(self) -> u8 {
         match self {
@@ -134,14 +143,23 @@ impl Differential {
     /// A torque that is no number, or out of range.
     pub fn torques(&self, known: Shaft, torque: f64) -> Result<Shafts, Fault> {
         Fault::check_size(torque, GREATEST)?;
+        Ok(self.balanced(known, torque))
+    }
+
+    /// The same torques relative to that of one of the shafts.
+    pub fn torques_relative_to(&self, known: Shaft) -> Shafts {
+        self.balanced(known, 1.0)
+    }
+
+    fn balanced(&self, known: Shaft, torque: f64) -> Shafts {
         let unit = torque / self.weight(known) as f64;
-        Ok(Shafts::from_each(|shaft| {
+        Shafts::from_each(|shaft| {
             // The known one as it is given, not rounded.
             if shaft == known {
                 torque
             } else {
                 unit * self.weight(shaft) as f64
             }
-        }))
+        })
     }
 }

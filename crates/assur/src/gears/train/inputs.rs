@@ -43,6 +43,20 @@ pub enum InputError {
         /// What is wrong with it.
         fault: Fault,
     },
+    /// A time in which a shaft cannot rise to its speed.
+    Rise {
+        /// The shaft.
+        shaft: Shaft,
+        /// What is wrong with it.
+        fault: Fault,
+    },
+    /// A shaft that follows the given ones turns faster than angles are told of.
+    TooFast {
+        /// The shaft.
+        shaft: Shaft,
+        /// Its speed, revolutions per minute.
+        speed: f64,
+    },
     /// A shaft tied to itself.
     TiedToItself {
         /// The shaft.

@@ -13,6 +13,8 @@ pub struct Layout {
     counts: Counts,
     module: f64,
     axis_distance: Option<f64>,
+    /// Whether north and south poles of magnets alternate round each wheel.
+    alternating: bool,
 }
 
 impl Layout {
@@ -46,9 +48,29 @@ impl Layout {
                 counts,
                 module,
                 axis_distance,
+                alternating: false,
             }),
             _ => Err(reasons),
         }
+    }
+
+    /// The same with magnets whose poles alternate round each wheel: a period of the field is two plates.
+    pub fn alternating(self) -> Self {
+        Self {
+            alternating: true,
+            ..self
+        }
+    }
+
+    /// Wheels round which poles cannot alternate, for they have an odd number of plates.
+    pub fn odd_wheels(&self) -> impl Iterator<Item = Member> {
+        let members: &[Member] = match self.train.kind() {
+            _ if !self.alternating => &[],
+            Kind::Planar | Kind::Bevel => &[Member::Sun, Member::Satellite, Member::Ring],
+            Kind::Stepped => &[Member::Sun, Member::Satellite, Member::Step, Member::Ring],
+        };
+        let members = members.iter().copied();
+        members.filter(|member| self.train.teeth(*member) % 2 == 1)
     }
 
     /// The wheels.
@@ -59,6 +81,14 @@ impl Layout {
     /// The same with other wheels.
     pub(super) fn with(&self, train: Train) -> Self {
         Self { train, ..*self }
+    }
+
+    /// Plates to a period of the field; teeth to a pitch.
+    pub(super) fn plates_to_period(&self, coupling: Coupling) -> u32 {
+        match coupling {
+            Coupling::Magnetic if self.alternating => 2,
+            Coupling::Magnetic | Coupling::Contact => 1,
+        }
     }
 
     /// Its links and pairs.

@@ -1,6 +1,7 @@
 //! Numbers of teeth near by with which a train can be built.
 
 use super::{Coupling, Kind, Layout, Member, Train};
+use crate::sorting::sort_by_key;
 
 /// A train that fulfils all conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +40,9 @@ impl Layout {
                 .filter_map(|changes| Some((changes, self.train().changed(changes)?)))
                 .filter(|(_, train)| self.with(*train).can_be_built(coupling))
                 .collect();
-            shell.sort_by_key(|(changes, _)| (changes.map(i32::abs).into_iter().max(), *changes));
+            sort_by_key(&mut shell, |(changes, _)| {
+                (changes.map(i32::abs).into_iter().max(), *changes)
+            });
             let change = change.unsigned_abs();
             found.extend(shell.iter().map(|&(_, train)| Suggestion { train, change }));
         }

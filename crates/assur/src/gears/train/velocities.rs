@@ -71,27 +71,29 @@ impl Layout {
     /// How a satellite moves at these speeds of the shafts; none of bevel wheels,
     /// which do not move in a plane.
     pub fn velocities(&self, coupling: Coupling, speeds: &Shafts) -> Option<Velocities> {
+        let spin = self.train().spin(speeds).along;
+        self.velocities_of(coupling, speeds.carrier, spin)
+    }
+
+    /// The same of a satellite by the speeds of the carrier and its own, ω₂: of magnets
+    /// that slip it is not that of the shafts.
+    pub fn velocities_of(&self, coupling: Coupling, carrier: f64, spin: f64) -> Option<Velocities> {
         if self.train().kind() == Kind::Bevel {
             return None;
         }
-        let Spin {
-            along: spin,
-            relative,
-            ..
-        } = self.train().spin(speeds);
         let distance = self.axis_distance(coupling);
         let at = |radius: f64| PointVelocity {
             radius,
-            velocity: speeds.carrier * distance + spin * (radius - distance),
+            velocity: carrier * distance + spin * (radius - distance),
         };
         let [sun, ring] = self.rolling_radii(coupling);
-        // Two parts that cancel leave their rounding.
-        let turns = spin.abs() > 4.0 * f64::EPSILON * (speeds.carrier.abs() + relative.abs());
+        // Two parts that cancel, the carrier's and the relative one, leave their rounding.
+        let turns = spin.abs() > 4.0 * f64::EPSILON * (carrier.abs() + (spin - carrier).abs());
         Some(Velocities {
             sun: at(sun),
             centre: at(distance),
             ring: at(ring),
-            instantaneous_centre: turns.then(|| distance * (1.0 - speeds.carrier / spin)),
+            instantaneous_centre: turns.then(|| distance * (1.0 - carrier / spin)),
         })
     }
 }

@@ -2,9 +2,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::Jet;
 use crate::gears::Mate;
-use crate::mechanism::{Cause, Quantity};
+use crate::mechanism::{Cause, Pose, Quantity};
 use crate::mixer::{Carrier, Case, Mixer, Tracer};
-use crate::motion::{Column, Motion, Row};
+use crate::motion::{Column, Motion, Placed, Row};
 
 fn motion() -> Motion {
     let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
@@ -28,7 +28,10 @@ fn full() -> Motion {
 }
 
 /// Quantities at a crank angle.
-fn jets<const N: usize>(motion: &Motion, names: &[&str], crank: f64) -> Vec<Jet<N>> {
+fn jets<const N: usize>(motion: &Motion, names: &[&str], crank: f64) -> Vec<Jet<N>>
+where
+    Pose<N>: Placed,
+{
     let mechanism = motion.mechanism();
     let pose = motion.pose::<N>(crank).unwrap();
     let quantities = names.iter().map(|name| Quantity::named(mechanism, name));

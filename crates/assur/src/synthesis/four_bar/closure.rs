@@ -1,5 +1,6 @@
 //! The gap that output and input leave for the coupler.
 
+use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
@@ -57,7 +58,7 @@ impl Task {
         let near = (p.norm() - coupler) * (p.norm() + coupler) / far;
         let mut found = vec![far, near];
         found.retain(|z| *z > 0.0 && z.is_finite());
-        found.sort_by(f64::total_cmp);
+        sort_by(&mut found, f64::total_cmp);
         found.dedup();
         found
     }

@@ -1,5 +1,6 @@
 //! Two positions: the linkages that take up both are the points of a line in (1/z₂, 1/z₃).
 
+use crate::sorting::sort_by;
 use std::f64::consts::FRAC_PI_2;
 
 use super::closure::{Direction, near};
@@ -202,7 +203,7 @@ impl Family {
                         return if inside { ends } else { [1.0, 0.0] };
                     }
                     let mut t = [least, greatest].map(|z| ((z - rest) / scale).max(0.0));
-                    t.sort_by(f64::total_cmp);
+                    sort_by(&mut t, f64::total_cmp);
                     t
                 };
                 let output = cut(b, a, [0.0, f64::INFINITY]).map(f64::atan);
@@ -342,7 +343,7 @@ impl Family {
                 })
             })
             .collect();
-        changes.sort_by(|a, b| a.at.total_cmp(&b.at));
+        sort_by(&mut changes, |a, b| a.at.total_cmp(&b.at));
         changes
     }
 

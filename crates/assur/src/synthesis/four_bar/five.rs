@@ -9,6 +9,7 @@
 //! λX + μY of them, and m = w₂ w̄₃ there is λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ: as λ is
 //! real, a cubic in t.
 
+use crate::sorting::sort_by;
 use nalgebra::Complex;
 
 use super::closure::dot;
@@ -97,7 +98,7 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
             }
         }
     }
-    found.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    sort_by(&mut found, |a, b| size(a).total_cmp(&size(b)));
     Ok(found)
 }
 

@@ -3,6 +3,7 @@
 //! ΣJ has several local minima, so the search goes down from many starts and reports where each
 //! ended. It is deterministic, and goes step by step so that it can be shown and stopped.
 
+use crate::sorting::sort_by;
 use std::f64::consts::TAU;
 
 use super::closure::near;
@@ -242,7 +243,7 @@ impl<const N: usize> Descents<N> {
 
     fn minima(&self, task: &Task, weight: f64) -> Vec<Minimum> {
         let mut found: Vec<&Found<N>> = self.found.iter().collect();
-        found.sort_by(|a, b| a.value.total_cmp(&b.value));
+        sort_by(&mut found, |a, b| a.value.total_cmp(&b.value));
         let minimum = |found: &Found<N>| {
             let proportions = self.objective.proportions(&found.x);
             let mut path = found.path.clone();

@@ -1,6 +1,7 @@
 //! From where to where lengths and coupler angles go over a family, exactly: ends, and the places
 //! between them where a derivative vanishes, as roots of polynomials.
 
+use crate::sorting::sort_by;
 use nalgebra::Complex;
 
 use super::closure::{Direction, cross, dot, near};
@@ -188,7 +189,7 @@ pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
         cross(q, r),
     ]));
     places.retain(|x| between(shape, *x));
-    places.sort_by(f64::total_cmp);
+    sort_by(&mut places, f64::total_cmp);
     let [first, last] = ends(shape);
     let start = match first {
         Some(x) if x > 0.0 => value(gap, x),

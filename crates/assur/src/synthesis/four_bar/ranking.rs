@@ -2,6 +2,7 @@
 
 use super::{Order, Passage, Solution};
 use crate::Grashof;
+use crate::sorting::sort_by_key;
 
 /// What is asked of a solution besides its positions. What is `false` or none is not asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -85,7 +86,7 @@ pub enum Criterion {
 /// Puts solutions in order, the best first: those that fail of fewest requirements, among these by
 /// the criterion; equal ones stay as they were.
 pub fn rank(solutions: &mut [Solution], requirements: &Requirements, criterion: Criterion) {
-    solutions.sort_by_cached_key(|solution| Key {
+    sort_by_key(solutions, |solution| Key {
         unmet: requirements.unmet(solution).len(),
         cost: cost(solution, criterion),
     });

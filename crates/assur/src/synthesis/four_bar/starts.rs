@@ -1,6 +1,7 @@
 //! Where a search for the least ΣJ starts: exact solutions of some of the positions, what
 //! Freudenstein's equations say of all in the mean, and a grid. The same ones every time.
 
+use crate::sorting::sort_by;
 use std::f64::consts::TAU;
 
 use super::objective::{Objective, Point};
@@ -49,7 +50,7 @@ pub(super) fn free(task: &Task) -> Vec<Point<4>> {
         })
         .map(|x| (objective.value(&x).0, x))
         .collect();
-    coarse.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut coarse, |a, b| a.0.total_cmp(&b.0));
     starts.extend(coarse.into_iter().take(LOWEST).map(|(_, x)| x));
     starts
 }

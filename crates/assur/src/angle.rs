@@ -1,6 +1,7 @@
 //! Angles that keep their digits however often they go round.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::Sub;
 
 /// What 2π is more than its double.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
@@ -22,6 +23,13 @@ impl Angle {
         angle
     }
 
+    /// Whole turns, and a part of a turn more.
+    pub(crate) fn of_turns(turns: i64, part: f64) -> Self {
+        let mut angle = Self::new(part * TAU);
+        angle.turns = angle.turns.saturating_add(turns);
+        angle
+    }
+
     /// Whole turns.
     pub fn turns(&self) -> i64 {
         self.turns
@@ -38,7 +46,7 @@ impl Angle {
     }
 
     /// Turns by an increment, radians.
-    pub(super) fn add(&mut self, increment: f64) {
+    pub(crate) fn add(&mut self, increment: f64) {
         let (part, lost) = sum(self.part, increment);
         (self.part, self.carry) = sum(part, self.carry + lost);
         let turns = (self.part / TAU).round();
@@ -53,8 +61,20 @@ impl Angle {
     }
 }
 
+impl Sub for Angle {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        let mut angle = self;
+        angle.turns = angle.turns.saturating_sub(other.turns);
+        angle.add(-other.carry);
+        angle.add(-other.part);
+        angle
+    }
+}
+
 /// Σ nᵢ φᵢ, folded: whole turns, and the rest from −π to π. Whole turns of the angles drop out exactly.
-pub(super) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
+pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
     let mut turns: i64 = 0;
     let mut rest = 0.0;
     for (factor, angle) in factors.iter().zip(angles) {
@@ -67,7 +87,7 @@ pub(super) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) 
 }
 
 /// A sum, and what its rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
-pub(super) fn sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let of_b = sum - a;
     (sum, (a - (sum - of_b)) + (b - of_b))

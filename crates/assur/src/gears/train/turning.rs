@@ -1,0 +1,346 @@
+//! How a train turns by time, as long as nothing slips.
+
+use std::f64::consts::TAU;
+
+use super::{Drive, Input, InputError, Kind, Member, Shaft, Shafts, Train};
+use crate::{Angle, Fault};
+
+/// Seconds of a minute.
+const MINUTE: f64 = 60.0;
+
+/// An input by time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedInput {
+    /// The shaft and its speed, in revolutions per minute.
+    pub input: Input,
+    /// It rises evenly from rest to that speed in so many seconds, 0: it has it at once. Of a tied shaft it does not count.
+    pub rise: f64,
+}
+
+/// Where a train is at a time: of sun, satellite, carrier and ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turned {
+    /// Angles since time 0.
+    pub angles: [Angle; 4],
+    /// Speeds, rad/s.
+    pub speeds: [f64; 4],
+    /// Accelerations, rad/s².
+    pub accelerations: [f64; 4],
+    /// Whether those of the satellite are relative to the carrier, about its own axis, as of bevel wheels.
+    pub spins: bool,
+}
+
+impl Turned {
+    /// The same as it is seen from a shaft, which then stands still (Willis's inversion).
+    pub fn seen_from(&self, shaft: Shaft) -> Self {
+        let own = shaft.index();
+        let fixed = |body: usize| body == 1 && self.spins;
+        let less = |values: &[f64; 4]| {
+            std::array::from_fn(|body| match fixed(body) {
+                true => values[body],
+                false => values[body] - values[own],
+            })
+        };
+        Self {
+            angles: std::array::from_fn(|body| match fixed(body) {
+                true => self.angles[body],
+                false => self.angles[body] - self.angles[own],
+            }),
+            speeds: less(&self.speeds),
+            accelerations: less(&self.accelerations),
+            spins: self.spins,
+        }
+    }
+}
+
+/// A train whose two inputs are given by time. Angles come from times, not from angles before: they have all their
+/// digits at any time, and wheels stay in mesh however long they turn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turning {
+    train: Train,
+    /// The driven shafts with what turns them.
+    driven: [(Shaft, Motor); 2],
+    /// The one that follows.
+    free: Shaft,
+}
+
+/// What turns a shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Motor {
+    Speed {
+        rpm: f64,
+        rise: f64,
+    },
+    /// So many times what turns the other one.
+    Other(f64),
+    Rest,
+}
+
+/// Whole turns and a part of a turn.
+#[derive(Clone, Copy)]
+struct Turns {
+    whole: i64,
+    part: f64,
+}
+
+impl Turns {
+    const NONE: Self = Self {
+        whole: 0,
+        part: 0.0,
+    };
+
+    /// Turns at a speed in so many seconds; whole turns are taken off a product that is not rounded.
+    fn of(rpm: f64, seconds: f64) -> Self {
+        let product = rpm * seconds;
+        let low = rpm.mul_add(seconds, -product);
+        let rest = product % MINUTE;
+        Self {
+            whole: ((product - rest) / MINUTE).round() as i64,
+            part: (rest + low) / MINUTE,
+        }
+    }
+
+    /// A product that is not rounded, as turns.
+    fn product(turns: f64, factor: f64) -> Self {
+        let product = turns * factor;
+        let low = turns.mul_add(factor, -product);
+        let whole = product.round();
+        Self {
+            whole: whole as i64,
+            part: (product - whole) + low,
+        }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        let [whole, part] = [self.whole as f64, self.part].map(|of| Self::product(of, factor));
+        Self::combined([(1, whole), (1, part)], 1)
+    }
+
+    /// (Σ nᵢ turnsᵢ)/divisor: whole turns are summed up and divided as whole numbers.
+    fn combined<const N: usize>(terms: [(i64, Self); N], divisor: i64) -> Self {
+        let (mut whole, mut part) = (0, 0.0);
+        for (n, turns) in terms {
+            let parts = Self::product(turns.part, n as f64);
+            whole += n * turns.whole + parts.whole;
+            part += parts.part;
+        }
+        Self {
+            whole: whole.div_euclid(divisor),
+            part: (whole.rem_euclid(divisor) as f64 + part) / divisor as f64,
+        }
+    }
+
+    fn angle(self) -> Angle {
+        Angle::of_turns(self.whole, self.part)
+    }
+}
+
+impl Turning {
+    /// The greatest time, seconds.
+    pub const LONGEST: f64 = 1e6;
+
+    /// The greatest speed of a shaft, revolutions per minute: under load it can be followed too.
+    pub const FASTEST: f64 = 1e5;
+
+    /// The longest rise, seconds.
+    pub const LONGEST_RISE: f64 = 1e4;
+
+    /// A rise that takes any time takes at least so much, seconds: accelerations stay numbers.
+    pub const SHORTEST_RISE: f64 = 1e-6;
+
+    /// A train turned by these inputs.
+    ///
+    /// # Errors
+    /// Every rise that cannot be; as of [`Differential::solve`](super::Differential::solve), and of a shaft with both
+    /// inputs; shafts faster than [`Self::FASTEST`], those that only follow where no other is.
+    pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
+        let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
+        let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
+        let solved = train.differential().solve(&asked);
+        let speeds = match solved {
+            Ok(speeds) if rises.is_empty() => speeds,
+            Ok(_) => return Err(rises),
+            Err(errors) => return Err(rises.into_iter().chain(errors).collect()),
+        };
+        let driven = |shaft: &Shaft| asked.iter().any(|input| input.shaft == *shaft);
+        let free: Vec<Shaft> = Shaft::ALL.into_iter().filter(|one| !driven(one)).collect();
+        let ([free], [one, other]) = (&free[..], inputs) else {
+            // Two inputs that leave more than one shaft are of the same one.
+            let shaft = asked[0].shaft;
+            return Err(vec![InputError::Twice { shaft }]);
+        };
+        let too_fast = |given: bool| -> Vec<InputError> {
+            let is_given = |shaft: Shaft| {
+                let mut inputs = asked.iter();
+                inputs.any(|one| one.shaft == shaft && matches!(one.drive, Drive::Given(_)))
+            };
+            let shafts = Shaft::ALL.into_iter().filter(|one| is_given(*one) == given);
+            let errors = shafts.filter_map(|shaft| {
+                let speed = speeds.of(shaft);
+                let fault = Fault::check_size(speed, Self::FASTEST).err()?;
+                Some(if given {
+                    InputError::Number { shaft, fault }
+                } else {
+                    InputError::TooFast { shaft, speed }
+                })
+            });
+            errors.collect()
+        };
+        for given in [true, false] {
+            let errors = too_fast(given);
+            if !errors.is_empty() {
+                return Err(errors);
+            }
+        }
+        let motor =
+            |one: &TimedInput, other: &TimedInput| match (one.input.drive, other.input.drive) {
+                (Drive::Given(rpm), _) => Motor::Speed {
+                    rpm,
+                    rise: one.rise,
+                },
+                (Drive::Tied { .. }, Drive::Tied { .. }) => Motor::Rest,
+                (Drive::Tied { to, factor }, Drive::Given(_)) if to == other.input.shaft => {
+                    Motor::Other(factor)
+                }
+                (Drive::Tied { factor, .. }, Drive::Given(_)) => {
+                    // With x = factor · free in the equation of the weights.
+                    let weight = |shaft| train.differential().weight(shaft) as f64;
+                    let [this, other] = [one, other].map(|input| weight(input.input.shaft));
+                    Motor::Other(-factor * other / factor.mul_add(this, weight(*free)))
+                }
+            };
+        Ok(Self {
+            driven: [(one, other), (other, one)]
+                .map(|(one, other)| (one.input.shaft, motor(one, other))),
+            free: *free,
+            train,
+        })
+    }
+
+    /// The train.
+    pub fn train(&self) -> &Train {
+        &self.train
+    }
+
+    /// The shaft that follows the two driven ones.
+    pub fn free(&self) -> Shaft {
+        self.free
+    }
+
+    /// Where it is at a time within [`Self::LONGEST`], from 0; seconds.
+    pub fn at(&self, time: f64) -> Turned {
+        // What is no number is 0.
+        let time = time.clamp(0.0, Self::LONGEST).max(0.0);
+        let angles = self.turns(|rpm, rise| Turns::of(rpm, run(time, rise)));
+        let [speeds, accelerations] = [speed, acceleration].map(|rate| {
+            let rates = self.rates(|rpm, rise| rpm * TAU / MINUTE * rate(time, rise));
+            let [sun, carrier] = [rates.sun, rates.carrier];
+            let spin = self.train.spin(&rates);
+            let satellite = match self.train.kind() {
+                Kind::Planar | Kind::Stepped => spin.along,
+                Kind::Bevel => spin.relative,
+            };
+            [sun, satellite, carrier, rates.ring]
+        });
+        Turned {
+            angles: angles.map(Turns::angle),
+            speeds,
+            accelerations,
+            spins: self.train.kind() == Kind::Bevel,
+        }
+    }
+
+    /// The speeds when all have risen, revolutions per minute.
+    pub fn last_speeds(&self) -> Shafts {
+        self.rates(|rpm, _| rpm)
+    }
+
+    fn turns(&self, turned: impl Fn(f64, f64) -> Turns) -> [Turns; 4] {
+        let [one, other] = [0, 1].map(|this| match self.motor(this) {
+            (Motor::Speed { rpm, rise }, factor) => turned(rpm, rise).times(factor),
+            _ => Turns::NONE,
+        });
+        let free = self.free;
+        let weight = |shaft| self.train.differential().weight(shaft);
+        let [(first, _), (second, _)] = self.driven;
+        let sign = -weight(free).signum();
+        let third = Turns::combined(
+            [(sign * weight(first), one), (sign * weight(second), other)],
+            weight(free).abs(),
+        );
+        let of = |shaft| match shaft {
+            _ if shaft == first => one,
+            _ if shaft == second => other,
+            _ => third,
+        };
+        let [sun, carrier, ring] = Shaft::ALL.map(of);
+        let teeth = |member| i64::from(self.train.teeth(member));
+        let [own, suns] = [teeth(Member::Satellite), teeth(Member::Sun)];
+        let absolute = if self.train.kind() == Kind::Bevel {
+            0
+        } else {
+            own
+        };
+        let satellite = Turns::combined([(suns + absolute, carrier), (-suns, sun)], own);
+        [sun, satellite, carrier, ring]
+    }
+
+    fn rates(&self, rate: impl Fn(f64, f64) -> f64) -> Shafts {
+        let [one, other] = [0, 1].map(|this| match self.motor(this) {
+            (Motor::Speed { rpm, rise }, factor) => rate(rpm, rise) * factor,
+            _ => 0.0,
+        });
+        let [(first, _), (second, _)] = self.driven;
+        let weight = |shaft| self.train.differential().weight(shaft) as f64;
+        let third = -(weight(first) * one + weight(second) * other) / weight(self.free);
+        Shafts::from_each(|shaft| match shaft {
+            _ if shaft == first => one,
+            _ if shaft == second => other,
+            _ => third,
+        })
+    }
+
+    /// The speed that turns a driven shaft, and how many times.
+    fn motor(&self, this: usize) -> (Motor, f64) {
+        match (self.driven[this].1, self.driven[1 - this].1) {
+            (Motor::Other(factor), other) => (other, factor),
+            (motor, _) => (motor, 1.0),
+        }
+    }
+}
+
+/// What is wrong with the rise of an input that has one.
+fn rise_fault(timed: &TimedInput) -> Option<InputError> {
+    if matches!(timed.input.drive, Drive::Tied { .. }) || timed.rise == 0.0 {
+        return None;
+    }
+    let (value, shaft) = (timed.rise, timed.input.shaft);
+    let (min, max) = (Turning::SHORTEST_RISE, Turning::LONGEST_RISE);
+    let fault = if !value.is_finite() {
+        Fault::NotFinite
+    } else if value < min || value > max {
+        Fault::OutOfRange { value, min, max }
+    } else {
+        return None;
+    };
+    Some(InputError::Rise { shaft, fault })
+}
+
+/// The seconds at full speed that come to the same.
+fn run(time: f64, rise: f64) -> f64 {
+    if time < rise {
+        time * time / (2.0 * rise)
+    } else {
+        time - 0.5 * rise
+    }
+}
+
+/// The part of the full speed.
+fn speed(time: f64, rise: f64) -> f64 {
+    if time < rise { time / rise } else { 1.0 }
+}
+
+/// By how much of the full speed it grows in a second.
+fn acceleration(time: f64, rise: f64) -> f64 {
+    if time < rise { rise.recip() } else { 0.0 }
+}

@@ -1,0 +1,58 @@
+//! Whether a mechanism is in the same pose as before, and which of its wheels do not matter for that.
+
+use super::Mechanism;
+use crate::index::BodyId;
+use crate::position::{Predictor, State, Step};
+
+impl Mechanism {
+    /// Whether every link that matters is in the same place in two poses. A round wheel
+    /// that moves nothing else may have turned.
+    pub(crate) fn is_same_pose(&self, a: &Predictor, b: &Predictor, within: f64) -> bool {
+        let mut bodies = self.bodies.ids();
+        bodies.all(|body| {
+            let is_round = !self.shows_its_angle(body);
+            self.is_near(a, b, body, within) || is_round && self.is_idle_wheel(body)
+        })
+    }
+
+    /// A body that is in another place, or turned otherwise, in another pose. A wheel
+    /// that moves nothing else may have turned.
+    pub(crate) fn moved<const N: usize>(
+        &self,
+        a: &State<N>,
+        b: &State<N>,
+        within: f64,
+    ) -> Option<BodyId> {
+        let mut bodies = self.bodies.ids();
+        bodies.find(|body| !self.is_near(a, b, *body, within) && !self.is_idle_wheel(*body))
+    }
+
+    fn is_near<const N: usize>(
+        &self,
+        a: &State<N>,
+        b: &State<N>,
+        body: BodyId,
+        within: f64,
+    ) -> bool {
+        let turned = [a, b].map(|state| state.turn[body].value());
+        let moved = [a, b].map(|state| state.origin[body].value());
+        (turned[0] - turned[1]).norm() <= within
+            && (moved[0] - moved[1]).norm() <= within * self.size
+    }
+
+    fn is_idle_wheel(&self, body: BodyId) -> bool {
+        let placing = self.placed_by[body].map(|step| &self.steps[step]);
+        matches!(placing, Some(Step::Geared(_))) && !self.carries(body)
+    }
+
+    /// Whether a body has more than its hinge, so that one sees how it is turned.
+    pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
+        let mut tracers = self.points.iter().skip(self.draft.points.len());
+        self.bodies[body].len() > 1 || tracers.any(|tracer| tracer.body == body)
+    }
+
+    /// Whether anything else is solved by the place or the angle of a body.
+    pub(super) fn carries(&self, body: BodyId) -> bool {
+        self.steps.iter().any(|step| step.rests_on(body))
+    }
+}

@@ -1,0 +1,147 @@
+//! Willis's equations of wheels in mesh, in whole numbers: which of them follow from others, and how fast the
+//! bodies of a train turn (R. Willis, *Principles of Mechanism*, 1841).
+
+use super::body::Gear;
+use crate::gears::Mesh;
+use crate::index::BodyId;
+
+/// By what the angle of each body is multiplied in an equation whose other side is constant. The frame is in none:
+/// its angle is zero. By ascending bodies.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Equation(Vec<(BodyId, i128)>);
+
+impl Equation {
+    /// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀)`, θ₀ that of the carrier.
+    pub(super) fn of(gear: &Gear) -> Self {
+        // Numbers of teeth are whole.
+        let [first, second] = gear.teeth.map(|teeth| teeth as i128);
+        let second = match gear.mesh {
+            Mesh::External => second,
+            Mesh::Internal | Mesh::AsPrinted => -second,
+        };
+        let [a, b] = gear.bodies;
+        let mut equation = Self::default();
+        for (body, by) in [(a, first), (b, second), (gear.carrier, -first - second)] {
+            if body != BodyId::FRAME {
+                // Three numbers of teeth are not too large.
+                equation.add(body, by);
+            }
+        }
+        equation.0.retain(|(_, by)| *by != 0);
+        equation
+    }
+
+    /// The bodies that stand in it, with what their angles are multiplied by.
+    pub(super) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
+        self.0.iter().copied()
+    }
+
+    /// What the angle of a body is multiplied by.
+    fn factor(&self, body: BodyId) -> Option<i128> {
+        let found = self.0.binary_search_by_key(&body, |(body, _)| *body);
+        found.ok().map(|at| self.0[at].1)
+    }
+
+    /// Adds to what the angle of a body is multiplied by; none where that becomes too large.
+    fn add(&mut self, body: BodyId, by: i128) -> Option<()> {
+        match self.0.binary_search_by_key(&body, |(body, _)| *body) {
+            Ok(at) => self.0[at].1 = self.0[at].1.checked_add(by)?,
+            Err(at) => self.0.insert(at, (body, by)),
+        }
+        Some(())
+    }
+
+    /// What it says when a body is eliminated by another equation, in the smallest whole numbers; none where they
+    /// are too large.
+    fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
+        let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
+            return Some(self.clone());
+        };
+        let mut sum = Self::default();
+        for (equation, by) in [(self, its), (other, own.checked_neg()?)] {
+            for (body, factor) in equation.terms() {
+                sum.add(body, factor.checked_mul(by)?)?;
+            }
+        }
+        sum.0.retain(|(_, by)| *by != 0);
+        let divisor = sum
+            .terms()
+            .fold(0, |divisor, (_, by)| greatest(divisor, by));
+        sum.0.iter_mut().for_each(|(_, by)| *by /= divisor);
+        Some(sum)
+    }
+}
+
+/// The greatest common divisor.
+fn greatest(a: i128, b: i128) -> i128 {
+    if b == 0 { a.abs() } else { greatest(b, a % b) }
+}
+
+/// Independent equations, each solved for a body of its own.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Solved(Vec<(BodyId, Equation)>);
+
+/// What an equation adds to those before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Adds {
+    /// It determines one more angle.
+    Angle,
+    /// It follows from them.
+    Nothing,
+    /// It relates angles that are not sought.
+    Elsewhere,
+}
+
+impl Solved {
+    /// Adds an equation, to be solved for one of the bodies that are sought; none where its numbers become too large.
+    pub(super) fn add(
+        &mut self,
+        equation: &Equation,
+        sought: impl Fn(BodyId) -> bool,
+    ) -> Option<Adds> {
+        let mut left = equation.clone();
+        for (body, other) in &self.0 {
+            left = left.without(*body, other)?;
+        }
+        let found = left
+            .terms()
+            .map(|(body, _)| body)
+            .find(|body| sought(*body));
+        let Some(body) = found else {
+            let is_empty = left.terms().next().is_none();
+            return Some(if is_empty {
+                Adds::Nothing
+            } else {
+                Adds::Elsewhere
+            });
+        };
+        for (_, other) in &mut self.0 {
+            *other = other.without(body, &left)?;
+        }
+        self.0.push((body, left));
+        Some(Adds::Angle)
+    }
+
+    /// The bodies solved for, and by what each angle grows with those that it is left to depend on.
+    pub(super) fn ratios(&self) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
+        // Every equation holds the body that it is solved for.
+        self.0.iter().filter_map(|(body, equation)| {
+            let own = equation.factor(*body)? as f64;
+            let others = equation.terms().filter(|(other, _)| other != body);
+            let ratios = others.map(|(other, by)| (other, -(by as f64) / own));
+            Some((*body, ratios.collect()))
+        })
+    }
+}
+
+/// Which gear couplings are passive: their equations follow from those of the couplings before them. So is what a
+/// second satellite between the same wheels adds to the first.
+pub(super) fn passive(gears: &[Gear]) -> Vec<bool> {
+    let mut solved = Solved::default();
+    let passive = gears.iter().map(|gear| {
+        let adds = solved.add(&Equation::of(gear), |_| true);
+        // A wheel in mesh with itself is no coupling at all.
+        gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing)
+    });
+    passive.collect()
+}

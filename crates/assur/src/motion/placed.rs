@@ -1,0 +1,45 @@
+//! The poses of a motion, each with its number of derivatives. They are solved by code that is compiled with
+//! the engine, once: what is generic would be compiled again in every crate that asks for it.
+
+use super::Motion;
+use crate::index::StepId;
+use crate::mechanism::{Cause, Pose, Unsolved};
+
+/// A pose that can be asked for, with none to five derivatives by the input.
+pub trait Placed {
+    /// Makes it the pose of a motion at an input; see [`Motion::place`].
+    ///
+    /// # Errors
+    /// Which links find no place, and why; the pose is then of no use.
+    fn put(&mut self, motion: &Motion, input: f64) -> Result<(), Unsolved>;
+}
+
+macro_rules! placed {
+    ($($orders:literal),+) => {
+        $(impl Placed for Pose<$orders> {
+            fn put(&mut self, motion: &Motion, input: f64) -> Result<(), Unsolved> {
+                motion.solve(input, self)
+            }
+        })+
+    };
+}
+
+placed!(1, 2, 3, 4, 5, 6);
+
+impl Motion {
+    fn solve<const N: usize>(&self, input: f64, pose: &mut Pose<N>) -> Result<(), Unsolved> {
+        let wrapped = self.cycle.wrap(input);
+        let unsolved = |(step, cause)| Unsolved { input, step, cause };
+        if !wrapped.is_finite() {
+            return Err(unsolved((StepId::FIRST, Cause::Input)));
+        }
+        let (state, guess) = pose.parts();
+        let (signs, near) = self.knots.near(wrapped, guess);
+        let solved = self.mechanism.solve(wrapped, signs, near, state);
+        solved.map_err(unsolved)?;
+        if !self.cycle.contains(wrapped) {
+            return Err(unsolved((StepId::FIRST, Cause::Unreached)));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,67 @@
+//! Sorting of any list by one copy of the standard library's sort, that of indices. For every type and
+//! every order the library would compile several kilobytes anew, which the page has to load.
+
+use std::cmp::Ordering;
+
+/// Sorts a list in ascending order.
+pub fn sort<T: Ord>(list: &mut [T]) {
+    sort_by(list, T::cmp);
+}
+
+/// Sorts a list by an order; equal ones stay as they were.
+pub fn sort_by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
+    let order = order(list.len(), &|a, b| compare(&list[a], &list[b]));
+    permute(list, order);
+}
+
+/// Sorts a list by a key, told once of each; equal ones stay as they were.
+pub fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
+    let keys: Vec<K> = list.iter().map(key).collect();
+    permute(list, order(keys.len(), &|a, b| keys[a].cmp(&keys[b])));
+}
+
+/// The numbers below a count in ascending order of what they number.
+#[inline(never)]
+fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&a, &b| compare(a, b));
+    order
+}
+
+/// Puts into each place what stood where `order` has it, cycle by cycle.
+fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
+    for start in 0..order.len() {
+        let mut place = start;
+        while order[place] != start {
+            let from = order[place];
+            list.swap(place, from);
+            order[place] = place;
+            place = from;
+        }
+        order[place] = place;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{sort_by, sort_by_key};
+
+    /// Numbers in no order, many of them twice, with their places.
+    fn shuffled(count: u32) -> Vec<(u32, u32)> {
+        (0..count).map(|at| ((at * 37 + 11) % 23, at)).collect()
+    }
+
+    #[test]
+    fn equal_ones_stay_as_they_were() {
+        for count in [0, 1, 2, 3, 20, 21, 500] {
+            let mut sorted = shuffled(count);
+            sorted.sort_by_key(|&(value, _)| value);
+            let mut by_key = shuffled(count);
+            sort_by_key(&mut by_key, |&(value, _)| value);
+            assert_eq!(by_key, sorted);
+            let mut by = shuffled(count);
+            sort_by(&mut by, |a, b| a.0.cmp(&b.0));
+            assert_eq!(by, sorted);
+        }
+    }
+}
