@@ -10,6 +10,10 @@ phi_deg: number,
  */
 s: number, 
 /**
+ * Where the input is, if it is time, seconds.
+ */
+t: number, 
+/**
  * In motion or at rest.
  */
 playing: boolean, 
@@ -96,7 +100,7 @@ id: string,
 step: number, };
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
-export type Document = { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type MixerDocument = { 
 /**
  * Crank AB.
@@ -461,11 +465,163 @@ weight: number,
  * that is shown.
  */
 coupler_deg?: number | null, };
+export type GearTrainDocument = { 
+/**
+ * What it is called.
+ */
+title?: string | null, 
+/**
+ * Where it comes from.
+ */
+source?: string | null, 
+/**
+ * The mechanism of the catalogue that it was made from.
+ */
+origin?: string | null, 
+/**
+ * How the wheels stand.
+ */
+form: FormDocument, 
+/**
+ * Plates or teeth of the sun.
+ */
+z1: number, 
+/**
+ * Those of a satellite; of a stepped one where it meets the sun.
+ */
+z2: number, 
+/**
+ * Those of a stepped satellite where it meets the ring.
+ */
+z2_step?: number | null, 
+/**
+ * Those of the ring.
+ */
+z4: number, 
+/**
+ * How many satellites there are.
+ */
+satellites: number, 
+/**
+ * How the wheels turn each other.
+ */
+coupling: CouplingDocument, 
+/**
+ * Module: a wheel's diameter over its number.
+ */
+module_mm: number, 
+/**
+ * Of magnets: how far the satellites' axes are from the main one; without it gaps are equal.
+ */
+axis_distance_mm?: number | null, 
+/**
+ * What turns two of the three shafts.
+ */
+drives: Array<DriveDocument>, 
+/**
+ * Working members 7 and 8.
+ */
+members: MembersDocument, 
+/**
+ * From where it is seen.
+ */
+observer: ObserverDocument, 
+/**
+ * Whether it runs under load; else nothing slips.
+ */
+loaded: boolean, 
+/**
+ * The span of time that is plotted, and that a run under load lasts.
+ */
+span_s: number, 
+/**
+ * Times (s) and torques (N·m) of a load on the shaft that is not driven, against the sense in which that turns while nothing slips.
+ */
+load: Array<[number, number]>, 
+/**
+ * The magnets of the two meshes.
+ */
+magnets: MagnetsDocument, 
+/**
+ * The bodies in the order of their numbers 1, 2, 3, 4.
+ */
+bodies: BodiesDocument, };
+export type FormDocument = "planar" | "stepped" | "bevel";
+export type CouplingDocument = "magnetic" | "contact";
+export type ShaftDocument = "sun" | "carrier" | "ring";
+export type ObserverDocument = "ground" | "sun" | "carrier" | "ring";
+export type DriveDocument = { 
+/**
+ * Which.
+ */
+shaft: ShaftDocument, 
+/**
+ * Its speed, revolutions per minute; 0: it is held. Of a tied shaft, the speed that it has without the tie.
+ */
+rpm: number, 
+/**
+ * It rises evenly from rest in so many seconds; 0: it has that speed at once.
+ */
+start_s: number, 
+/**
+ * The shaft to which it is tied.
+ */
+to?: ShaftDocument | null, 
+/**
+ * Its speed relative to that of the shaft to which it is tied.
+ */
+factor: number, };
+export type MembersDocument = { 
+/**
+ * 7: on the shaft of each satellite.
+ */
+satellite?: MemberDocument | null, 
+/**
+ * 8: on the carrier.
+ */
+carrier?: MemberDocument | null, };
+export type MemberDocument = { 
+/**
+ * What it is.
+ */
+kind: MemberKind, 
+/**
+ * What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
+ */
+torque: number, };
+export type MemberKind = "fan" | "brush" | "stirrer" | "scraper" | "blade" | "propeller" | "road_wheel";
+export type MagnetsDocument = { 
+/**
+ * Which poles the plates show.
+ */
+poles: PolesDocument, 
+/**
+ * The greatest torque of one satellite on sun and ring, N·m.
+ */
+peak: [number, number], 
+/**
+ * Damping by eddy currents of one satellite on sun and ring, N·m·s.
+ */
+damping: [number, number], };
+export type PolesDocument = "alike" | "alternating";
+export type BodiesDocument = { 
+/**
+ * Moments of inertia with what is on the shafts, kg·m².
+ */
+inertia: [number, number, number, number], 
+/**
+ * Mass of a satellite, kg.
+ */
+mass: number, 
+/**
+ * Viscous damping in the bearings, N·m·s.
+ */
+damping: [number, number, number, number], };
 export type Preset = { 
 /**
  * Its name.
  */
-id: string, } & ({ "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+id: string, } & ({ "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type Shelf = { 
 /**
  * Its name.
@@ -476,7 +632,7 @@ id: string,
  */
 group: Group, 
 /**
- * The highest class of its Assur groups, in Roman numerals; of a scheme none.
+ * The highest class of its Assur groups, in Roman numerals; of what is no linkage none.
  */
 class: string | null, };
 export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes";

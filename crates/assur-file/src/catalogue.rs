@@ -3,11 +3,13 @@
 use assur::mechanism::Mechanism;
 use assur::mixer::Case;
 use assur::structure::roman;
-use serde::de::IgnoredAny;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
 use crate::state::{json, part};
-use crate::{Document, LinkageDocument, MixerDocument, Problem, SchemeDocument, State};
+use crate::{
+    Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
+};
 
 /// Names of the cases of the mixer's figure; what they are is made by the engine.
 const MIXERS: [(&str, Case); 3] = [
@@ -55,7 +57,7 @@ pub struct Shelf {
     pub id: &'static str,
     /// What it is shown among.
     pub group: Group,
-    /// The highest class of its Assur groups, in Roman numerals; of a scheme none.
+    /// The highest class of its Assur groups, in Roman numerals; of what is no linkage none.
     pub class: Option<String>,
 }
 
@@ -96,6 +98,9 @@ const FILES: &[File] = catalogued! {
     "klann" Guides,
     "jansen" Guides,
     "geared-five-bar",
+    "sun-and-planet" Geared,
+    "planetary" Geared,
+    "differential" Geared,
     "class3-platform",
     "class3-slide",
     "class4-order2",
@@ -103,20 +108,28 @@ const FILES: &[File] = catalogued! {
     "class5",
 };
 
-/// Schemes of links and pairs, without motion.
-macro_rules! schemes {
+/// Documents of another kind than linkages, by their names.
+macro_rules! others {
     ($($name:literal,)+) => {
         &[$(($name, include_str!(concat!("../catalogue/", $name, ".json"))),)+]
     };
 }
 
-const SCHEMES: &[(&str, &str)] = schemes! {
+const SCHEMES: &[(&str, &str)] = others! {
     "mobility-1a",
     "mobility-1b",
     "mobility-2a",
     "mobility-2c",
     "mobility-3",
     "mobility-4",
+};
+
+/// Differentials, which move by time.
+const TRAINS: &[(&str, &str)] = others! {
+    "train-magnets",
+    "train-gears",
+    "train-stepped",
+    "train-bevel",
 };
 
 /// The names of the linkages of the catalogue, without the mixers.
@@ -135,23 +148,21 @@ pub fn schemes() -> impl Iterator<Item = &'static str> {
     SCHEMES.iter().map(|(name, _)| *name)
 }
 
+/// The names of the differentials of the catalogue, which are no linkages.
+pub fn trains() -> impl Iterator<Item = &'static str> {
+    TRAINS.iter().map(|(name, _)| *name)
+}
+
 /// All of the catalogue.
 ///
 /// # Errors
 /// What is wrong with one; a test sees to it that nothing is.
 pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
-    let mixers = MIXERS.iter().map(|(id, case)| (*id, Ok(mixer(*case))));
-    let files = FILES
-        .iter()
-        .map(|file| (file.name, linkage(file).map(Document::Linkage)));
-    let schemes = SCHEMES
-        .iter()
-        .map(|(id, text)| (*id, scheme(id, text).map(Document::Scheme)));
-    mixers.chain(files).chain(schemes).map(|(id, document)| {
-        Ok(Preset {
-            id,
-            document: document?,
-        })
+    let ids = catalogue().chain(trains()).chain(schemes());
+    let documents = ids.filter_map(|id| Some((id, document(id)?)));
+    documents.map(|(id, document)| {
+        let document = document?;
+        Ok(Preset { id, document })
     })
 }
 
@@ -163,8 +174,13 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
 pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
     presets().map(|preset| {
         let Preset { id, document } = preset?;
-        if let Document::Scheme(_) = document {
-            let (group, class) = (Group::Schemes, None);
+        let other = match document {
+            Document::Scheme(_) => Some(Group::Schemes),
+            Document::GearTrain(_) => Some(Group::Geared),
+            Document::Linkage(_) | Document::Mixer(_) | Document::Synthesis(_) => None,
+        };
+        if let Some(group) = other {
+            let class = None;
             return Ok(Shelf { id, group, class });
         }
         let mechanism = document.linkage()?.mechanism()?;
@@ -195,6 +211,9 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
     }
     if let Some((id, text)) = SCHEMES.iter().find(|(one, _)| *one == name) {
         return Some(scheme(id, text).map(Document::Scheme));
+    }
+    if let Some((id, text)) = TRAINS.iter().find(|(one, _)| *one == name) {
+        return Some(train(id, text).map(Document::GearTrain));
     }
     Some(linkage(file(name)?).map(Document::Linkage))
 }
@@ -227,10 +246,20 @@ fn linkage(file: &File) -> Result<LinkageDocument, Vec<Problem>> {
 }
 
 fn scheme(name: &str, text: &str) -> Result<SchemeDocument, Vec<Problem>> {
-    let value = json(text).map_err(|problem| vec![problem])?;
-    let mut document: SchemeDocument = part(&value).map_err(|problem| vec![problem])?;
+    let mut document: SchemeDocument = whole(text)?;
     document.origin = Some(name.to_owned());
     Ok(document)
+}
+
+fn train(name: &str, text: &str) -> Result<GearTrainDocument, Vec<Problem>> {
+    let mut document: GearTrainDocument = whole(text)?;
+    document.origin = Some(name.to_owned());
+    Ok(document)
+}
+
+fn whole<T: DeserializeOwned>(text: &str) -> Result<T, Vec<Problem>> {
+    let read = json(text).and_then(|value| part(&value));
+    read.map_err(|problem| vec![problem])
 }
 
 fn file(name: &str) -> Option<&'static File> {
@@ -255,8 +284,8 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     document_of(text)?.linkage()
 }
 
-/// What is in a file: a state of the page, or the document of a linkage or a scheme alone. Only a
-/// scheme has pairs.
+/// What is in a file: a state of the page, or the document of a linkage, a scheme or a differential
+/// alone. Only a scheme has pairs, only a differential drives.
 ///
 /// # Errors
 /// What has not the form, with its path; what is wrong with a view.
@@ -269,32 +298,22 @@ pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
         lesson: Option<IgnoredAny>,
         document: Option<IgnoredAny>,
         pairs: Option<IgnoredAny>,
+        drives: Option<IgnoredAny>,
     }
-    let read = || -> Result<_, Problem> {
-        let value = json(text)?;
-        let keys: Keys = part(&value)?;
-        let Keys {
-            format,
-            kind,
-            lesson,
-            document,
-            pairs,
-        } = keys;
-        let keys = [format, kind, lesson, document];
-        if keys.iter().any(Option::is_some) {
-            return State::read(&value).map(Ok);
-        }
-        Ok(Err(if pairs.is_some() {
-            Document::Scheme(part(&value)?)
-        } else {
-            Document::Linkage(part(&value)?)
-        }))
+    let value = json(text).map_err(|problem| vec![problem])?;
+    let keys: Keys = part(&value).map_err(|problem| vec![problem])?;
+    let of_state = [keys.format, keys.kind, keys.lesson, keys.document];
+    if of_state.iter().any(Option::is_some) {
+        let state = State::read(&value).map_err(|problem| vec![problem])?;
+        state.check()?;
+        return Ok(state.document);
+    }
+    let bare = if keys.pairs.is_some() {
+        part(&value).map(Document::Scheme)
+    } else if keys.drives.is_some() {
+        part(&value).map(Document::GearTrain)
+    } else {
+        part(&value).map(Document::Linkage)
     };
-    match read().map_err(|problem| vec![problem])? {
-        Ok(state) => {
-            state.check()?;
-            Ok(state.document)
-        }
-        Err(bare) => Ok(bare),
-    }
+    bare.map_err(|problem| vec![problem])
 }

@@ -12,7 +12,12 @@ mod view;
 
 pub use catalogue::{
     Group, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text, gallery,
-    presets, schemes, shelves,
+    presets, schemes, shelves, trains,
+};
+pub use kinds::gear_train::{
+    BodiesDocument, CouplingDocument, DriveDocument, FormDocument, GearTrain, GearTrainDocument,
+    GearTrainProblem, MagnetsDocument, MemberDocument, MemberKind, MembersDocument,
+    ObserverDocument, PolesDocument, ShaftDocument,
 };
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,

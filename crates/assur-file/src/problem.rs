@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::{LinkageProblem, SchemeProblem, SynthesisProblem};
+use crate::{GearTrainProblem, LinkageProblem, SchemeProblem, SynthesisProblem};
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -61,6 +61,9 @@ pub enum Problem {
     /// What is wrong with a scheme of links and pairs.
     #[serde(untagged)]
     Scheme(SchemeProblem),
+    /// What is wrong with a differential.
+    #[serde(untagged)]
+    GearTrain(GearTrainProblem),
 }
 
 impl From<LinkageProblem> for Problem {

@@ -5,6 +5,11 @@ use std::{env, fs};
 
 use ts_rs::{Config, TS};
 
+use crate::kinds::gear_train::{
+    BodiesDocument, CouplingDocument, DriveDocument, FormDocument, GearTrainDocument,
+    MagnetsDocument, MemberDocument, MemberKind, MembersDocument, ObserverDocument, PolesDocument,
+    ShaftDocument,
+};
 use crate::kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, MeshDocument, PointDocument, SlideDocument,
     TracerDocument,
@@ -44,6 +49,18 @@ fn the_scripts_know_what_is_saved() {
         EndDocument::decl(&config),
         SynthesisDocument::decl(&config),
         PositionDocument::decl(&config),
+        GearTrainDocument::decl(&config),
+        FormDocument::decl(&config),
+        CouplingDocument::decl(&config),
+        ShaftDocument::decl(&config),
+        ObserverDocument::decl(&config),
+        DriveDocument::decl(&config),
+        MembersDocument::decl(&config),
+        MemberDocument::decl(&config),
+        MemberKind::decl(&config),
+        MagnetsDocument::decl(&config),
+        PolesDocument::decl(&config),
+        BodiesDocument::decl(&config),
         Preset::decl(&config),
         Shelf::decl(&config),
         Group::decl(&config),

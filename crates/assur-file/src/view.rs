@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::Problem;
 
 /// The largest crank angle, in degrees, that still has all its digits after the point; the
-/// farthest way of a driven slide, in the unit of the lengths.
+/// farthest way of a driven slide, in the unit of the lengths; the longest time, seconds.
 const INPUT_LIMIT: f64 = 1e6;
 
 /// The greatest speed; beyond it the motion is no more seen.
@@ -29,6 +29,9 @@ pub struct View {
     /// the lengths.
     #[serde(default)]
     pub s: f64,
+    /// Where the input is, if it is time, seconds.
+    #[serde(default)]
+    pub t: f64,
     /// In motion or at rest.
     pub playing: bool,
     /// 1 or −1: sense in which the crank turns.
@@ -133,6 +136,7 @@ impl Default for View {
         Self {
             phi_deg: 0.0,
             s: 0.0,
+            t: 0.0,
             playing: false,
             direction: 1.0,
             speed: 1.0,
@@ -178,6 +182,7 @@ impl View {
         for (field, value, limit) in [
             ("phi_deg", self.phi_deg, INPUT_LIMIT),
             ("s", self.s, INPUT_LIMIT),
+            ("t", self.t, INPUT_LIMIT),
             ("omega", omega, OMEGA_LIMIT),
             ("epsilon", epsilon, EPSILON_LIMIT),
         ] {

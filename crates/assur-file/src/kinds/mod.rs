@@ -1,6 +1,7 @@
 //! The kinds of document, a module for each. A kind is added by its module and its line in
 //! the registry below.
 
+pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod scheme;
@@ -13,6 +14,7 @@ use serde_json::Value;
 
 use crate::Problem;
 use crate::state::within;
+use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
 use scheme::SchemeDocument;
@@ -109,6 +111,8 @@ macro_rules! kinds {
 }
 
 kinds! {
+    /// A differential by time.
+    "gear-train" => GearTrain(GearTrainDocument),
     /// Any linkage.
     "linkage" => Linkage(LinkageDocument),
     /// Crank-rocker and gears.

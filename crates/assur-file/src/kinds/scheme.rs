@@ -161,7 +161,8 @@ impl PlaceDocument {
         }
     }
 
-    fn of(point: Point3, planar: bool) -> Self {
+    /// A place as a scheme has it that is planar or not.
+    pub fn of(point: Point3, planar: bool) -> Self {
         if planar {
             Self::Plane([point.x, point.y])
         } else {
@@ -247,10 +248,7 @@ impl SchemeDocument {
             planar: self.planar,
             pairs: self.pairs.iter().map(PairDocument::draft).collect(),
         };
-        let scheme = Scheme::new(&draft).map_err(|defects| {
-            let problems = defects.into_iter().map(SchemeProblem::from);
-            problems.map(Problem::from).collect::<Vec<_>>()
-        })?;
+        let scheme = Scheme::new(&draft).map_err(SchemeProblem::all)?;
         let mut strangers = self.ends.iter().map(|end| &end.link);
         if let Some(link) = strangers.find(|link| !scheme.links().contains(link)) {
             let name = link.clone();

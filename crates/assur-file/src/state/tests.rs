@@ -12,6 +12,7 @@ fn state() -> State {
         view: View {
             phi_deg: 62.0,
             s: 0.0,
+            t: 0.0,
             playing: true,
             direction: 1.0,
             speed: 1.0,

@@ -72,6 +72,10 @@ pub enum LinkageProblem {
     Rate { link: String, rate: f64 },
     /// Guides that are parallel where they must cross.
     ParallelGuides { links: Vec<String> },
+    /// Numbers of teeth that do not determine how these links turn.
+    TrainUndetermined { links: Vec<String> },
+    /// A mesh that contradicts the ring of wheels that it closes.
+    MeshContradicts { links: [String; 2] },
     /// A group that cannot be solved yet.
     Unsupported { links: Vec<String> },
     /// A drawing that does not close.
@@ -252,6 +256,8 @@ impl From<Defect> for LinkageProblem {
             Defect::Locked { mobility, links } => Self::Locked { mobility, links },
             Defect::Rate { link, rate } => Self::Rate { link, rate },
             Defect::ParallelGuides { links } => Self::ParallelGuides { links },
+            Defect::Undetermined { links } => Self::TrainUndetermined { links },
+            Defect::Contradiction { links } => Self::MeshContradicts { links },
             Defect::Unsupported { links } => Self::Unsupported { links },
             Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },
             Defect::Open { links, by } => Self::Open { links, by },

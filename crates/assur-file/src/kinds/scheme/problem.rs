@@ -53,6 +53,14 @@ impl From<SchemeProblem> for Problem {
     }
 }
 
+impl SchemeProblem {
+    /// All that is wrong with a scheme.
+    pub fn all(defects: Vec<SchemeDefect>) -> Vec<Problem> {
+        let problems = defects.into_iter().map(Self::from);
+        problems.map(Problem::from).collect()
+    }
+}
+
 impl From<SchemeDefect> for SchemeProblem {
     fn from(defect: SchemeDefect) -> Self {
         match defect {

@@ -1,0 +1,313 @@
+//! What a train is loaded with, and what makes it swing and slip.
+
+use std::f64::consts::TAU;
+
+use assur::dynamics::{
+    self, Differential, Drive, Driven, Load, Parameters, Plates, Poles, Profile, Satellites, Shaft,
+};
+use assur::gears::train::{Coupling, Kind, Layout, Member, Turning};
+use serde::{Deserialize, Serialize};
+
+use super::{GearTrainDocument, GearTrainProblem, problem};
+use crate::Problem;
+
+/// The speed about which a member's friction changes its sense, relative to that of its shaft while nothing slips, and
+/// at least, rad/s. A sharper change asks for shorter steps and shows nothing more.
+const CREEP: (f64, f64) = (0.5, 0.5);
+
+/// Millimetres of a metre.
+const MILLI: f64 = 1e-3;
+
+/// Working members 7 and 8.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct MembersDocument {
+    /// 7: on the shaft of each satellite.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub satellite: Option<MemberDocument>,
+    /// 8: on the carrier.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub carrier: Option<MemberDocument>,
+}
+
+/// A working member.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct MemberDocument {
+    /// What it is.
+    pub kind: MemberKind,
+    /// What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
+    #[serde(default)]
+    pub torque: f64,
+}
+
+/// What works: the table of uses of the source paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "named by themselves")]
+pub enum MemberKind {
+    Fan,
+    Brush,
+    Stirrer,
+    Scraper,
+    Blade,
+    Propeller,
+    RoadWheel,
+}
+
+impl MemberKind {
+    /// Whether it takes a torque with the square of its speed; else it rubs at any speed.
+    fn stirs(self) -> bool {
+        matches!(self, Self::Fan | Self::Stirrer | Self::Propeller)
+    }
+}
+
+/// The magnets of the meshes with sun and ring.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct MagnetsDocument {
+    /// Which poles the plates show.
+    #[serde(default)]
+    pub poles: PolesDocument,
+    /// The greatest torque of one satellite on sun and ring, N·m.
+    #[serde(default = "peak")]
+    pub peak: [f64; 2],
+    /// Damping by eddy currents of one satellite on sun and ring, N·m·s.
+    #[serde(default = "eddies")]
+    pub damping: [f64; 2],
+}
+
+fn peak() -> [f64; 2] {
+    [2.0, 5.0]
+}
+
+fn eddies() -> [f64; 2] {
+    [0.01, 0.02]
+}
+
+impl Default for MagnetsDocument {
+    fn default() -> Self {
+        Self {
+            poles: PolesDocument::default(),
+            peak: peak(),
+            damping: eddies(),
+        }
+    }
+}
+
+impl MagnetsDocument {
+    /// How the plates are magnetised.
+    pub fn poles(&self) -> Poles {
+        self.poles.into()
+    }
+}
+
+/// Which poles plates show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "as of the engine")]
+pub enum PolesDocument {
+    #[default]
+    Alike,
+    Alternating,
+}
+
+impl From<PolesDocument> for Poles {
+    fn from(poles: PolesDocument) -> Self {
+        match poles {
+            PolesDocument::Alike => Self::Alike,
+            PolesDocument::Alternating => Self::Alternating,
+        }
+    }
+}
+
+/// The bodies, of each a number: sun, one satellite, carrier, ring.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct BodiesDocument {
+    /// Moments of inertia with what is on the shafts, kg·m².
+    #[serde(default = "inertia")]
+    pub inertia: [f64; 4],
+    /// Mass of a satellite, kg.
+    #[serde(default = "mass")]
+    pub mass: f64,
+    /// Viscous damping in the bearings, N·m·s.
+    #[serde(default = "bearings")]
+    pub damping: [f64; 4],
+}
+
+fn inertia() -> [f64; 4] {
+    [1e-3, 2e-4, 2e-3, 5e-3]
+}
+
+fn mass() -> f64 {
+    0.3
+}
+
+fn bearings() -> [f64; 4] {
+    [1e-3, 1e-4, 2e-3, 1e-3]
+}
+
+impl Default for BodiesDocument {
+    fn default() -> Self {
+        Self {
+            inertia: inertia(),
+            mass: mass(),
+            damping: bearings(),
+        }
+    }
+}
+
+impl GearTrainDocument {
+    /// What moves under load; of what is not to move so, none where it could not.
+    pub(super) fn differential(
+        &self,
+        layout: &Layout,
+        turning: &Turning,
+    ) -> Result<Option<Differential>, Vec<Problem>> {
+        if layout.train().kind() != Kind::Planar
+            || Coupling::from(self.coupling) != Coupling::Magnetic
+        {
+            return match self.loaded {
+                true => Err(vec![GearTrainProblem::NotUnderLoad.into()]),
+                false => Ok(None),
+            };
+        }
+        match self.parameters(layout, turning) {
+            Ok(parameters) => {
+                let made = Differential::new(&parameters);
+                let named = |defects: Vec<_>| -> Vec<Problem> {
+                    let named = defects.into_iter().map(|defect| self.load_problem(defect));
+                    named.collect()
+                };
+                match (made, self.loaded) {
+                    (Ok(differential), _) => Ok(Some(differential)),
+                    (Err(defects), true) => Err(named(defects)),
+                    (Err(_), false) => Ok(None),
+                }
+            }
+            Err(problems) => Err(problems),
+        }
+    }
+
+    fn parameters(&self, layout: &Layout, turning: &Turning) -> Result<Parameters, Vec<Problem>> {
+        let plates = |member| layout.train().teeth(member);
+        let last = turning.last_speeds();
+        let free = turning.free();
+        let pull = self.pull(last.of(free))?;
+        let [_, satellite, carrier, _] = turning.at(Turning::LONGEST).speeds;
+        let driven = |shaft: Shaft| {
+            let body = shaft.index();
+            Driven {
+                inertia: self.bodies.inertia[body],
+                damping: self.bodies.damping[body],
+                load: match shaft {
+                    Shaft::Carrier => of_member(self.members.carrier, carrier),
+                    Shaft::Sun | Shaft::Ring => Load::default(),
+                },
+                drive: match self
+                    .drives
+                    .iter()
+                    .find(|drive| Shaft::from(drive.shaft) == shaft)
+                {
+                    Some(drive) => drive.motor(),
+                    None => Drive::Torque(pull.clone()),
+                },
+            }
+        };
+        let [peak, damping] = [self.magnets.peak, self.magnets.damping];
+        let coupling = |mesh: usize| dynamics::Coupling {
+            peak: peak[mesh],
+            damping: damping[mesh],
+        };
+        Ok(Parameters {
+            plates: Plates {
+                sun: plates(Member::Sun),
+                satellite: plates(Member::Satellite),
+                ring: plates(Member::Ring),
+                poles: self.magnets.poles(),
+            },
+            satellites: Satellites {
+                count: layout.counts().satellites,
+                inertia: self.bodies.inertia[1],
+                mass: self.bodies.mass,
+                orbit: layout.axis_distance(Coupling::Magnetic) * MILLI,
+                damping: self.bodies.damping[1],
+                load: of_member(self.members.satellite, satellite),
+            },
+            sun: driven(Shaft::Sun),
+            carrier: driven(Shaft::Carrier),
+            ring: driven(Shaft::Ring),
+            sun_mesh: coupling(0),
+            ring_mesh: coupling(1),
+        })
+    }
+
+    /// The torque of the load by time, against the sense in which its shaft turns while nothing slips.
+    fn pull(&self, speed: f64) -> Result<Profile, Vec<Problem>> {
+        if self.load.is_empty() {
+            return Ok(Profile::zero());
+        }
+        let sense = if speed < 0.0 { 1.0 } else { -1.0 };
+        let knots = self
+            .load
+            .iter()
+            .map(|[time, torque]| (*time, sense * torque));
+        let profile = Profile::new(knots.collect());
+        profile.map_err(|faults| faults.into_iter().map(problem::of_load_knot).collect())
+    }
+}
+
+impl super::DriveDocument {
+    /// What turns the shaft under load.
+    fn motor(&self) -> Drive {
+        if let Some(to) = self.to {
+            return Drive::Tied {
+                to: to.into(),
+                ratio: self.factor,
+            };
+        }
+        let speed = self.rpm * TAU / 60.0;
+        let profile = if self.start_s > 0.0 {
+            Profile::ramp(0.0, speed, 0.0, self.start_s)
+        } else {
+            Profile::constant(speed)
+        };
+        // Both numbers were checked.
+        profile.map_or_else(|_| Drive::held(), Drive::Speed)
+    }
+}
+
+/// The load of a member whose shaft has this speed while nothing slips, rad/s.
+fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
+    match member {
+        Some(MemberDocument { kind, torque }) if kind.stirs() => Load {
+            // What does not turn stirs nothing.
+            fan: if speed == 0.0 {
+                0.0
+            } else {
+                torque / (speed * speed)
+            },
+            ..Load::default()
+        },
+        Some(MemberDocument { torque, .. }) => {
+            let creep = CREEP.1.max(CREEP.0 * speed.abs());
+            // What rests, or nearly, creeps with less.
+            let part = (speed.abs().max(creep) / creep).tanh();
+            Load {
+                friction: torque / part,
+                creep,
+                ..Load::default()
+            }
+        }
+        None => Load::default(),
+    }
+}

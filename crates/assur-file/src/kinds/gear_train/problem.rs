@@ -1,0 +1,270 @@
+//! Everything that can be wrong with a train, as a code with parameters.
+
+use assur::Fault;
+use assur::dynamics::{Body, Defect, Mesh, ProfileFault, Quantity};
+use assur::gears::train::{InputError, Member, Shaft, TrainError, Turning};
+use serde::Serialize;
+
+use super::{DriveDocument, GearTrainDocument, ShaftDocument};
+use crate::{Field, Problem};
+
+/// What can be wrong with a train; serialised as [`Problem`] is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum GearTrainProblem {
+    /// In a plane the ring is larger than the sun.
+    RingNotLarger { sun: u32, ring: u32 },
+    /// In a plane the satellite is smaller than the ring in which it runs.
+    SatelliteNotInside { satellite: u32, ring: u32 },
+    /// Bevel wheels have no pitch cones with one apex: |z₄ − z₁| < 2 z₂ does not hold.
+    NoCones { sun: u32, satellite: u32, ring: u32 },
+    /// Magnets touch: the distance of the axes is not beyond this limit.
+    Contact {
+        mesh: ShaftDocument,
+        distance: f64,
+        limit: f64,
+    },
+    /// There are not two drives, but so many.
+    DriveCount { given: usize },
+    /// This shaft, which follows the driven ones, would turn faster than angles are told of, min⁻¹.
+    ShaftTooFast {
+        shaft: ShaftDocument,
+        rpm: f64,
+        max: f64,
+    },
+    /// Both drives are on this shaft.
+    DrivenTwice { shaft: ShaftDocument },
+    /// A shaft is tied to itself.
+    TiedToItself { shaft: ShaftDocument },
+    /// Two shafts are tied to each other.
+    TiedTogether { shaft: ShaftDocument },
+    /// With this tie no other drive determines the motion.
+    SingularTie {
+        shaft: ShaftDocument,
+        to: ShaftDocument,
+        factor: f64,
+    },
+    /// Only magnets in a plane are followed under load.
+    NotUnderLoad,
+    /// Poles cannot alternate round a wheel with an odd number of plates.
+    OddPlates { field: Field },
+    /// So many satellites cannot stand evenly spaced in one phase: they do not divide this sum of periods.
+    OutOfPhase { satellites: u32, periods: u32 },
+    /// The inertia of this body is too small for the torques on it.
+    TooQuick { field: Field },
+    /// This knot of the load is no later than the one before it.
+    LoadOrder { knot: usize },
+    /// It is moved by time and no linkage.
+    ByTime,
+}
+
+impl From<GearTrainProblem> for Problem {
+    fn from(problem: GearTrainProblem) -> Self {
+        Self::GearTrain(problem)
+    }
+}
+
+/// What is wrong with a number of a field.
+fn number(field: impl Into<Field>, fault: Fault) -> Problem {
+    let field = field.into();
+    match fault {
+        Fault::NotPositive { value } => Problem::NotPositive { field, value },
+        Fault::OutOfRange { value, min, max } => Problem::OutOfRange {
+            field,
+            value,
+            min,
+            max,
+        },
+        Fault::NotWhole { value } => Problem::NotWhole { field, value },
+        _ => Problem::NotANumber { field },
+    }
+}
+
+/// What is wrong with wheels.
+pub(super) fn of_train(error: TrainError) -> Problem {
+    let problem = match error {
+        TrainError::Teeth { member, fault } => {
+            return number(of_wheel(member), fault);
+        }
+        TrainError::Satellites { fault } => return number("satellites", fault),
+        TrainError::Module { fault } => return number("module_mm", fault),
+        TrainError::AxisDistance { fault } => return number("axis_distance_mm", fault),
+        TrainError::RingNotLarger { sun, ring } => GearTrainProblem::RingNotLarger { sun, ring },
+        TrainError::SatelliteNotInside { satellite, ring } => {
+            GearTrainProblem::SatelliteNotInside { satellite, ring }
+        }
+        TrainError::NoCones {
+            sun,
+            satellite,
+            ring,
+        } => GearTrainProblem::NoCones {
+            sun,
+            satellite,
+            ring,
+        },
+    };
+    problem.into()
+}
+
+/// Poles cannot alternate round a wheel.
+pub(super) fn odd_plates(member: Member) -> Problem {
+    let field = of_wheel(member).into();
+    GearTrainProblem::OddPlates { field }.into()
+}
+
+/// The field of a wheel's plates or teeth.
+fn of_wheel(member: Member) -> &'static str {
+    match member {
+        Member::Sun => "z1",
+        Member::Satellite => "z2",
+        Member::Step => "z2_step",
+        Member::Ring => "z4",
+    }
+}
+
+impl GearTrainDocument {
+    /// What is wrong with drives.
+    pub(super) fn input_problem(&self, error: InputError) -> Problem {
+        let problem = match error {
+            InputError::Number { shaft, fault } => {
+                let tied = self
+                    .drive_of(shaft)
+                    .is_some_and(|(_, drive)| drive.to.is_some());
+                return number(
+                    self.field_of(shaft, if tied { "factor" } else { "rpm" }),
+                    fault,
+                );
+            }
+            InputError::Rise { shaft, fault } => {
+                return number(self.field_of(shaft, "start_s"), fault);
+            }
+            InputError::TooFast { shaft, speed } => GearTrainProblem::ShaftTooFast {
+                shaft: shaft.into(),
+                rpm: speed,
+                max: Turning::FASTEST,
+            },
+            InputError::TiedToItself { shaft } => GearTrainProblem::TiedToItself {
+                shaft: shaft.into(),
+            },
+            InputError::Twice { shaft } => GearTrainProblem::DrivenTwice {
+                shaft: shaft.into(),
+            },
+            InputError::Underdetermined { given } | InputError::Overdetermined { given } => {
+                GearTrainProblem::DriveCount { given }
+            }
+            InputError::SingularTie { shaft, to, factor } => GearTrainProblem::SingularTie {
+                shaft: shaft.into(),
+                to: to.into(),
+                factor,
+            },
+        };
+        problem.into()
+    }
+
+    /// What is wrong with what is loaded.
+    pub(super) fn load_problem(&self, defect: Defect) -> Problem {
+        match defect {
+            Defect::Value {
+                quantity: Quantity::Ratio(shaft),
+                fault,
+            } => number(self.field_of(shaft, "factor"), fault),
+            other => of_load(other),
+        }
+    }
+
+    /// A field of the drive of a shaft; without a drive all of them.
+    fn field_of(&self, shaft: Shaft, name: &str) -> Field {
+        match self.drive_of(shaft) {
+            Some((index, _)) => format!("drives[{index}].{name}").into(),
+            None => "drives".into(),
+        }
+    }
+
+    fn drive_of(&self, shaft: Shaft) -> Option<(usize, &DriveDocument)> {
+        let mut drives = self.drives.iter().enumerate();
+        drives.find(|(_, drive)| Shaft::from(drive.shaft) == shaft)
+    }
+}
+
+/// The same, where no document is at hand: which drive it is of is not told.
+pub(super) fn of_load(defect: Defect) -> Problem {
+    let problem = match defect {
+        Defect::Value { quantity, fault } => return number(field(quantity), fault),
+        Defect::OddPlates(body) => GearTrainProblem::OddPlates {
+            field: plates(body).into(),
+        },
+        Defect::Assembly {
+            satellites,
+            periods,
+        } => GearTrainProblem::OutOfPhase {
+            satellites,
+            periods,
+        },
+        Defect::Tie { shaft, .. } => GearTrainProblem::TiedTogether {
+            shaft: shaft.into(),
+        },
+        Defect::TooQuick(body) => GearTrainProblem::TooQuick {
+            field: of_body("inertia", body),
+        },
+    };
+    problem.into()
+}
+
+/// What is wrong with the knots of the load.
+pub(super) fn of_load_knot(fault: ProfileFault) -> Problem {
+    match fault {
+        // There is a knot, or no profile is made of them.
+        ProfileFault::Empty => number("load", Fault::NotFinite),
+        ProfileFault::Time(knot, fault) => number(format!("load[{knot}][0]"), fault),
+        ProfileFault::Value(knot) => number(format!("load[{knot}][1]"), Fault::NotFinite),
+        ProfileFault::Order(knot) => GearTrainProblem::LoadOrder { knot: knot + 1 }.into(),
+    }
+}
+
+fn plates(body: Body) -> &'static str {
+    match body {
+        Body::Sun => "z1",
+        Body::Satellite => "z2",
+        // It has no plates.
+        Body::Carrier => "drives",
+        Body::Ring => "z4",
+    }
+}
+
+fn of_body(name: &str, body: Body) -> Field {
+    format!("bodies.{name}[{}]", body.index()).into()
+}
+
+fn of_mesh(name: &str, mesh: Mesh) -> Field {
+    format!("magnets.{name}[{}]", mesh as usize).into()
+}
+
+/// The field that holds a number.
+fn field(quantity: Quantity) -> Field {
+    match quantity {
+        Quantity::Plates(body) => plates(body).into(),
+        Quantity::Satellites => "satellites".into(),
+        Quantity::Inertia(body) => of_body("inertia", body),
+        Quantity::Mass => "bodies.mass".into(),
+        Quantity::Orbit => "axis_distance_mm".into(),
+        Quantity::Damping(body) => of_body("damping", body),
+        Quantity::Constant(body)
+        | Quantity::Friction(body)
+        | Quantity::Creep(body)
+        | Quantity::Fan(body) => match body {
+            Body::Satellite => "members.satellite.torque".into(),
+            _ => "members.carrier.torque".into(),
+        },
+        Quantity::Peak(mesh) => of_mesh("peak", mesh),
+        Quantity::MeshDamping(mesh) => of_mesh("damping", mesh),
+        Quantity::DriveTorque(_) => "load".into(),
+        Quantity::DriveSpeed(_)
+        | Quantity::Ratio(_)
+        | Quantity::StartAngle(_)
+        | Quantity::StartSpeed(_) => "drives".into(),
+    }
+}

@@ -1,0 +1,561 @@
+//! The saved form of a differential by time: what is left out, what is read of it, what is refused.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use assur::gears::train::{ConditionKind, Shaft};
+use assur_file::{
+    CouplingDocument, Document, DriveDocument, FormDocument, GearTrainDocument, MemberDocument,
+    MemberKind, PolesDocument, Problem, ShaftDocument, State, document, document_of, from_text,
+    trains,
+};
+use serde_json::{Value, json};
+
+/// Three satellites between 20 and 43 plates, as they are written.
+fn written() -> Value {
+    json!({
+        "z1": 20, "z2": 10, "z4": 43,
+        "drives": [{"shaft": "sun", "rpm": 60}, {"shaft": "ring", "rpm": 12}],
+    })
+}
+
+fn read() -> GearTrainDocument {
+    serde_json::from_value(written()).unwrap()
+}
+
+/// The problems after a change, as they are written.
+fn refused(change: impl FnOnce(&mut GearTrainDocument)) -> Vec<Value> {
+    let mut document = read();
+    change(&mut document);
+    said(&document.train().unwrap_err())
+}
+
+fn said(problems: &[Problem]) -> Vec<Value> {
+    let said = problems.iter().map(serde_json::to_value);
+    said.map(Result::unwrap).collect()
+}
+
+/// The same under load.
+fn unloadable(change: impl FnOnce(&mut GearTrainDocument)) -> Vec<Value> {
+    refused(|document| {
+        document.loaded = true;
+        change(document);
+    })
+}
+
+fn not_a_number(field: &str) -> Value {
+    json!({"code": "not_a_number", "field": field})
+}
+
+fn not_positive(field: &str, value: f64) -> Value {
+    json!({"code": "not_positive", "field": field, "value": value})
+}
+
+fn out_of_range(field: &str, value: f64, min: f64, max: f64) -> Value {
+    json!({"code": "out_of_range", "field": field, "value": value, "min": min, "max": max})
+}
+
+/// One tied to another, in the place of the second drive.
+fn tie(document: &mut GearTrainDocument, to: ShaftDocument, factor: f64) {
+    document.drives[1].to = Some(to);
+    document.drives[1].factor = factor;
+}
+
+#[test]
+fn what_is_left_out_is_usual() {
+    let document = read();
+    assert_eq!(
+        (document.form, document.coupling, document.satellites),
+        (FormDocument::Planar, CouplingDocument::Magnetic, 3.0)
+    );
+    assert_eq!(
+        (document.module_mm, document.span_s, document.loaded),
+        (4.0, 6.0, false)
+    );
+    let train = document.train().unwrap();
+    assert_eq!(train.turning.free(), Shaft::Carrier);
+    assert!(train.layout.can_be_built(train.coupling));
+    // Without a distance of the axes the gaps are equal: (43 − 20 − 2·10)/4 modules.
+    assert_eq!(train.layout.gaps(), Some([3.0, 3.0]));
+    let differential = train.differential.as_ref().unwrap();
+    let mut run = train.run(differential).unwrap();
+    run.advance(512).unwrap();
+    let slipped = run.reading().meshes.map(|mesh| mesh.slipped);
+    assert_eq!(slipped, [0, 0]);
+}
+
+#[test]
+fn it_is_written_and_read_alike() {
+    let state = json!({"format": 2, "kind": "gear-train", "document": written()});
+    let state = State::read(&state).unwrap();
+    assert!(matches!(&state.document, Document::GearTrain(document) if *document == read()));
+    let again = State::read(&serde_json::to_value(&state).unwrap()).unwrap();
+    assert_eq!(again, state);
+    // By its drives a bare document is known.
+    let bare = document_of(&written().to_string()).unwrap();
+    assert_eq!(bare, state.document);
+}
+
+#[test]
+fn unknown_fields_are_refused_wherever_they_are() {
+    for (place, misspelt) in [
+        ("", "zl"),
+        ("/drives/0", "rmp"),
+        ("/magnets", "pole"),
+        ("/bodies", "inertias"),
+        ("/members", "7"),
+        ("/members/carrier", "speed"),
+    ] {
+        let mut document = written();
+        document["magnets"] = json!({});
+        document["bodies"] = json!({});
+        document["members"] = json!({"carrier": {"kind": "brush"}});
+        assert!(document_of(&document.to_string()).is_ok());
+        document.pointer_mut(place).unwrap()[misspelt] = json!(1);
+        let problems = said(&document_of(&document.to_string()).unwrap_err());
+        assert_eq!(
+            (problems.len(), &problems[0]["code"]),
+            (1, &json!("bad_state"))
+        );
+        let detail = problems[0]["detail"].as_str().unwrap();
+        assert!(detail.contains(misspelt), "{detail}");
+    }
+}
+
+#[test]
+fn trains_of_the_catalogue_can_be_built() {
+    let mut count = 0;
+    for name in trains() {
+        let Document::GearTrain(document) = document(name).unwrap().unwrap() else {
+            panic!("{name}");
+        };
+        assert_eq!(document.origin.as_deref(), Some(name));
+        let train = document.train().unwrap();
+        assert!(train.layout.can_be_built(train.coupling), "{name}");
+        let magnets = document.coupling == CouplingDocument::Magnetic;
+        assert_eq!(train.differential.is_some(), magnets, "{name}");
+        count += 1;
+    }
+    assert_eq!(count, 4);
+}
+
+#[test]
+fn wheels_that_cannot_be_are_named() {
+    assert_eq!(refused(|d| d.z1 = 0.0), [not_positive("z1", 0.0)]);
+    assert_eq!(refused(|d| d.z4 = f64::NAN), [not_a_number("z4")]);
+    let range = out_of_range("z2", 1001.0, 3.0, 1000.0);
+    assert_eq!(refused(|d| d.z2 = 1001.0), [range]);
+    assert_eq!(
+        refused(|d| d.z1 = 20.5),
+        [json!({"code": "not_whole", "field": "z1", "value": 20.5})]
+    );
+    let stepped = |d: &mut GearTrainDocument| {
+        d.form = FormDocument::Stepped;
+        d.z2_step = Some(2.0);
+    };
+    assert_eq!(
+        refused(stepped),
+        [out_of_range("z2_step", 2.0, 3.0, 1000.0)]
+    );
+    assert_eq!(
+        refused(|d| d.z4 = 20.0),
+        [json!({"code": "ring_not_larger", "sun": 20, "ring": 20})]
+    );
+    assert_eq!(
+        refused(|d| d.z2 = 50.0),
+        [json!({"code": "satellite_not_inside", "satellite": 50, "ring": 43})]
+    );
+    let bevel = |d: &mut GearTrainDocument| {
+        d.form = FormDocument::Bevel;
+        d.z4 = 60.0;
+    };
+    assert_eq!(
+        refused(bevel),
+        [json!({"code": "no_cones", "sun": 20, "satellite": 10, "ring": 60})]
+    );
+    assert_eq!(
+        refused(|d| d.satellites = 7.0),
+        [out_of_range("satellites", 7.0, 1.0, 6.0)]
+    );
+    assert_eq!(
+        refused(|d| d.module_mm = 0.0),
+        [not_positive("module_mm", 0.0)]
+    );
+    let distance = refused(|d| d.axis_distance_mm = Some(f64::INFINITY));
+    assert_eq!(distance, [not_a_number("axis_distance_mm")]);
+    // All at once, each of them one time.
+    let several = refused(|d| {
+        d.z1 = -1.0;
+        d.z4 = f64::NAN;
+        d.span_s = 0.1;
+    });
+    let range = out_of_range("span_s", 0.1, 0.5, 60.0);
+    assert_eq!(
+        several,
+        [range, not_positive("z1", -1.0), not_a_number("z4")]
+    );
+}
+
+#[test]
+fn magnets_do_not_touch() {
+    let contact = |mesh: &str, distance: f64, limit: f64| json!({"code": "contact", "mesh": mesh, "distance": distance, "limit": limit});
+    // Wheels of 80, 40 and 172 mm: axes from 60 to 66 mm.
+    assert_eq!(
+        refused(|d| d.axis_distance_mm = Some(60.0)),
+        [contact("sun", 60.0, 60.0)]
+    );
+    assert_eq!(
+        refused(|d| d.axis_distance_mm = Some(67.0)),
+        [contact("ring", 67.0, 66.0)]
+    );
+    assert_eq!(
+        refused(|d| d.z2 = 12.0),
+        [contact("sun", 63.0, 64.0), contact("ring", 63.0, 62.0)]
+    );
+    // Gears do.
+    let mut gears = read();
+    gears.coupling = CouplingDocument::Contact;
+    assert!(gears.train().is_ok());
+}
+
+#[test]
+fn drives_that_determine_nothing_are_named() {
+    let count = |given: usize| {
+        refused(|d| {
+            let drive = d.drives[0].clone();
+            d.drives.resize(given, drive);
+            if given == 3 {
+                d.drives[2].shaft = ShaftDocument::Carrier;
+            }
+        })
+    };
+    for given in [0, 1, 3] {
+        assert_eq!(
+            count(given),
+            [json!({"code": "drive_count", "given": given})]
+        );
+    }
+    let twice = refused(|d| d.drives[1].shaft = ShaftDocument::Sun);
+    assert_eq!(twice, [json!({"code": "driven_twice", "shaft": "sun"})]);
+    let itself = refused(|d| tie(d, ShaftDocument::Ring, 2.0));
+    assert_eq!(itself, [json!({"code": "tied_to_itself", "shaft": "ring"})]);
+    let singular = refused(|d| {
+        d.drives[0].shaft = ShaftDocument::Carrier;
+        tie(d, ShaftDocument::Sun, -20.0 / 43.0);
+    });
+    let factor = -20.0 / 43.0;
+    assert_eq!(
+        singular,
+        [json!({"code": "singular_tie", "shaft": "ring", "to": "sun", "factor": factor})]
+    );
+    let each_other = |d: &mut GearTrainDocument| {
+        tie(d, ShaftDocument::Sun, 0.5);
+        d.drives[0].to = Some(ShaftDocument::Ring);
+        d.drives[0].factor = 0.5;
+    };
+    // That is a train at rest, but it cannot be loaded.
+    let mut at_rest = read();
+    each_other(&mut at_rest);
+    assert_eq!(at_rest.train().unwrap().turning.at(5.0).speeds, [0.0; 4]);
+    assert_eq!(
+        unloadable(each_other),
+        ["sun", "ring"].map(|shaft| json!({"code": "tied_together", "shaft": shaft}))
+    );
+}
+
+#[test]
+fn numbers_of_drives_are_named_by_their_fields() {
+    let most = 1e5;
+    for (field, change) in [
+        ("rpm", (|d, v| d.rpm = v) as fn(&mut DriveDocument, f64)),
+        ("start_s", |d, v| d.start_s = v),
+        ("factor", |d, v| d.factor = v),
+    ] {
+        for tied in [false, true] {
+            let found = refused(|d| {
+                if tied {
+                    tie(d, ShaftDocument::Sun, 0.5);
+                }
+                change(&mut d.drives[1], f64::NAN);
+            });
+            assert_eq!(
+                found,
+                [not_a_number(&format!("drives[1].{field}"))],
+                "{tied}"
+            );
+        }
+    }
+    let fast = refused(|d| d.drives.iter_mut().for_each(|drive| drive.rpm = 3e5));
+    let range = |field| out_of_range(field, 3e5, -most, most);
+    assert_eq!(fast, [range("drives[0].rpm"), range("drives[1].rpm")]);
+    let early = refused(|d| d.drives[0].start_s = -1.0);
+    assert_eq!(early, [out_of_range("drives[0].start_s", -1.0, 1e-6, 1e4)]);
+    // Who is not driven can be too fast: −60,000 and 60,000 make 60,000 + 120,000·20/43 of the ring.
+    let free = refused(|d| {
+        d.drives[0].rpm = -6e4;
+        d.drives[1].rpm = 6e4;
+        d.drives[1].shaft = ShaftDocument::Carrier;
+    });
+    assert_eq!(free.len(), 1);
+    assert_eq!(
+        (&free[0]["code"], &free[0]["shaft"], &free[0]["max"]),
+        (&json!("shaft_too_fast"), &json!("ring"), &json!(most))
+    );
+    let rpm = free[0]["rpm"].as_f64().unwrap();
+    assert!((rpm - (6e4 + 12e4 * 20.0 / 43.0)).abs() < 1e-6, "{rpm}");
+    let factor = unloadable(|d| {
+        d.drives[0].rpm = 1.0;
+        tie(d, ShaftDocument::Sun, 5000.0);
+    });
+    assert_eq!(
+        factor,
+        [out_of_range("drives[1].factor", 5000.0, -1e3, 1e3)]
+    );
+}
+
+#[test]
+fn what_is_not_followed_under_load_is_named() {
+    let not = [json!({"code": "not_under_load"})];
+    assert_eq!(unloadable(|d| d.coupling = CouplingDocument::Contact), not);
+    let bevel = |d: &mut GearTrainDocument| {
+        d.form = FormDocument::Bevel;
+        d.z4 = 24.0;
+    };
+    assert_eq!(unloadable(bevel), not);
+    let stepped = |d: &mut GearTrainDocument| {
+        d.form = FormDocument::Stepped;
+        d.z2_step = Some(9.0);
+    };
+    assert_eq!(unloadable(stepped), not);
+    let longest = out_of_range("span_s", 31.0, 0.5, 30.0);
+    assert_eq!(unloadable(|d| d.span_s = 31.0), [longest]);
+}
+
+/// In periods of the field, two plates each, the poles of all satellites meet those of both wheels.
+#[test]
+fn alternating_poles_need_even_wheels_and_their_own_phase() {
+    let alternating = |d: &mut GearTrainDocument, z4: f64, satellites: f64| {
+        d.magnets.poles = PolesDocument::Alternating;
+        d.z4 = z4;
+        d.satellites = satellites;
+    };
+    let odd = [json!({"code": "odd_plates", "field": "z4"})];
+    assert_eq!(refused(|d| alternating(d, 43.0, 3.0)), odd);
+    assert_eq!(unloadable(|d| alternating(d, 43.0, 3.0)), odd);
+    let phase = |satellites: u32, periods: u32| {
+        [json!({"code": "out_of_phase", "satellites": satellites, "periods": periods})]
+    };
+    assert_eq!(unloadable(|d| d.satellites = 4.0), phase(4, 63));
+    // 62 plates are 31 periods: two satellites fit like poles, not alternating ones.
+    assert_eq!(unloadable(|d| alternating(d, 42.0, 2.0)), phase(2, 31));
+    for (z4, satellites, left, met) in [(42.0, 2.0, 31.0, false), (44.0, 4.0, 32.0, true)] {
+        let mut document = read();
+        alternating(&mut document, z4, satellites);
+        let train = document.train().unwrap();
+        let conditions = train.layout.conditions(train.coupling);
+        let mut conditions = conditions.iter();
+        let found = conditions.find(|one| one.kind == ConditionKind::Assembly);
+        let found = found.unwrap();
+        assert_eq!((found.left, found.met()), (left, met));
+        assert_eq!(train.layout.can_be_built(train.coupling), met);
+        for near in train.layout.suggestions(train.coupling, 5) {
+            use assur::gears::train::Member::{Ring, Satellite, Sun};
+            let [sun, satellite, ring] = [Sun, Satellite, Ring].map(|of| near.train.teeth(of));
+            assert!(
+                [sun, satellite, ring].iter().all(|plates| plates % 2 == 0),
+                "{near:?}"
+            );
+            assert_eq!((sun + ring) % (2 * satellites as u32), 0, "{near:?}");
+        }
+    }
+}
+
+#[test]
+fn loads_that_cannot_be_are_named() {
+    let load = |knots: &[[f64; 2]]| refused(|d| d.load = knots.to_vec());
+    let order = [json!({"code": "load_order", "knot": 2})];
+    assert_eq!(load(&[[1.0, 0.0], [1.0, 5.0]]), order);
+    assert_eq!(load(&[[0.0, f64::NAN]]), [not_a_number("load[0][1]")]);
+    assert_eq!(
+        load(&[[0.0, 0.0], [f64::NAN, 0.0]]),
+        [not_a_number("load[1][0]")]
+    );
+    assert_eq!(
+        load(&[[1e10, 0.0]]),
+        [out_of_range("load[0][0]", 1e10, -1e9, 1e9)]
+    );
+    let many: Vec<[f64; 2]> = (0..101).map(|at| [f64::from(at), 0.0]).collect();
+    assert_eq!(
+        load(&many),
+        [json!({"code": "too_many", "path": "load", "max": 100})]
+    );
+    let heavy = unloadable(|d| d.load = vec![[0.0, 1e10]]);
+    assert_eq!(heavy, [out_of_range("load", 1e10, -1e9, 1e9)]);
+}
+
+#[test]
+fn bodies_magnets_and_members_are_named_under_load() {
+    let light = unloadable(|d| d.bodies.inertia[1] = 1e-12);
+    assert_eq!(
+        light,
+        [json!({"code": "too_quick", "field": "bodies.inertia[1]"})]
+    );
+    assert_eq!(
+        unloadable(|d| d.bodies.inertia[3] = 0.0),
+        [not_positive("bodies.inertia[3]", 0.0)]
+    );
+    assert_eq!(
+        unloadable(|d| d.bodies.damping[2] = -1.0),
+        [out_of_range("bodies.damping[2]", -1.0, 0.0, 1e9)]
+    );
+    assert_eq!(
+        unloadable(|d| d.bodies.mass = f64::NAN),
+        [not_a_number("bodies.mass")]
+    );
+    assert_eq!(
+        unloadable(|d| d.magnets.peak[1] = -5.0),
+        [not_positive("magnets.peak[1]", -5.0)]
+    );
+    assert_eq!(
+        unloadable(|d| d.magnets.damping[0] = f64::INFINITY),
+        [not_a_number("magnets.damping[0]")]
+    );
+    for kind in [MemberKind::Brush, MemberKind::Fan] {
+        let member = |torque| Some(MemberDocument { kind, torque });
+        let found = unloadable(|d| {
+            d.members.satellite = member(-1.0);
+            d.members.carrier = member(f64::NAN);
+        });
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert_eq!(found[0]["code"], "out_of_range");
+        assert_eq!(found[0]["field"], "members.satellite.torque");
+        assert_eq!(found[1], not_a_number("members.carrier.torque"));
+    }
+}
+
+#[test]
+fn texts_are_short_and_it_is_no_linkage() {
+    let long = "x".repeat(401);
+    let text = |path: &str| json!({"code": "bad_text", "path": path, "max": 400});
+    let found = refused(|d| {
+        d.title = Some(long.clone());
+        d.source = Some("a\u{7}".to_owned());
+    });
+    assert_eq!(found, [text("title"), text("source")]);
+    let by_time = [json!({"code": "by_time"})];
+    assert_eq!(
+        said(&from_text(&written().to_string()).unwrap_err()),
+        by_time
+    );
+}
+
+/// The places of everything in a value.
+fn places(value: &Value, at: &str, all: &mut Vec<String>) {
+    all.push(at.to_owned());
+    for (key, inner) in value.as_object().into_iter().flatten() {
+        places(inner, &format!("{at}/{key}"), all);
+    }
+    for (index, inner) in value.as_array().into_iter().flatten().enumerate() {
+        places(inner, &format!("{at}/{index}"), all);
+    }
+}
+
+#[test]
+fn damaged_documents_are_refused_or_move() {
+    let mut whole = written();
+    let full = json!({
+        "title": "A", "source": "B", "form": "planar", "satellites": 3, "coupling": "magnetic", "module_mm": 4,
+        "axis_distance_mm": 63, "observer": "ground", "loaded": true, "span_s": 1, "load": [[0.1, 0], [0.2, 5]],
+        "magnets": {"poles": "alike", "peak": [2, 5], "damping": [0.01, 0.02]},
+        "bodies": {"inertia": [1e-3, 2e-4, 2e-3, 5e-3], "mass": 0.3, "damping": [0, 0, 0, 0]},
+        "members": {"satellite": {"kind": "fan", "torque": 0.1}, "carrier": {"kind": "brush", "torque": 1}},
+    });
+    for (key, value) in full.as_object().unwrap() {
+        whole[key] = value.clone();
+    }
+    whole["drives"][1] =
+        json!({"shaft": "ring", "rpm": 5, "start_s": 1, "to": "sun", "factor": 0.5});
+    assert!(
+        serde_json::from_value::<GearTrainDocument>(whole.clone())
+            .unwrap()
+            .train()
+            .is_ok()
+    );
+    let mut all = Vec::new();
+    places(&whole, "", &mut all);
+    let bad = [
+        json!(null),
+        json!([]),
+        json!({}),
+        json!("sun"),
+        json!("bevel"),
+        json!("stepped"),
+        json!("contact"),
+        json!("alternating"),
+        json!("carrier"),
+        json!(true),
+        json!(false),
+        json!(1e300),
+        json!(-1e300),
+        json!(0),
+        json!(-0.5),
+        json!(1e-320),
+        json!(1e6),
+        json!(5),
+        json!(1e-9),
+        json!("9".repeat(1000)),
+    ];
+    let (mut tried, mut good) = (0, 0);
+    for place in &all {
+        for value in &bad {
+            let mut damaged = whole.clone();
+            *damaged.pointer_mut(place).unwrap() = value.clone();
+            tried += 1;
+            let Ok(document) = serde_json::from_value::<GearTrainDocument>(damaged) else {
+                continue;
+            };
+            match document.train() {
+                Ok(train) => {
+                    good += 1;
+                    for time in [0.0, 0.7, 1e6] {
+                        let at = train.turning.at(time);
+                        let numbers = at.speeds.iter().chain(&at.accelerations);
+                        assert!(numbers.copied().all(f64::is_finite), "{place} {value}");
+                        assert!(at.angles.iter().all(|angle| angle.radians().is_finite()));
+                    }
+                    let Some(differential) = &train.differential else {
+                        continue;
+                    };
+                    match train.run(differential) {
+                        Ok(mut run) => {
+                            let _ = run.advance(2);
+                            let reading = run.reading();
+                            let bodies = reading.bodies.iter();
+                            assert!(bodies.clone().all(|body| body.speed.is_finite()));
+                            assert!(
+                                bodies.clone().all(|body| body.acceleration.is_finite()),
+                                "{place} {value}"
+                            );
+                        }
+                        Err(problems) => once(&problems, place, value),
+                    }
+                }
+                Err(problems) => once(&problems, place, value),
+            }
+        }
+    }
+    assert!(tried > 900 && good > 100, "{tried} {good}");
+}
+
+/// Something is said, and nothing twice.
+fn once(problems: &[Problem], place: &str, value: &Value) {
+    assert!(!problems.is_empty(), "{place} {value}");
+    for (at, problem) in problems.iter().enumerate() {
+        assert!(
+            !problems[..at].contains(problem),
+            "{place} {value}: {problems:?}"
+        );
+    }
+}
