@@ -17,7 +17,7 @@ use assur::Cycle;
 use assur::motion::{Features, Input};
 
 use crate::list::{ROLES, Role};
-pub use curves::{Mark, MarkKind, Sample};
+pub use curves::{At, Mark, MarkKind, Sample};
 use curves::{Plot, Range};
 pub use ticks::Tick;
 
@@ -139,12 +139,31 @@ impl Chart {
         sample: &dyn Fn(f64) -> Option<Sample>,
         settings: Settings,
     ) -> Self {
+        let runs = curves::sampled(cycle, sample);
         Self {
             axis: cycle.axis(),
             turns: cycle.period().is_some(),
             kind,
             settings,
-            plots: curves::plots(cycle, &series, sample, settings),
+            plots: curves::plots(&runs, cycle.is_full(), &series, settings),
+            series,
+        }
+    }
+
+    /// The chart of quantities of one kind by time, from samples over a span of it with derivatives
+    /// by time.
+    pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
+        let settings = Settings {
+            input: Input::ANALOGUES,
+            physical: true,
+            differenced: false,
+        };
+        Self {
+            axis: span,
+            turns: false,
+            kind,
+            settings,
+            plots: curves::plots(&[samples], true, &series, settings),
             series,
         }
     }

@@ -10,11 +10,14 @@ mod gear;
 mod list;
 mod overlays;
 mod parts;
+mod projection;
 mod scheme;
 pub mod svg;
+mod train;
 
 pub use annotations::{Annotations, GivenPosition, Tag};
 pub use figure::{Figure, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
 pub use scheme::{SchemeFigure, SchemeHandle, SchemeView};
+pub use train::{TrainFigure, TrainPose, TrainView, WorkingMember};

@@ -99,6 +99,11 @@ impl List {
         &self.0
     }
 
+    /// Adds the records of another list.
+    pub(crate) fn append(&mut self, other: &Self) {
+        self.0.extend(&other.0);
+    }
+
     pub(crate) fn body(&mut self, body: usize) {
         self.0.extend([0.0, body as f32]);
     }

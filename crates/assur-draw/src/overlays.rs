@@ -7,6 +7,7 @@ use assur::{JetPoint, Point, Vector};
 
 use crate::list::{List, Look, Role};
 use crate::parts;
+use assur::sorting::sort_by;
 
 /// What is shown over the mechanism.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,7 +49,7 @@ impl Scales {
             let usual = |path: &Vec<JetPoint<3>>| {
                 let norms = path.iter().map(|point| point.derivative(order).norm());
                 let mut lengths: Vec<f64> = norms.collect();
-                lengths.sort_unstable_by(f64::total_cmp);
+                sort_by(&mut lengths, f64::total_cmp);
                 lengths.get(lengths.len() * 9 / 10).copied()
             };
             let longest = paths.iter().filter_map(usual).fold(0.0, f64::max);

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use assur::Point;
 
 use crate::list::{List, Look, Role};
+use assur::sorting::sort_by;
 
 /// Points on a half circle of a rounded end.
 const ARC: usize = 10;
@@ -37,7 +38,9 @@ pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: 
 /// The corners of the convex hull, counter-clockwise; of places in line the two
 /// ends.
 pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
-    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    sort_by(&mut places, |a, b| {
+        a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+    });
     places.dedup_by(|a, b| (*a - *b).norm() == 0.0);
     let [Some(first), Some(last)] = [places.first(), places.last()].map(|end| end.copied()) else {
         return places;

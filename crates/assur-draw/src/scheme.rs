@@ -3,17 +3,17 @@
 mod labels;
 mod opening;
 mod places;
-mod projection;
 mod symbols;
 
 use assur::Point;
 use assur::mobility::{Cut, Point3, Scheme};
+use assur::sorting::sort_by;
 
 use crate::list::{List, Look, Role};
 use crate::parts;
+use crate::projection::Projection;
 use opening::{Chain, Displacement};
 use places::{around, placed};
-use projection::Projection;
 use symbols::Pen;
 
 /// Half the width of a bar, in units.
@@ -74,7 +74,6 @@ pub struct SchemeFigure {
     size: f64,
     unit: f64,
     bounds: [f64; 4],
-    still: List,
 }
 
 /// What a link's body goes through.
@@ -117,7 +116,6 @@ impl SchemeFigure {
             size,
             unit: size / 100.0,
             bounds: [0.0; 4],
-            still: List::default(),
             places,
             view,
         };
@@ -133,11 +131,6 @@ impl SchemeFigure {
     /// What the labels' numbers stand for.
     pub fn names(&self) -> &[String] {
         &self.names
-    }
-
-    /// The display list of what is rigid: nothing, all may open.
-    pub fn rigid(&self) -> &List {
-        &self.still
     }
 
     /// The colour of a link.
@@ -210,27 +203,17 @@ impl SchemeFigure {
 
     /// The link that keeps a pair's symbol: none that was taken off.
     fn holder(&self, pair: usize) -> usize {
-        let off = |link: &&usize| {
-            let cut = |cut: &Cut| cut.pair == pair && cut.link == **link;
-            !self.view.cuts.iter().any(cut)
-        };
         let links = &self.scheme.pairs()[pair].links;
-        links
-            .iter()
-            .find(off)
-            .or(links.first())
-            .copied()
-            .unwrap_or(0)
+        let left = |&&link: &&usize| !self.view.cuts.contains(&Cut { pair, link });
+        let holder = links.iter().find(left).or(links.first());
+        holder.copied().unwrap_or(0)
     }
 
     /// From a pair towards the rest of a link, one unit long on the sheet.
     fn inward(&self, pair: usize, link: usize, moved: &[Displacement]) -> assur::Vector {
         let here = self.projection.place(moved[link] * self.places[pair]);
-        let body = self.body(link, moved);
-        let rest = body
-            .nodes
-            .iter()
-            .map(|at| self.projection.place(*at) - here);
+        let rest = self.seen(&self.body(link, moved));
+        let rest = rest.into_iter().map(|at| at - here);
         let rest = rest.sum::<assur::Vector>();
         rest.try_normalize(1e-9)
             .unwrap_or_else(assur::Vector::zeros)
@@ -249,6 +232,12 @@ impl SchemeFigure {
         }
     }
 
+    /// The nodes of a body, on the sheet.
+    fn seen(&self, body: &Body) -> Vec<Point> {
+        let nodes = body.nodes.iter();
+        nodes.map(|at| self.projection.place(*at)).collect()
+    }
+
     fn draw(&self, list: &mut List, moved: &[Displacement]) {
         let unit = self.unit;
         list.body(0);
@@ -262,7 +251,7 @@ impl SchemeFigure {
             let all = body.nodes.iter().map(|at| self.projection.nearness(*at));
             all.sum::<f64>() / body.nodes.len().max(1) as f64
         };
-        bodies.sort_by(|a, b| near(a).total_cmp(&near(b)));
+        sort_by(&mut bodies, |a, b| near(a).total_cmp(&near(b)));
         for body in &bodies {
             self.draw_body(list, body);
         }
@@ -282,11 +271,7 @@ impl SchemeFigure {
 
     fn draw_body(&self, list: &mut List, body: &Body) {
         let (role, half) = (self.role(body.link), BAR * self.unit);
-        let nodes: Vec<Point> = body
-            .nodes
-            .iter()
-            .map(|at| self.projection.place(*at))
-            .collect();
+        let nodes = self.seen(body);
         match parts::hull(nodes.clone())[..] {
             [] => {}
             [only] => list.circle(role, Look::Solid, only, half),
@@ -338,9 +323,8 @@ impl SchemeFigure {
         let seen = shares.iter().flat_map(|share| {
             let moved = self.opened(*share);
             let links = 0..self.scheme.links().len();
-            let nodes = links.flat_map(|link| self.body(link, &moved).nodes);
-            let nodes: Vec<Point> = nodes.map(|at| self.projection.place(at)).collect();
-            nodes
+            let seen = links.flat_map(|link| self.seen(&self.body(link, &moved)));
+            seen.collect::<Vec<Point>>()
         });
         let ([left, bottom, right, top], _) = around(seen);
         let room = ROOM * self.unit;

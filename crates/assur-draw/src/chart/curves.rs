@@ -1,6 +1,7 @@
 //! The curves of a chart: samples of the motion with exact derivatives, and the
 //! ranges that show them.
 
+use assur::sorting::sort_by;
 use std::f64::consts::PI;
 
 use assur::motion::{Features, Input, Kind};
@@ -74,18 +75,18 @@ pub(crate) struct Curve {
 }
 
 /// A sample in its place.
-type At = (f64, Sample);
+pub type At = (f64, Sample);
 
-/// The plots of the series and of their derivatives.
+/// The plots of the series and of their derivatives, from unbroken runs of samples; `full`: nothing
+/// grows without bound.
 pub(crate) fn plots(
-    cycle: &Cycle,
+    runs: &[Vec<At>],
+    full: bool,
     series: &[Series],
-    sample: &dyn Fn(f64) -> Option<Sample>,
     Settings {
         input, differenced, ..
     }: Settings,
 ) -> [Plot; 3] {
-    let runs = sampled(cycle, sample);
     [0, 1, 2].map(|order| {
         let rate = |at: &At, index: usize| input.rate(&at.1.jets[index], order);
         let curve = |(index, series): (usize, &Series)| {
@@ -104,7 +105,7 @@ pub(crate) fn plots(
             }
         };
         let shown = runs.iter().flatten();
-        let shown = shown.filter(|at| order == 0 || cycle.is_full() || at.1.clear);
+        let shown = shown.filter(|at| order == 0 || full || at.1.clear);
         let values = shown.flat_map(|at| (0..series.len()).map(move |index| rate(at, index)));
         Plot {
             range: range(values),
@@ -125,7 +126,7 @@ fn differences(run: &[At], index: usize, input: Input) -> impl Iterator<Item = (
 }
 
 /// The motion, an unbroken run for every stretch without a gap.
-fn sampled(cycle: &Cycle, sample: &dyn Fn(f64) -> Option<Sample>) -> Vec<Vec<At>> {
+pub(crate) fn sampled(cycle: &Cycle, sample: &dyn Fn(f64) -> Option<Sample>) -> Vec<Vec<At>> {
     let turns = if cycle.is_full() {
         cycle.arcs().len()
     } else {
@@ -205,7 +206,7 @@ impl Curve {
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();
-        marks.sort_by(|a, b| a.crank.total_cmp(&b.crank));
+        sort_by(&mut marks, |a, b| a.crank.total_cmp(&b.crank));
         let level = TOLD_APART * (max - min);
         let by_value = |a: &&Mark, b: &&Mark| a.value.total_cmp(&b.value);
         let peaks = [marks.iter().max_by(by_value), marks.iter().min_by(by_value)];

@@ -46,8 +46,7 @@ impl SchemeFigure {
 
     /// Where the number of a link stands: by the middle of a bar, or of its first part where a pair is in the way.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
-        let nodes = body.nodes.iter().map(|at| self.projection.place(*at));
-        let nodes: Vec<Point> = nodes.collect();
+        let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());
         let [from, to] = hull[..] else {
             let middle = parts::centroid(&hull).or(hull.first().copied());

@@ -20,7 +20,7 @@ pub(super) type Displacement = Isometry3<f64>;
 /// What is left of the pairs after cuts: of each pair the links that still have it.
 pub(super) struct Chain<'a> {
     scheme: &'a Scheme,
-    pub(super) places: &'a [Point3],
+    places: &'a [Point3],
     left: Vec<Vec<usize>>,
     cuts: &'a [Cut],
     size: f64,
@@ -38,12 +38,9 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let pairs = scheme.pairs().iter().enumerate();
         let left = pairs.map(|(index, pair)| {
-            let off = |link: &&usize| {
-                !cuts
-                    .iter()
-                    .any(|cut| cut.pair == index && cut.link == **link)
-            };
-            pair.links.iter().filter(off).copied().collect()
+            let left = pair.links.iter().copied();
+            left.filter(|&link| !cuts.contains(&Cut { pair: index, link }))
+                .collect()
         });
         Self {
             scheme,
@@ -65,9 +62,8 @@ impl<'a> Chain<'a> {
             self.part(*cut, share, &reached, &mut moved);
         }
         let mut links = vec![Displacement::identity(); self.scheme.links().len()];
-        let fallen = Translation3::new(0.0, if self.scheme.is_planar() { -1.0 } else { 0.0 }, -1.0)
-            .vector
-            * (GAP * self.size * last);
+        let down = if self.scheme.is_planar() { -1.0 } else { 0.0 };
+        let fallen = Vector3::new(0.0, down, -1.0) * (GAP * self.size * last);
         for (link, way) in reached.iter().enumerate() {
             if link > 0 && way.is_none() {
                 links[link] = Translation3::from(fallen).into();

@@ -4,9 +4,9 @@ use assur::Point;
 use assur::mobility::{Pair, PairKind, Point3, Vector3};
 
 use super::opening::Displacement;
-use super::projection::Projection;
 use crate::list::{List, Look, Role};
 use crate::parts;
+use crate::projection::Projection;
 
 /// An axis seen within this sine of its own direction looks like a point.
 const END_ON: f64 = 0.35;

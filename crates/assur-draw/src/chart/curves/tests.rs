@@ -22,7 +22,7 @@ fn sine(input: Input, differenced: bool) -> [Plot; 3] {
         physical: true,
         differenced,
     };
-    plots(&cycle, &[series], &sample, settings)
+    plots(&sampled(&cycle, &sample), true, &[series], settings)
 }
 
 /// Centred differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact

@@ -6,7 +6,7 @@ use assur::mobility::{Point3, Vector3};
 /// A parallel projection: the directions in space that go to the right and up on the sheet, and
 /// towards the reader.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Projection {
+pub(crate) struct Projection {
     right: Vector3,
     up: Vector3,
     near: Vector3,
@@ -14,13 +14,13 @@ pub(super) struct Projection {
 
 impl Projection {
     /// The plane x, y as it is.
-    pub(super) fn plane() -> Self {
+    pub(crate) fn plane() -> Self {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
     /// A view with z upwards: turned about z by `round` from one along y, and from above by
     /// `above`, radians.
-    pub(super) fn space([round, above]: [f64; 2]) -> Self {
+    pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);
         let up = away * high + Vector3::z() * level;
@@ -33,22 +33,22 @@ impl Projection {
     }
 
     /// Where a place is on the sheet.
-    pub(super) fn place(&self, at: Point3) -> Point {
+    pub(crate) fn place(&self, at: Point3) -> Point {
         self.direction(at.coords).into()
     }
 
     /// A displacement on the sheet; shorter than in space by what goes towards the reader.
-    pub(super) fn direction(&self, along: Vector3) -> assur::Vector {
+    pub(crate) fn direction(&self, along: Vector3) -> assur::Vector {
         assur::Vector::new(along.dot(&self.right), along.dot(&self.up))
     }
 
     /// How far a place is towards the reader.
-    pub(super) fn nearness(&self, at: Point3) -> f64 {
+    pub(crate) fn nearness(&self, at: Point3) -> f64 {
         at.coords.dot(&self.near)
     }
 
     /// The place in space over a place on the sheet, as far towards the reader as another.
-    pub(super) fn raised(&self, at: Point, like: Point3) -> Point3 {
+    pub(crate) fn raised(&self, at: Point, like: Point3) -> Point3 {
         let along = self.right * at.x + self.up * at.y;
         Point3::from(along + self.near * self.nearness(like))
     }

@@ -1,0 +1,157 @@
+//! Bodies of revolution in space: cones of bevel wheels and bushes.
+
+use std::f64::consts::TAU;
+
+use assur::Point;
+use assur::mobility::{Point3, Vector3};
+
+use super::wheel::SHARE;
+use crate::list::{List, Look, Role};
+use crate::projection::Projection;
+
+/// Points of a circle.
+const CIRCLE: usize = 40;
+
+/// A frustum about an axis through the origin.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frustum {
+    pub(super) axis: Vector3,
+    /// Two directions across the axis, between which its angles are counted.
+    pub(super) across: [Vector3; 2],
+    /// Of its wide and its narrow end: how far along the axis, and the radius.
+    pub(super) ends: [[f64; 2]; 2],
+    /// How far it goes beyond the wide end where it is around others: then it is wide
+    /// where it comes first along its axis.
+    pub(super) rim: f64,
+}
+
+impl Frustum {
+    /// A direction across the axis.
+    pub(super) fn direction(&self, angle: f64) -> Vector3 {
+        let (sin, cos) = angle.sin_cos();
+        self.across[0] * cos + self.across[1] * sin
+    }
+
+    /// A place on an end's circle.
+    pub(super) fn place(&self, end: usize, angle: f64) -> Point3 {
+        let [along, radius] = self.ends[end];
+        Point3::from(self.axis * along + self.direction(angle) * radius)
+    }
+
+    /// The middle between its ends.
+    pub(super) fn middle(&self) -> Point3 {
+        let [[first, _], [second, _]] = self.ends;
+        Point3::from(self.axis * (0.5 * (first + second)))
+    }
+
+    /// Whether it is a cup around others.
+    fn is_around(&self) -> bool {
+        self.ends[0][0] < self.ends[1][0]
+    }
+
+    /// How much of its surface is turned to the reader in a direction: nothing where not positive.
+    fn turned(&self, projection: &Projection, angle: f64) -> f64 {
+        let [[far, wide], [near, narrow]] = self.ends;
+        let normal = self.direction(angle) * (far - near) - self.axis * (wide - narrow);
+        projection.nearness(Point3::from(normal))
+    }
+
+    /// The end that is turned to the reader.
+    pub(super) fn seen_end(&self, projection: &Projection) -> usize {
+        usize::from(projection.nearness(Point3::from(self.axis)) < 0.0)
+    }
+
+    fn arc(&self, projection: &Projection, end: [f64; 2], from: f64, over: f64) -> Vec<Point> {
+        let [along, radius] = end;
+        let steps = (CIRCLE as f64 * over.abs() / TAU).ceil();
+        let place = |k: usize| {
+            let off = self.direction(from + over * k as f64 / steps) * radius;
+            projection.place(Point3::from(self.axis * along + off))
+        };
+        (0..=steps as usize).map(place).collect()
+    }
+
+    fn circle(&self, projection: &Projection, end: [f64; 2]) -> Vec<Point> {
+        self.arc(projection, end, 0.0, TAU)
+    }
+
+    /// What it looks like from outside: the end that is seen where the surface is not, and the
+    /// other one where it is.
+    fn outline(&self, projection: &Projection) -> Vec<Point> {
+        let seen = self.seen_end(projection);
+        // What is turned to the reader goes with the cosine from where most is.
+        let [ahead, aside] = [0.0, 0.25 * TAU].map(|angle| self.turned(projection, angle));
+        let behind = self.turned(projection, 0.5 * TAU);
+        let mean = 0.5 * (ahead + behind);
+        let [cosine, sine] = [ahead - mean, aside - mean];
+        let most = sine.atan2(cosine);
+        let swing = cosine.hypot(sine);
+        if mean.abs() >= swing {
+            let end = if mean > 0.0 { 1 - seen } else { seen };
+            return self.circle(projection, self.ends[end]);
+        }
+        let half = (-mean / swing).acos();
+        let front = self.arc(projection, self.ends[1 - seen], most - half, 2.0 * half);
+        let back = TAU - 2.0 * half;
+        let back = self.arc(projection, self.ends[seen], most + half, back);
+        [front, back].concat()
+    }
+
+    /// Draws its outline and the end that is seen; it hides what is behind.
+    pub(super) fn draw(&self, list: &mut List, projection: &Projection, role: Role) {
+        if self.is_around() {
+            let [along, radius] = self.ends[0];
+            let [wide, narrow] = self.ends.map(|end| self.circle(projection, end));
+            let rim = self.circle(projection, [along, radius + self.rim]);
+            list.polygons(role, Look::Pale, &[rim, wide]);
+            list.polygons(role, Look::Pale, &[narrow]);
+            return;
+        }
+        let outline = [self.outline(projection)];
+        list.polygons(role, Look::Hollow, &outline);
+        list.polygons(role, Look::Pale, &outline);
+        let seen = self.ends[self.seen_end(projection)];
+        list.polygons(role, Look::Pale, &[self.circle(projection, seen)]);
+    }
+
+    /// The teeth or plates that are seen, of as many, the first at an angle; by whether their
+    /// number is even or odd.
+    pub(super) fn plates(
+        &self,
+        projection: &Projection,
+        count: u32,
+        zero: f64,
+    ) -> [Vec<Vec<Point>>; 2] {
+        let pitch = TAU / f64::from(count);
+        let mut loops = [Vec::new(), Vec::new()];
+        for index in 0..count {
+            let at = zero + pitch * f64::from(index);
+            if self.turned(projection, at) > 0.0 {
+                loops[index as usize % 2].push(self.plate(projection, at, 0.5 * SHARE * pitch));
+            }
+        }
+        loops
+    }
+
+    /// The corners of a plate about an angle.
+    fn plate(&self, projection: &Projection, at: f64, half: f64) -> Vec<Point> {
+        let corners = [(0, -half), (0, half), (1, half), (1, -half)];
+        let corners = corners.map(|(end, off)| projection.place(self.place(end, at + off)));
+        corners.to_vec()
+    }
+
+    /// Draws a mark at an angle: a radius on the end that is seen, and a line along the surface
+    /// where it is seen.
+    pub(super) fn mark(&self, list: &mut List, projection: &Projection, role: Role, angle: f64) {
+        let end = self.seen_end(projection);
+        let rim = projection.place(self.place(end, angle));
+        if !self.is_around() {
+            let centre = projection.place(Point3::from(self.axis * self.ends[end][0]));
+            list.polyline(role, Look::Line, &[centre, rim]);
+        }
+        if self.turned(projection, angle) > 0.0 {
+            let other = projection.place(self.place(1 - end, angle));
+            list.polyline(role, Look::Line, &[rim, other]);
+        }
+    }
+}
