@@ -1,20 +1,28 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { KindDocument, LinkageDocument } from "assur/types/file.js";
-export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
-export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
-export type MotionSummary = { 
+export type Summaries = { "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * What the input is: `angle` or `length`.
+ * Wheels whose meshes only repeat what the others do.
  */
-moves: "angle" | "length", 
+passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type CourseSummary = { 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
 /**
  * The number by which it is called.
  */
-input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -22,24 +30,57 @@ traceable: boolean,
 /**
  * The other kinds of document that can be made of it.
  */
-becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+becomes: readonly "scheme"[], };
+export type MotionSummary = { equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
  * What can drive it, by the links that are turned or slide.
  */
-drivers: Array<string>, rates: Array<RateSummary>, 
+drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle` or `length`.
+ * What the input is: `angle`, `length` or `time`.
  */
-moves: "angle" | "length", 
+moves: "angle" | "length" | "time", 
 /**
  * The number by which it is called.
  */
-input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -47,7 +88,11 @@ traceable: boolean,
 /**
  * The other kinds of document that can be made of it.
  */
-becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
@@ -62,19 +107,23 @@ overlaps: Array<[number, number]>,
 /**
  * The direction from wheel 4 in which there is most room.
  */
-free_direction: number, 
+free_direction: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle` or `length`.
+ * What the input is: `angle`, `length` or `time`.
  */
-moves: "angle" | "length", 
+moves: "angle" | "length" | "time", 
 /**
  * The number by which it is called.
  */
-input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -82,7 +131,11 @@ traceable: boolean,
 /**
  * The other kinds of document that can be made of it.
  */
-becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SchemeSummary = { 
 /**
  * Nothing does.
@@ -181,19 +234,23 @@ printed: PrintedSummary | null,
 /**
  * What is drawn, as a linkage for the simulator.
  */
-linkage: { kind: "linkage", document: LinkageDocument }, 
+linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle` or `length`.
+ * What the input is: `angle`, `length` or `time`.
  */
-moves: "angle" | "length", 
+moves: "angle" | "length" | "time", 
 /**
  * The number by which it is called.
  */
-input: string, cycle: CycleSummary, home: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, outputs: Array<OutputSummary>, 
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
  * The numbers of links, by which their angles are called.
  */
-numbers: { [key in string]: string }, points: Array<string>, listed: Array<ListedSummary>, plotted: Array<string>, handles: Array<HandleSummary>, 
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -201,7 +258,11 @@ traceable: boolean,
 /**
  * The other kinds of document that can be made of it.
  */
-becomes: readonly "scheme"[], profile: ProfileSummary | null, bounds: [number, number, number, number], counts: CountsSummary, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SolutionSummary = { 
 /**
  * l₁, l₂, l₃.
@@ -306,6 +367,97 @@ lengths: [number, number, number],
  * ΣJ there and of what is drawn, in squares of the unit of lengths.
  */
 least: number, drawn: number, };
+export type GearTrainSummary = { bounds: [number, number, number, number], 
+/**
+ * The unit of the drawing.
+ */
+lengths: "millimetres", roles: { [key in string]: string }, 
+/**
+ * The shaft that is not driven.
+ */
+free: string, speeds: BodyNumbers, 
+/**
+ * a and b of a ω₁ + b ω₄ = (a + b) ω₃.
+ */
+weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
+/**
+ * Whether all conditions are met.
+ */
+builds: boolean, 
+/**
+ * Trains near by that can be built, where this one cannot.
+ */
+suggestions: Array<SuggestionSummary>, 
+/**
+ * z₂ with which gears of these z₁ and z₄ are in contact, where there is one.
+ */
+in_contact: number | null, mobility: MobilitySummary, 
+/**
+ * Of magnets at sun and ring, mm.
+ */
+gaps: [number, number] | null, axis_distance: number, 
+/**
+ * At the last speeds, mm and mm/s.
+ */
+velocities: VelocitySummary | null, 
+/**
+ * Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
+ */
+torques: ShaftNumbers, powers: ShaftNumbers, 
+/**
+ * The torques that the magnets hold, N·m, each with the other shafts held.
+ */
+limits: BodyNumbers | null, 
+/**
+ * Own frequencies of the meshes with sun and ring, Hz.
+ */
+swings: [number, number] | null, 
+/**
+ * The greatest torque of the load, and how far it can be set, N·m.
+ */
+load: PullSummary | null, 
+/**
+ * Periods by which the meshes with sun and ring have slipped at the end of a run.
+ */
+slips: [number, number] | null, halt: HaltSummary | null, 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], };
+export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
+export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
+export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
+/**
+ * Whether it is the largest positive one.
+ */
+largest: boolean, };
+export type IdentitySummary = { terms: [string, string], sum: number, };
+export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, };
+export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
+export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
+export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
+export type PullSummary = { value: number, max: number, };
+export type HaltSummary = { body: string, time: number, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type GroupSummary = { term: string, role: string, };
@@ -317,9 +469,9 @@ export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 
 /**
- * `angle`, `x`, `y` or `transmission`.
+ * `angle`, `load_angle`, `x`, `y` or `transmission`.
  */
-what: "angle" | "x" | "y" | "transmission", of: Array<string>, 
+what: "angle" | "load_angle" | "x" | "y" | "transmission", of: Array<string>, 
 /**
  * The number by which the angle is called.
  */
@@ -353,7 +505,11 @@ ratio: number,
 /**
  * Whether curves go through all their points: for a picture that may be enlarged.
  */
-whole: boolean, };
+whole: boolean, 
+/**
+ * The input around which a motion is plotted that goes on and on.
+ */
+around: number, };
 export type ChartLayout = { panels: Array<PanelLayout>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type TickLayout = { value: number, at: number, };

@@ -1,14 +1,19 @@
 //! What the page asks of a document that is open, whichever kind it is of: capabilities, of
 //! which a kind has those that it has.
 
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
 use assur::Point;
-use assur_draw::{Figure, List};
+use assur_draw::Figure;
+use assur_draw::chart::Chart;
 use assur_file::Problem;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::change::Change;
 use crate::here::Here;
 use crate::moving::Moving;
+use crate::table::SweepTable;
 
 /// A document with all that is drawn of it.
 pub(crate) trait Capabilities {
@@ -25,7 +30,12 @@ pub(crate) trait Capabilities {
     }
 
     /// What moves, is read, listed and plotted, where anything is.
-    fn moving(&self) -> Option<&Moving> {
+    fn moves(&self) -> Option<&dyn Moves> {
+        None
+    }
+
+    /// The linkage that moves, where it is one.
+    fn linkage(&self) -> Option<&Moving> {
         None
     }
 
@@ -35,19 +45,53 @@ pub(crate) trait Capabilities {
     }
 }
 
+/// What moves by an input; what is told of it is in its summary.
+pub(crate) trait Moves {
+    /// All of a place of the motion. Where derivatives are unbounded there are no read-outs and no
+    /// plotted values.
+    ///
+    /// # Errors
+    /// Why there is no such place.
+    fn at(&self, input: f64) -> Result<Here, Problem>;
+
+    /// The plotted quantities at an input, as of [`Here`].
+    ///
+    /// # Errors
+    /// Why there is no such place, or nothing of its derivatives.
+    fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem>;
+
+    /// Why there is no place at an input, or nothing of its derivatives; nothing where there is.
+    fn why(&self, input: f64) -> Option<Problem>;
+
+    /// The names of the read-outs.
+    fn readout_names(&self) -> Vec<String>;
+
+    /// The input moved, and −1 where it turned back, else 1.
+    fn advance(&self, input: f64, by: f64) -> (f64, f64);
+
+    /// The plots, where they go on and on those around an input.
+    fn chart(&self, around: f64) -> Cow<'_, Chart>;
+
+    /// The numbers of links, by which their angles are called.
+    fn numbers(&self) -> &BTreeMap<String, String>;
+
+    /// The motion as a table with so many rows to its period, or to its range.
+    fn table(&self, steps: u32) -> SweepTable;
+}
+
 /// What stands still in a drawing.
 pub(crate) struct Rigid<'a> {
     /// What the numbers of labels stand for.
     pub(crate) names: &'a [String],
     /// Its display list.
-    pub(crate) list: &'a List,
+    pub(crate) list: &'a [f32],
 }
 
 impl<'a> From<&'a Figure> for Rigid<'a> {
     fn from(figure: &'a Figure) -> Self {
         Self {
             names: figure.names(),
-            list: figure.rigid(),
+            list: figure.rigid().numbers(),
         }
     }
 }

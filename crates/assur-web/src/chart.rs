@@ -26,6 +26,9 @@ pub(crate) struct ChartRequest {
     /// Whether curves go through all their points: for a picture that may be enlarged.
     #[serde(default)]
     pub(crate) whole: bool,
+    /// The input around which a motion is plotted that goes on and on.
+    #[serde(default)]
+    pub(crate) around: f64,
 }
 
 fn usual() -> f64 {
@@ -159,7 +162,8 @@ impl<'a> PanelLayout<'a> {
 
 /// The number of the link whose angle is named.
 fn number_of<'a>(numbers: &'a BTreeMap<String, String>, name: &str) -> Option<&'a str> {
-    let link = name.strip_suffix(".angle")?;
+    let angle = name.strip_suffix(".angle");
+    let link = angle.or_else(|| name.strip_suffix(".load_angle"))?;
     numbers.get(link).map(String::as_str)
 }
 

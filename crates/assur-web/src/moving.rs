@@ -1,18 +1,21 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
 use assur::motion::Motion;
-use assur::{Cycle, Jet, Point};
+use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
 use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
 use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
+use crate::capabilities::Moves;
 use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::table::SweepTable;
 
 /// Why there is no pose at an input, or none of its derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
@@ -132,20 +135,8 @@ impl Moving {
         self.motion.mechanism()
     }
 
-    pub(crate) fn cycle(&self) -> &Cycle {
-        self.motion.cycle()
-    }
-
     pub(crate) fn figure(&self) -> &Figure {
         &self.figure
-    }
-
-    pub(crate) fn chart(&self) -> &Chart {
-        &self.chart
-    }
-
-    pub(crate) fn numbers(&self) -> &BTreeMap<String, String> {
-        &self.numbers
     }
 
     pub(crate) fn traceable(&self) -> bool {
@@ -199,23 +190,6 @@ impl Moving {
         &self.handles
     }
 
-    /// The names of the read-outs: the input, the transmission angles of the dyads, then
-    /// every quantity with its first (′) and second (″) derivative.
-    pub(crate) fn readout_names(&self) -> Vec<String> {
-        let mechanism = self.mechanism();
-        let angles =
-            (0..self.dyads.len()).map(|dyad| self.reading_name(Reading::Transmission(dyad)));
-        let quantities = self.quantities.iter().flat_map(|one| {
-            let name = one.name(mechanism, 0);
-            ["", "′", "″"].map(|stroke| [&name, stroke].concat())
-        });
-        ["input".to_owned()]
-            .into_iter()
-            .chain(angles)
-            .chain(quantities)
-            .collect()
-    }
-
     /// The name of a read-out.
     pub(crate) fn reading_name(&self, reading: Reading) -> String {
         let mechanism = self.mechanism();
@@ -226,59 +200,6 @@ impl Moving {
                 format!("{joint}.transmission")
             }
         }
-    }
-
-    /// All of a place of the motion, from one pose. Where derivatives are unbounded there
-    /// are no read-outs and no plotted values.
-    ///
-    /// # Errors
-    /// Why there is no pose.
-    pub(crate) fn at(&self, input: f64) -> Result<Here, Problem> {
-        match self.motion.pose::<3>(input) {
-            Ok(pose) => {
-                let mechanism = self.mechanism();
-                let angles = self
-                    .dyads
-                    .iter()
-                    .map(|dyad| mechanism.transmission_angle(&pose, dyad));
-                Ok(Here {
-                    frame: self.figure.frame(&pose),
-                    handles: self.places(&pose),
-                    readouts: [input]
-                        .into_iter()
-                        .chain(angles)
-                        .chain(self.rates(&self.quantities, &pose))
-                        .collect(),
-                    plotted: self.rates(&self.plotted, &pose).collect(),
-                })
-            }
-            Err(unsolved) => {
-                let place = self.motion.pose::<1>(input);
-                let pose = place.map_err(|_| self.problem(&unsolved))?;
-                Ok(Here {
-                    frame: self.figure.frame(&pose),
-                    handles: self.places(&pose),
-                    readouts: Vec::new(),
-                    plotted: Vec::new(),
-                })
-            }
-        }
-    }
-
-    /// The plotted quantities at an input, as of [`Here`].
-    ///
-    /// # Errors
-    /// Why there is no pose, or none of its derivatives.
-    pub(crate) fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
-        let pose = self.motion.pose::<3>(input);
-        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
-        Ok(self.rates(&self.plotted, &pose).collect())
-    }
-
-    /// Why there is no pose at an input, or none of its derivatives; nothing where there is.
-    pub(crate) fn why(&self, input: f64) -> Option<Problem> {
-        let unsolved = self.motion.pose::<3>(input).err()?;
-        Some(self.problem(&unsolved))
     }
 
     /// The pose at an input.
@@ -347,6 +268,82 @@ impl Moving {
         let pose = self.motion.pose::<3>(input);
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
         Ok(sides(self.mechanism(), &pose, order.min(2)))
+    }
+}
+
+impl Moves for Moving {
+    fn at(&self, input: f64) -> Result<Here, Problem> {
+        match self.motion.pose::<3>(input) {
+            Ok(pose) => {
+                let mechanism = self.mechanism();
+                let angles = self
+                    .dyads
+                    .iter()
+                    .map(|dyad| mechanism.transmission_angle(&pose, dyad));
+                Ok(Here {
+                    frame: self.figure.frame(&pose),
+                    handles: self.places(&pose),
+                    readouts: [input]
+                        .into_iter()
+                        .chain(angles)
+                        .chain(self.rates(&self.quantities, &pose))
+                        .collect(),
+                    plotted: self.rates(&self.plotted, &pose).collect(),
+                })
+            }
+            Err(unsolved) => {
+                let place = self.motion.pose::<1>(input);
+                let pose = place.map_err(|_| self.problem(&unsolved))?;
+                Ok(Here {
+                    frame: self.figure.frame(&pose),
+                    handles: self.places(&pose),
+                    readouts: Vec::new(),
+                    plotted: Vec::new(),
+                })
+            }
+        }
+    }
+
+    fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
+        let pose = self.motion.pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
+        Ok(self.rates(&self.plotted, &pose).collect())
+    }
+
+    fn why(&self, input: f64) -> Option<Problem> {
+        let unsolved = self.motion.pose::<3>(input).err()?;
+        Some(self.problem(&unsolved))
+    }
+
+    fn readout_names(&self) -> Vec<String> {
+        let mechanism = self.mechanism();
+        let angles =
+            (0..self.dyads.len()).map(|dyad| self.reading_name(Reading::Transmission(dyad)));
+        let quantities = self.quantities.iter().flat_map(|one| {
+            let name = one.name(mechanism, 0);
+            ["", "′", "″"].map(|stroke| [&name, stroke].concat())
+        });
+        ["input".to_owned()]
+            .into_iter()
+            .chain(angles)
+            .chain(quantities)
+            .collect()
+    }
+
+    fn advance(&self, input: f64, by: f64) -> (f64, f64) {
+        self.motion.cycle().advance(input, by)
+    }
+
+    fn chart(&self, _around: f64) -> Cow<'_, Chart> {
+        Cow::Borrowed(&self.chart)
+    }
+
+    fn numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
+    }
+
+    fn table(&self, steps: u32) -> SweepTable {
+        SweepTable::of(self, steps)
     }
 }
 

@@ -8,12 +8,11 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
-use crate::capabilities::{Capabilities, Edited};
+use crate::capabilities::{Capabilities, Edited, Moves, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, thrown, to_js};
 use crate::kinds::{as_kind, open, scheme_task};
 use crate::moving::Moving;
-use crate::table::SweepTable;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
 /// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
@@ -58,7 +57,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
-        Ok(self.document()?.rigid().list.numbers().to_vec())
+        Ok(self.document()?.rigid().list.to_vec())
     }
 
     /// Everything at an input, from one pose: how many numbers each of four lists has, then
@@ -74,10 +73,10 @@ impl Simulator {
     /// Why there is no pose.
     pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
         let document = self.document()?;
-        let Some(moving) = document.moving() else {
+        let Some(moves) = document.moves() else {
             return Ok(document.still(input).flat());
         };
-        Ok(moving.at(input).map_err(one)?.flat())
+        Ok(moves.at(input).map_err(one)?.flat())
     }
 
     /// The last of the lists of `at` alone: for the cursor of the plots.
@@ -85,7 +84,7 @@ impl Simulator {
     /// # Errors
     /// Why there is no pose, or none of its derivatives.
     pub fn plotted(&self, input: f64) -> Result<Vec<f64>, JsValue> {
-        self.moving()?.plotted_at(input).map_err(one)
+        self.moves()?.plotted_at(input).map_err(one)
     }
 
     /// The problems that a place of the motion has: why there is no pose, or none of its
@@ -94,8 +93,8 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
-        let moving = self.document()?.moving();
-        Ok(thrown(moving.and_then(|moving| moving.why(input))))
+        let moves = self.document()?.moves();
+        Ok(thrown(moves.and_then(|moves| moves.why(input))))
     }
 
     /// The names of the read-outs: the input, the transmission angles of the RRR dyads,
@@ -106,8 +105,8 @@ impl Simulator {
     /// Before the first `set`.
     #[wasm_bindgen(js_name = readoutNames)]
     pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
-        let moving = self.document()?.moving();
-        Ok(moving.map_or_else(Vec::new, Moving::readout_names))
+        let moves = self.document()?.moves();
+        Ok(moves.map_or_else(Vec::new, |moves| moves.readout_names()))
     }
 
     /// What dragging a point, one of the handles, to a place changes with the input where
@@ -117,7 +116,7 @@ impl Simulator {
     /// # Errors
     /// An unknown point, a place that is not finite; no pose to drag in.
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let change = self.edited()?.drag(point, input, Point::new(x, y));
+        let change = self.edited()?.drag(point, input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
     }
 
@@ -137,7 +136,7 @@ impl Simulator {
     /// No document of that kind is made of it.
     #[wasm_bindgen(js_name = asKind)]
     pub fn as_kind(&self, kind: &str, input: f64) -> Result<JsValue, JsValue> {
-        let document = as_kind(kind, self.moving()?, input).map_err(one)?;
+        let document = as_kind(kind, self.linkage()?, input).map_err(one)?;
         Ok(to_js(&document))
     }
 
@@ -147,7 +146,7 @@ impl Simulator {
     /// # Errors
     /// Why there is no pose to put a point on; no link.
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let change = self.edited()?.trace(input, Point::new(x, y));
+        let change = self.edited()?.trace(input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
     }
 
@@ -189,12 +188,12 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`; where nothing moves.
     pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
-        let (input, sense) = self.moving()?.cycle().advance(input, delta);
+        let (input, sense) = self.moves()?.advance(input, delta);
         Ok(vec![input, sense])
     }
 
     /// Draws the plots with plotters on a canvas whose transform maps pixels of
-    /// the reader to its backing store; `request` is `{width, height, palette}`.
+    /// the reader to its backing store; `request` is `{width, height, palette, around}`.
     /// Returns where the page writes their text.
     ///
     /// # Errors
@@ -204,9 +203,9 @@ impl Simulator {
         context: &CanvasRenderingContext2d,
         request: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let moving = self.moving()?;
-        let chart = moving.chart();
+        let moves = self.moves()?;
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
+        let chart = moves.chart(request.around);
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
         let drawn = chart.draw(
@@ -215,7 +214,7 @@ impl Simulator {
             request.scale,
         );
         let panels = drawn.map_err(|error| one(bad("chart", &error.to_string())))?;
-        Ok(to_js(&ChartLayout::new(chart, panels, moving.numbers())))
+        Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 
     /// The motion as a table `{columns, rows: [{phi_deg, values, reason}]}`, with
@@ -225,7 +224,7 @@ impl Simulator {
     /// # Errors
     /// Before the first `set`.
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
-        Ok(to_js(&SweepTable::of(self.moving()?, steps)))
+        Ok(to_js(&self.moves()?.table(steps)))
     }
 
     /// Of every constraint equation of the summary at a crank angle its left side,
@@ -235,7 +234,7 @@ impl Simulator {
     /// # Errors
     /// Why there are none: no pose, or derivatives unbounded.
     pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
-        self.moving()?.equations(input, order).map_err(one)
+        self.linkage()?.equations(input, order).map_err(one)
     }
 
     fn document(&self) -> Result<&dyn Capabilities, JsValue> {
@@ -243,15 +242,27 @@ impl Simulator {
         document.ok_or_else(|| one(bad("", "no state has been set")))
     }
 
-    fn moving(&self) -> Result<&Moving, JsValue> {
-        let moving = self.document()?.moving();
-        moving.ok_or_else(|| one(bad("", "nothing moves")))
+    fn moves(&self) -> Result<&dyn Moves, JsValue> {
+        let moves = self.document()?.moves();
+        moves.ok_or_else(|| one(bad("", "nothing moves")))
+    }
+
+    fn linkage(&self) -> Result<&Moving, JsValue> {
+        let linkage = self.document()?.linkage();
+        linkage.ok_or_else(|| one(bad("", "no linkage moves")))
     }
 
     fn edited(&self) -> Result<&dyn Edited, JsValue> {
         let edited = self.document()?.edited();
         edited.ok_or_else(|| one(bad("", "nothing can be dragged")))
     }
+}
+
+/// A place of the drawing.
+fn place(x: f64, y: f64) -> Result<Point, JsValue> {
+    let place = Point::new(x, y);
+    let finite = place.coords.iter().all(|x| x.is_finite());
+    finite.then_some(place).ok_or_else(|| one(unknown("place")))
 }
 
 /// One problem as it is thrown.

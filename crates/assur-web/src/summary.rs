@@ -10,6 +10,7 @@ use assur::{Cycle, Grashof, Swing};
 use assur_draw::Figure;
 use serde::Serialize;
 
+use crate::capabilities::Moves;
 use crate::equations::EquationSummary;
 use crate::kinds::BECOMES;
 use crate::moving::{Moving, Reading};
@@ -21,6 +22,8 @@ use crate::profile::ProfileSummary;
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
+    /// Wheels whose meshes only repeat what the others do.
+    passive: Vec<&'a str>,
     class: String,
     order: usize,
     formula: String,
@@ -28,43 +31,53 @@ pub(crate) struct StructureSummary<'a> {
     roles: BTreeMap<&'a str, &'static str>,
 }
 
-/// All that is said of a motion; a kind adds what only it has.
+/// What is said of whatever moves.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct CourseSummary<'a> {
+    /// What the input is: `angle`, `length` or `time`.
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\" | \"time\""))]
+    pub(crate) moves: &'static str,
+    /// The number by which it is called.
+    pub(crate) input: &'a str,
+    pub(crate) cycle: CycleSummary,
+    pub(crate) home: f64,
+    pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
+    pub(crate) change_points: &'a [f64],
+    pub(crate) outputs: Vec<OutputSummary>,
+    /// The numbers of links, by which their angles are called.
+    pub(crate) numbers: &'a BTreeMap<String, String>,
+    pub(crate) listed: Vec<ListedSummary<'a>>,
+    /// What can be plotted together, by its name as a choice.
+    pub(crate) overviews: &'static [&'static str],
+    pub(crate) plotted: Vec<String>,
+    pub(crate) handles: Vec<HandleSummary<'a>>,
+    /// Whether points of its links can be traced.
+    pub(crate) traceable: bool,
+    /// The other kinds of document that can be made of it.
+    #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
+    pub(crate) becomes: &'static [&'static str],
+}
+
+/// All that is said of a linkage in motion; a kind adds what only it has.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MotionSummary<'a> {
-    /// What the input is: `angle` or `length`.
-    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
-    moves: &'static str,
-    /// The number by which it is called.
-    input: &'a str,
+    #[serde(flatten)]
+    course: CourseSummary<'a>,
     #[serde(flatten)]
     structure: StructureSummary<'a>,
-    cycle: CycleSummary,
-    home: f64,
     equations: Vec<EquationSummary<'a>>,
     assembly: usize,
     assemblies: usize,
-    dead_points: Vec<DeadPointSummary<'a>>,
-    change_points: &'a [f64],
     four_bars: Vec<FourBarSummary<'a>>,
     transmissions: Vec<TransmissionSummary<'a>>,
-    outputs: Vec<OutputSummary>,
-    /// The numbers of links, by which their angles are called.
-    numbers: &'a BTreeMap<String, String>,
     points: Vec<&'a str>,
-    listed: Vec<ListedSummary<'a>>,
-    plotted: Vec<String>,
-    handles: Vec<HandleSummary<'a>>,
-    /// Whether points of its links can be traced.
-    traceable: bool,
-    /// The other kinds of document that can be made of it.
-    #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
-    becomes: &'static [&'static str],
     profile: Option<ProfileSummary>,
 }
 
 /// Moving links, lower and higher pairs (a hinge of k links counting k − 1 times), degrees
-/// of freedom.
+/// of freedom, of which passive pairs take none.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {
@@ -78,10 +91,10 @@ pub(crate) struct CountsSummary {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CycleSummary {
-    start: f64,
-    end: f64,
-    full: bool,
-    arcs: Vec<[f64; 2]>,
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+    pub(crate) full: bool,
+    pub(crate) arcs: Vec<[f64; 2]>,
 }
 
 /// A term of the structural formula, and the colour its links have by it.
@@ -150,14 +163,17 @@ pub(crate) struct LimitSummary {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
-    name: String,
-    /// `angle`, `x`, `y` or `transmission`.
-    #[cfg_attr(test, ts(type = "\"angle\" | \"x\" | \"y\" | \"transmission\""))]
-    what: &'static str,
-    of: Vec<&'a str>,
+    pub(crate) name: String,
+    /// `angle`, `load_angle`, `x`, `y` or `transmission`.
+    #[cfg_attr(
+        test,
+        ts(type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\"")
+    )]
+    pub(crate) what: &'static str,
+    pub(crate) of: Vec<&'a str>,
     /// The number by which the angle is called.
-    number: Option<&'a str>,
-    role: &'static str,
+    pub(crate) number: Option<&'a str>,
+    pub(crate) role: &'static str,
 }
 
 #[derive(Serialize)]
@@ -181,8 +197,11 @@ impl<'a> StructureSummary<'a> {
                 links: counts.links,
                 lower: counts.lower_pairs,
                 higher: counts.higher_pairs,
-                mobility: counts.mobility,
+                mobility: counts.mobility + counts.passive as isize,
             },
+            passive: (mechanism.passive_wheels())
+                .map(|wheel| mechanism.link_name(wheel))
+                .collect(),
             class: roman(structure.class()),
             order: highest.map_or(1, |group| group.order()),
             formula: mechanism.formula(),
@@ -251,33 +270,37 @@ impl<'a> MotionSummary<'a> {
                 None => summed(&OutputProfile::new(motion, *plotted)),
             }
         });
-        Self {
+        let course = CourseSummary {
             moves: if mechanism.turns() { "angle" } else { "length" },
             input: moving.input_number(),
             cycle: CycleSummary::new(motion.cycle()),
-            structure: StructureSummary::new(mechanism, figure),
             home: motion.home(),
+            dead_points: dead_points.collect(),
+            change_points: motion.change_points(),
+            outputs: (profiles.iter())
+                .map(|(name, profile)| OutputSummary::new(name, profile))
+                .collect(),
+            numbers: moving.numbers(),
+            listed: (moving.listed())
+                .map(|reading| ListedSummary::new(moving, reading))
+                .collect(),
+            overviews: &["angles"],
+            plotted: plotted.map(|one| one.name(mechanism, 0)).collect(),
+            handles: handles.collect(),
+            traceable: moving.traceable(),
+            becomes: &BECOMES,
+        };
+        Self {
+            course,
+            structure: StructureSummary::new(mechanism, figure),
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
             assembly: moving.assembly(),
             assemblies: mechanism.assemblies(),
-            dead_points: dead_points.collect(),
-            change_points: motion.change_points(),
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
-            outputs: (profiles.iter())
-                .map(|(name, profile)| OutputSummary::new(name, profile))
-                .collect(),
-            numbers: moving.numbers(),
             points: mechanism.points().collect(),
-            plotted: plotted.clone().map(|one| one.name(mechanism, 0)).collect(),
-            listed: (moving.listed())
-                .map(|reading| ListedSummary::new(moving, reading))
-                .collect(),
-            handles: handles.collect(),
-            traceable: moving.traceable(),
-            becomes: &BECOMES,
             profile: first,
         }
     }

@@ -9,6 +9,10 @@ use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLay
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
+use crate::kinds::gear_train::summary::{
+    BodyNumbers, GearTrainSummary, HaltSummary, IdentitySummary, MobilitySummary, PullSummary,
+    RatioSummary, ShaftNumbers, SuggestionSummary, TrainConditionSummary, VelocitySummary,
+};
 use crate::kinds::linkage::{LinkageSummary, RateSummary};
 use crate::kinds::mixer::MixerSummary;
 use crate::kinds::scheme::summary::{
@@ -23,9 +27,9 @@ use crate::kinds::synthesis::wanted::{
 };
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
-    Between, CountsSummary, CycleSummary, DeadPointSummary, FourBarSummary, GroupSummary,
-    HandleSummary, LimitSummary, ListedSummary, MotionSummary, OutputSummary, StructureSummary,
-    TransmissionSummary,
+    Between, CountsSummary, CourseSummary, CycleSummary, DeadPointSummary, FourBarSummary,
+    GroupSummary, HandleSummary, LimitSummary, ListedSummary, MotionSummary, OutputSummary,
+    StructureSummary, TransmissionSummary,
 };
 use crate::table::{SweepRow, SweepTable};
 
@@ -34,6 +38,7 @@ fn the_scripts_know_what_crosses_the_border() {
     let config = Config::new().with_large_int("number");
     let types = [
         StructureSummary::decl(&config),
+        CourseSummary::decl(&config),
         MotionSummary::decl(&config),
         LinkageSummary::decl(&config),
         RateSummary::decl(&config),
@@ -60,6 +65,17 @@ fn the_scripts_know_what_crosses_the_border() {
         ConditionSummary::decl(&config),
         TheoremSummary::decl(&config),
         PrintedSummary::decl(&config),
+        GearTrainSummary::decl(&config),
+        BodyNumbers::decl(&config),
+        ShaftNumbers::decl(&config),
+        RatioSummary::decl(&config),
+        IdentitySummary::decl(&config),
+        TrainConditionSummary::decl(&config),
+        SuggestionSummary::decl(&config),
+        MobilitySummary::decl(&config),
+        VelocitySummary::decl(&config),
+        PullSummary::decl(&config),
+        HaltSummary::decl(&config),
         CountsSummary::decl(&config),
         CycleSummary::decl(&config),
         GroupSummary::decl(&config),
@@ -90,7 +106,7 @@ fn the_scripts_know_what_crosses_the_border() {
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
                  import { KindDocument, LinkageDocument } from \"assur/types/file.js\";\n\
-                 export type Summaries = { linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
+                 export type Summaries = { \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))
         .concat();

@@ -39,7 +39,9 @@ fn changed(file: &str, from: &str, to: &str) -> String {
 
 #[wasm_bindgen_test]
 fn every_mechanism_of_the_catalogue_is_taken() {
-    let names = assur_file::catalogue().chain(assur_file::schemes());
+    let names = assur_file::catalogue();
+    let names = names.chain(assur_file::trains());
+    let names = names.chain(assur_file::schemes());
     let names: Vec<&str> = names.collect();
     let all: Array = catalogue().unwrap().unchecked_into();
     assert_eq!(all.length() as usize, names.len());

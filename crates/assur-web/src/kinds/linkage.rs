@@ -11,7 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::dimensions::DimensionSummary;
@@ -140,7 +140,11 @@ impl Capabilities for Linkage {
         self.0.figure().into()
     }
 
-    fn moving(&self) -> Option<&Moving> {
+    fn moves(&self) -> Option<&dyn Moves> {
+        Some(&self.0)
+    }
+
+    fn linkage(&self) -> Option<&Moving> {
         Some(&self.0)
     }
 
@@ -153,9 +157,7 @@ impl Edited for Linkage {
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
         let moving = &self.0;
         let mechanism = moving.mechanism();
-        let index = mechanism.point(point);
-        let index = index.filter(|_| to.coords.iter().all(|x| x.is_finite()));
-        let index = index.ok_or_else(|| unknown(point))?;
+        let index = mechanism.point(point).ok_or_else(|| unknown(point))?;
         if let Some(driven) = moving.driven_to(index, input, to) {
             return driven.map(Change::input);
         }

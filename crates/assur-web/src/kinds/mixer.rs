@@ -11,7 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::moving::Moving;
@@ -153,7 +153,11 @@ impl Capabilities for Mixer {
         self.moving.figure().into()
     }
 
-    fn moving(&self) -> Option<&Moving> {
+    fn moves(&self) -> Option<&dyn Moves> {
+        Some(&self.moving)
+    }
+
+    fn linkage(&self) -> Option<&Moving> {
         Some(&self.moving)
     }
 

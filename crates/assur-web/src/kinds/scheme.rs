@@ -3,10 +3,8 @@
 
 pub(crate) mod summary;
 
-use std::f64::consts::PI;
-
 use assur::Point;
-use assur::mobility::{Cut, SchemeDraft, Sections, generated};
+use assur::mobility::{SchemeDraft, Sections, generated};
 use assur_draw::{SchemeFigure, SchemeHandle, SchemeView};
 use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemeProblem, State};
 use serde::Serialize;
@@ -23,7 +21,6 @@ use summary::SchemeSummary;
 pub(crate) struct Scheme {
     document: SchemeDocument,
     scheme: assur::mobility::Scheme,
-    cuts: Vec<Cut>,
     /// What the cuts come to, or why they are not all that is needed, or too many.
     sections: Result<Sections, SchemeProblem>,
     figure: SchemeFigure,
@@ -36,8 +33,8 @@ impl Scheme {
         let scheme = document.scheme()?;
         let cuts = document.cuts(&scheme)?;
         let sections = scheme.sections(&cuts).map_err(SchemeProblem::from);
-        if let Err(SchemeProblem::CutTwice { .. }) = &sections {
-            return Err(sections.err().map(Problem::from).into_iter().collect());
+        if let Err(twice @ SchemeProblem::CutTwice { .. }) = sections {
+            return Err(vec![twice.into()]);
         }
         let marked = match &sections {
             Err(SchemeProblem::StillClosed { pairs }) if !cuts.is_empty() => {
@@ -48,9 +45,9 @@ impl Scheme {
         let ends = document.ends();
         let ends = ends.filter_map(|(link, at)| Some((scheme.link(link)?, at)));
         let view = SchemeView {
-            cuts: cuts.clone(),
+            cuts,
             ends: ends.collect(),
-            look: document.look_deg.map(|angle| angle * PI / 180.0),
+            look: document.look_deg.map(f64::to_radians),
             marked,
             counted: sections.is_ok() && document.task.is_none(),
         };
@@ -59,7 +56,6 @@ impl Scheme {
             document: document.clone(),
             handles: figure.handles(),
             scheme,
-            cuts,
             sections,
             figure,
         })
@@ -95,7 +91,8 @@ impl Capabilities for Scheme {
     fn rigid(&self) -> Rigid<'_> {
         Rigid {
             names: self.figure.names(),
-            list: self.figure.rigid(),
+            // All of it may open.
+            list: &[],
         }
     }
 
@@ -125,18 +122,13 @@ impl Edited for Scheme {
     /// A pair is moved where nothing is cut: an open chain is not where its pairs are.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
         let handle = self.handles.iter().find(|handle| handle.name == point);
-        let finite = to.coords.iter().all(|x| x.is_finite());
-        let handle = handle.filter(|_| finite).ok_or_else(|| unknown(point))?;
-        if !self.cuts.is_empty() || self.scheme.pairs()[handle.pair].links.len() > 2 {
+        let handle = handle.ok_or_else(|| unknown(point))?;
+        if !self.document.cut.is_empty() || self.scheme.pairs()[handle.pair].links.len() > 2 {
             return Ok(Change::default());
         }
         let mut pairs = self.document.pairs.clone();
         let at = self.figure.dragged(handle.pair, to);
-        pairs[handle.pair].at = Some(if self.scheme.is_planar() {
-            PlaceDocument::Plane([at.x, at.y])
-        } else {
-            PlaceDocument::Space(at.into())
-        });
+        pairs[handle.pair].at = Some(PlaceDocument::of(at, self.scheme.is_planar()));
         Ok(Change::document(&Pairs { pairs }))
     }
 

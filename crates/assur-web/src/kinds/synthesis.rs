@@ -17,7 +17,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
@@ -163,7 +163,11 @@ impl Capabilities for Synthesis {
         self.moving.figure().into()
     }
 
-    fn moving(&self) -> Option<&Moving> {
+    fn moves(&self) -> Option<&dyn Moves> {
+        Some(&self.moving)
+    }
+
+    fn linkage(&self) -> Option<&Moving> {
         Some(&self.moving)
     }
 
@@ -194,8 +198,7 @@ impl Edited for Synthesis {
         }
         let mut directions = Direction::all(&self.solved);
         let found = directions.find(|(direction, _)| direction.name() == point);
-        let finite = to.coords.iter().all(|x| x.is_finite());
-        let (direction, [pivot, _]) = found.filter(|_| finite).ok_or_else(|| unknown(point))?;
+        let (direction, [pivot, _]) = found.ok_or_else(|| unknown(point))?;
         let along = to - pivot;
         let angle = along.y.atan2(along.x);
         let mut positions = self.document.positions.clone();

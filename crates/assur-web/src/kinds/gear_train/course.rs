@@ -1,0 +1,350 @@
+//! What is read and plotted of a differential over time.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use assur::Jet;
+use assur::dynamics::{Body, Halt, Mesh, Reading, Recording};
+use assur::gears::train::{Shaft, Turned, Turning};
+use assur_draw::TrainPose;
+use assur_draw::chart::{At, Chart, Kind, Sample, Series};
+use assur_file::{GearTrainDocument, Problem};
+
+use super::GearTrain;
+use super::quantity::{BODIES, NUMBERS, Quantity, plotted};
+use crate::capabilities::Moves;
+use crate::here::Here;
+use crate::table::{SweepRow, SweepTable};
+
+/// A curve of what is not under load has so many samples.
+const SAMPLES: usize = 240;
+
+/// Derivatives in the names of read-outs.
+const STROKES: [&str; 3] = ["", "′", "″"];
+
+/// A differential over time, with what is plotted of it.
+pub(crate) struct Course {
+    pub(crate) train: assur_file::GearTrain,
+    observer: Option<Shaft>,
+    span: f64,
+    /// Under load.
+    recording: Option<Recording>,
+    /// The greatest torques of the fields, under load.
+    peaks: Option<[f64; 2]>,
+    plotted: Vec<Quantity>,
+    numbers: BTreeMap<String, String>,
+    /// The plots of a run, which has an end.
+    chart: Option<Chart>,
+}
+
+/// What is known of a time.
+struct Known {
+    /// As the observer sees it.
+    turned: Turned,
+    /// The angle of the ground for him.
+    ground: f64,
+    reading: Option<Reading>,
+}
+
+impl Course {
+    pub(crate) fn new(
+        train: assur_file::GearTrain,
+        document: &GearTrainDocument,
+        plot: &str,
+    ) -> Result<Self, Vec<Problem>> {
+        let differential = train.differential.as_ref().filter(|_| document.loaded);
+        let run = differential.map(|differential| train.run(differential));
+        let recording = run
+            .transpose()?
+            .map(|run| Recording::new(run, document.span_s));
+        let loaded = recording.is_some();
+        let plotted = plotted(plot, loaded).ok_or_else(|| {
+            let field = "plot".into();
+            vec![Problem::UnknownChoice { field }]
+        })?;
+        let peaks = differential.map(|differential| Mesh::ALL.map(|mesh| differential.peak(mesh)));
+        let numbers = BODIES.iter().zip(NUMBERS);
+        let mut course = Self {
+            peaks,
+            train,
+            observer: document.observer.shaft(),
+            span: document.span_s,
+            recording,
+            plotted,
+            numbers: numbers
+                .map(|(name, number)| ((*name).to_owned(), number.to_owned()))
+                .collect(),
+            chart: None,
+        };
+        course.chart = course.plotted_run();
+        Ok(course)
+    }
+
+    /// Whether it runs under load.
+    pub(crate) fn loaded(&self) -> bool {
+        self.recording.is_some()
+    }
+
+    /// Why a run ends before its span does.
+    pub(crate) fn halt(&self) -> Option<Halt> {
+        self.recording.as_ref().and_then(Recording::halt)
+    }
+
+    /// What is read at the end of a run.
+    pub(crate) fn last(&self) -> Option<Reading> {
+        let recording = self.recording.as_ref()?;
+        Some(recording.at(recording.end()).reading())
+    }
+
+    /// The end of its axis where it begins at 0.
+    pub(crate) fn end(&self) -> f64 {
+        self.recording.as_ref().map_or(self.span, Recording::end)
+    }
+
+    pub(crate) fn plotted(&self) -> &[Quantity] {
+        &self.plotted
+    }
+
+    pub(crate) fn numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
+    }
+
+    /// All quantities that are read.
+    fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        Quantity::all(self.loaded())
+    }
+
+    /// The names of what is read under load beyond the quantities.
+    fn names_of_run(&self) -> impl Iterator<Item = String> {
+        let names = OF_RUN.iter().filter(|_| self.loaded());
+        names.map(|name| (*name).to_owned())
+    }
+
+    fn known(&self, time: f64) -> Known {
+        match &self.recording {
+            Some(recording) => self.of_reading(recording.at(time).reading()),
+            None => self.seen(self.train.turning.at(time), None),
+        }
+    }
+
+    fn of_reading(&self, reading: Reading) -> Known {
+        self.seen(reading.turned(), Some(reading))
+    }
+
+    fn seen(&self, turned: Turned, reading: Option<Reading>) -> Known {
+        match self.observer {
+            Some(shaft) => Known {
+                ground: -turned.angles[shaft.index()].part(),
+                turned: turned.seen_from(shaft),
+                reading,
+            },
+            None => Known {
+                ground: 0.0,
+                turned,
+                reading,
+            },
+        }
+    }
+
+    fn pose(&self, known: &Known) -> TrainPose {
+        let of_peaks = |(reading, peaks): (&Reading, [f64; 2])| {
+            [0, 1].map(|mesh: usize| reading.meshes[mesh].torque / peaks[mesh])
+        };
+        TrainPose {
+            angles: known.turned.angles.map(|angle| angle.part()),
+            speeds: known.turned.speeds,
+            torques: known.reading.as_ref().zip(self.peaks).map(of_peaks),
+            ground: known.ground,
+        }
+    }
+
+    fn sample(&self, time: f64, known: &Known) -> At {
+        let jets = self.plotted.iter();
+        let jets = jets.map(|one| Jet::of_derivatives(known.rates(*one)));
+        let jets: Vec<Jet<3>> = jets.collect();
+        (time, Sample { jets, clear: true })
+    }
+
+    fn series(&self) -> Vec<Series> {
+        let series = self.plotted.iter().map(|one| Series {
+            name: one.name(),
+            role: one.role(),
+            features: Default::default(),
+        });
+        series.collect()
+    }
+
+    fn plotted_run(&self) -> Option<Chart> {
+        let recording = self.recording.as_ref()?;
+        let samples = recording.readings().map(|reading| {
+            let time = reading.time;
+            self.sample(time, &self.of_reading(reading))
+        });
+        let samples = samples.collect();
+        let span = [0.0, self.end()];
+        Some(Chart::by_time(span, Kind::Angle, self.series(), samples))
+    }
+
+    /// The plots over the span around a time: it goes on and on.
+    fn plotted_around(&self, time: f64) -> Chart {
+        let start = self.span * (on_axis(time) / self.span).floor();
+        let samples = (0..=SAMPLES).map(|step| {
+            let time = start + self.span * step as f64 / SAMPLES as f64;
+            self.sample(time, &self.known(time))
+        });
+        let span = [start, start + self.span];
+        Chart::by_time(span, Kind::Angle, self.series(), samples.collect())
+    }
+}
+
+/// A time as it can be taken; what is no number is none yet.
+fn on_axis(time: f64) -> f64 {
+    time.clamp(0.0, Turning::LONGEST).max(0.0)
+}
+
+impl Known {
+    /// A quantity with two derivatives by time.
+    fn rates(&self, quantity: Quantity) -> [f64; 3] {
+        match quantity {
+            Quantity::Angle(body) => {
+                let Turned {
+                    angles,
+                    speeds,
+                    accelerations,
+                    ..
+                } = &self.turned;
+                [angles[body].radians(), speeds[body], accelerations[body]]
+            }
+            // Asked for under load only.
+            Quantity::LoadAngle(mesh) => self.reading.as_ref().map_or([0.0; 3], |reading| {
+                let one = &reading.meshes[mesh];
+                [one.advance, one.slip_speed, one.slip_acceleration]
+            }),
+        }
+    }
+}
+
+/// The names of what is read of a run beyond angles, with the account of its energies.
+const OF_RUN: [&str; 11] = [
+    "sun.field",
+    "ring.field",
+    "sun.drive",
+    "carrier.drive",
+    "ring.drive",
+    "kinetic",
+    "potential",
+    "driven",
+    "dissipated",
+    "delivered",
+    "imbalance",
+];
+
+/// What is read so, in the order of the names.
+fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
+    let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
+    let energy = &reading.energy;
+    [
+        reading.mesh(Mesh::Sun).torque,
+        reading.mesh(Mesh::Ring).torque,
+        drive(Body::Sun),
+        drive(Body::Carrier),
+        drive(Body::Ring),
+        energy.kinetic,
+        energy.potential,
+        energy.driven,
+        energy.dissipated,
+        energy.delivered,
+        energy.imbalance(),
+    ]
+}
+
+impl Moves for GearTrain {
+    fn at(&self, input: f64) -> Result<Here, Problem> {
+        let input = on_axis(input);
+        let known = self.course.known(input);
+        let rates = |quantity| known.rates(quantity);
+        let rest = known.reading.iter().flat_map(of_run);
+        Ok(Here {
+            frame: self.figure.frame(&self.course.pose(&known)),
+            handles: Vec::new(),
+            readouts: [input]
+                .into_iter()
+                .chain(self.course.quantities().flat_map(rates))
+                .chain(rest)
+                .collect(),
+            plotted: (self.course.plotted.iter())
+                .flat_map(|one| rates(*one))
+                .collect(),
+        })
+    }
+
+    fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
+        let known = self.course.known(input);
+        let plotted = self.course.plotted.iter();
+        Ok(plotted.flat_map(|one| known.rates(*one)).collect())
+    }
+
+    fn why(&self, _input: f64) -> Option<Problem> {
+        None
+    }
+
+    fn readout_names(&self) -> Vec<String> {
+        let quantities = self.course.quantities().flat_map(|one| {
+            let name = one.name();
+            STROKES.map(|stroke| [&name, stroke].concat())
+        });
+        ["input".to_owned()]
+            .into_iter()
+            .chain(quantities)
+            .chain(self.course.names_of_run())
+            .collect()
+    }
+
+    /// A run begins again after its end; else time goes on.
+    fn advance(&self, input: f64, by: f64) -> (f64, f64) {
+        let next = input + by;
+        if !next.is_finite() {
+            (0.0, 1.0)
+        } else if self.course.loaded() {
+            // A run that halts at once has no length to go round.
+            let end = self.course.end();
+            (if end > 0.0 { next.rem_euclid(end) } else { 0.0 }, 1.0)
+        } else if next < 0.0 {
+            (-next, -1.0)
+        } else {
+            (next.min(Turning::LONGEST), 1.0)
+        }
+    }
+
+    fn chart(&self, around: f64) -> Cow<'_, Chart> {
+        match &self.course.chart {
+            Some(chart) => Cow::Borrowed(chart),
+            None => Cow::Owned(self.course.plotted_around(around)),
+        }
+    }
+
+    fn numbers(&self) -> &BTreeMap<String, String> {
+        self.course.numbers()
+    }
+
+    fn table(&self, steps: u32) -> SweepTable {
+        let steps = steps.max(1);
+        let row = |step: u32| {
+            let input = self.course.end() * f64::from(step) / f64::from(steps);
+            let known = self.course.known(input);
+            let quantities = self.course.quantities();
+            let rates = quantities.flat_map(|one| known.rates(one));
+            let rest = known.reading.iter().flat_map(of_run);
+            SweepRow {
+                input,
+                values: rates.chain(rest).map(Some).collect(),
+                reason: None,
+            }
+        };
+        let columns = self.course.quantities().flat_map(Quantity::columns);
+        SweepTable {
+            columns: columns.chain(self.course.names_of_run()).collect(),
+            rows: (0..=steps).map(row).collect(),
+        }
+    }
+}

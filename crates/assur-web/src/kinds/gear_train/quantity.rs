@@ -1,0 +1,74 @@
+//! What is read and plotted of a differential, by its names.
+
+use assur::dynamics::Mesh;
+use assur_draw::{Role, TrainFigure};
+
+/// The names of the bodies, in the order of [`Body::ALL`](assur::dynamics::Body::ALL), and their numbers.
+pub(crate) const BODIES: [&str; 4] = ["sun", "satellite", "carrier", "ring"];
+pub(crate) const NUMBERS: [&str; 4] = ["1", "2", "3", "4"];
+
+/// The names of the meshes, in the order of [`Mesh::ALL`]: those of their central wheels.
+pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
+
+/// A quantity with two derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Quantity {
+    /// The angle of a body, by its place in [`Body::ALL`](assur::dynamics::Body::ALL), as the observer sees it.
+    Angle(usize),
+    /// The load angle of a mesh, by its place in [`Mesh::ALL`], with all by which it has slipped.
+    LoadAngle(usize),
+}
+
+/// What a choice of the page plots; none of which there is nothing.
+pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
+    match plot {
+        "angles" => Some(Quantity::angles().collect()),
+        "load" if loaded => Some(Quantity::load_angles().collect()),
+        other => {
+            let found = Quantity::all(loaded).find(|quantity| quantity.name() == other);
+            found.map(|quantity| vec![quantity])
+        }
+    }
+}
+
+impl Quantity {
+    fn angles() -> impl Iterator<Item = Self> {
+        (0..BODIES.len()).map(Self::Angle)
+    }
+
+    fn load_angles() -> impl Iterator<Item = Self> {
+        (0..MESHES.len()).map(Self::LoadAngle)
+    }
+
+    /// All that are read, load angles under load only.
+    pub(crate) fn all(loaded: bool) -> impl Iterator<Item = Self> {
+        Self::angles().chain(Self::load_angles().filter(move |_| loaded))
+    }
+
+    /// Its name among read-outs and plots.
+    pub(crate) fn name(self) -> String {
+        let [name, _, _] = self.columns();
+        name
+    }
+
+    /// The names of it and its derivatives in tables, as those of a linkage have them.
+    pub(crate) fn columns(self) -> [String; 3] {
+        let (of, what) = match self {
+            Self::Angle(body) => (BODIES[body], "angle"),
+            Self::LoadAngle(mesh) => (MESHES[mesh], "load_angle"),
+        };
+        ["", "d", "dd"].map(|rate| format!("{of}.{rate}{what}"))
+    }
+
+    /// The place of the body whose it is.
+    pub(crate) fn body(self) -> usize {
+        match self {
+            Self::Angle(body) => body,
+            Self::LoadAngle(mesh) => Mesh::ALL[mesh].wheel().index(),
+        }
+    }
+
+    pub(crate) fn role(self) -> Role {
+        TrainFigure::roles()[self.body()]
+    }
+}

@@ -1,0 +1,394 @@
+//! What the page shows of a differential: speeds, ratios, conditions, torques, and how a run ends.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use assur::dynamics::{Body, Halt};
+use assur::gears::train::{
+    Condition, ConditionKind, Identity, Kind, Member, PointVelocity, Ratio, Relation, Shaft,
+    Shafts, Suggestion, Train, Turning,
+};
+use assur_draw::TrainFigure;
+use serde::Serialize;
+
+use super::GearTrain;
+use super::quantity::{BODIES, NUMBERS, Quantity};
+use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
+
+/// So many trains near by are told of.
+const SUGGESTED: usize = 5;
+
+/// The load can be set to so many times what the magnets hold.
+const OVERLOAD: f64 = 1.5;
+
+/// All that is said of a differential. Speeds are in revolutions per minute when all drives have risen.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct GearTrainSummary<'a> {
+    #[serde(flatten)]
+    course: CourseSummary<'a>,
+    bounds: [f64; 4],
+    /// The unit of the drawing.
+    #[cfg_attr(test, ts(type = "\"millimetres\""))]
+    lengths: &'static str,
+    roles: BTreeMap<&'static str, &'static str>,
+    /// The shaft that is not driven.
+    free: &'static str,
+    speeds: BodyNumbers,
+    /// a and b of a ω₁ + b ω₄ = (a + b) ω₃.
+    weights: [i64; 2],
+    ratios: Vec<RatioSummary>,
+    identities: Vec<IdentitySummary>,
+    conditions: Vec<TrainConditionSummary>,
+    /// Whether all conditions are met.
+    builds: bool,
+    /// Trains near by that can be built, where this one cannot.
+    suggestions: Vec<SuggestionSummary>,
+    /// z₂ with which gears of these z₁ and z₄ are in contact, where there is one.
+    in_contact: Option<u32>,
+    mobility: MobilitySummary,
+    /// Of magnets at sun and ring, mm.
+    gaps: Option<[f64; 2]>,
+    axis_distance: f64,
+    /// At the last speeds, mm and mm/s.
+    velocities: Option<VelocitySummary>,
+    /// Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
+    torques: ShaftNumbers,
+    powers: ShaftNumbers,
+    /// The torques that the magnets hold, N·m, each with the other shafts held.
+    limits: Option<BodyNumbers>,
+    /// Own frequencies of the meshes with sun and ring, Hz.
+    swings: Option<[f64; 2]>,
+    /// The greatest torque of the load, and how far it can be set, N·m.
+    load: Option<PullSummary>,
+    /// Periods by which the meshes with sun and ring have slipped at the end of a run.
+    slips: Option<[i64; 2]>,
+    halt: Option<HaltSummary>,
+}
+
+/// A number for each body.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct BodyNumbers {
+    sun: f64,
+    satellite: f64,
+    carrier: f64,
+    ring: f64,
+}
+
+/// A number for each shaft.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ShaftNumbers {
+    sun: f64,
+    carrier: f64,
+    ring: f64,
+}
+
+/// u = numerator/denominator: link `of` relative to link `to`, link `held` being held.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct RatioSummary {
+    name: String,
+    of: u8,
+    to: u8,
+    held: u8,
+    numerator: i64,
+    denominator: i64,
+    value: f64,
+    /// Whether it is the largest positive one.
+    largest: bool,
+}
+
+/// Two ratios whose sum is 1, by their names.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct IdentitySummary {
+    terms: [String; 2],
+    sum: f64,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct TrainConditionSummary {
+    kind: &'static str,
+    left: f64,
+    relation: &'static str,
+    right: f64,
+    met: bool,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SuggestionSummary {
+    z1: u32,
+    z2: u32,
+    z2_step: Option<u32>,
+    z4: u32,
+}
+
+/// n, P₁, P₂, W by the count, and how many constraints only repeat others.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MobilitySummary {
+    links: u32,
+    one_freedom: u32,
+    two_freedoms: u32,
+    mobility: i64,
+    passive: i64,
+}
+
+/// Points of the first satellite on the line from the main axis: how far off it, and how fast.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct VelocitySummary {
+    sun: [f64; 2],
+    centre: [f64; 2],
+    ring: [f64; 2],
+    instantaneous_centre: Option<f64>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PullSummary {
+    value: f64,
+    max: f64,
+}
+
+/// A run that could be followed no further: which body turned too fast, and when.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct HaltSummary {
+    body: &'static str,
+    time: f64,
+}
+
+/// The greatest torque among the knots of a load.
+pub(super) fn greatest(load: &[[f64; 2]]) -> f64 {
+    load.iter().map(|[_, torque]| *torque).fold(0.0, f64::max)
+}
+
+impl<'a> GearTrainSummary<'a> {
+    pub(crate) fn new(of: &'a GearTrain) -> Self {
+        let GearTrain {
+            document,
+            course,
+            figure,
+        } = of;
+        let train = &course.train;
+        let (layout, coupling) = (&train.layout, train.coupling);
+        let wheels = layout.train();
+        let differential = wheels.differential();
+        let speeds = train.turning.last_speeds();
+        let last = train.turning.at(Turning::LONGEST).speeds;
+        let in_radians = Shafts {
+            sun: last[0],
+            carrier: last[2],
+            ring: last[3],
+        };
+        let torques = differential.torques_relative_to(Shaft::Sun);
+        let powers = torques.powers(&speeds);
+        let builds = layout.can_be_built(coupling);
+        let suggestions = if builds {
+            Vec::new()
+        } else {
+            layout.suggestions(coupling, SUGGESTED)
+        };
+        let counts = layout.counts();
+        let meshes = assur::dynamics::Mesh::ALL;
+        let limits = train.differential.as_ref();
+        let free = train.turning.free();
+        let roles = BODIES.into_iter().zip(TrainFigure::roles());
+        let reading = course.last();
+        Self {
+            course: CourseSummary {
+                moves: "time",
+                input: "",
+                cycle: CycleSummary {
+                    start: 0.0,
+                    end: course.end(),
+                    full: !course.loaded(),
+                    arcs: vec![[0.0, course.end()]],
+                },
+                home: 0.0,
+                dead_points: Vec::new(),
+                change_points: &[],
+                outputs: Vec::new(),
+                numbers: course.numbers(),
+                listed: listed(course.loaded()),
+                overviews: if course.loaded() {
+                    &["angles", "load"]
+                } else {
+                    &["angles"]
+                },
+                plotted: course.plotted().iter().map(|one| one.name()).collect(),
+                handles: Vec::new(),
+                traceable: false,
+                becomes: &[],
+            },
+            bounds: figure.bounds(),
+            lengths: "millimetres",
+            roles: roles.map(|(name, role)| (name, role.name())).collect(),
+            free: BODIES[free.index()],
+            speeds: BodyNumbers {
+                sun: speeds.sun,
+                satellite: last[1] * 60.0 / TAU,
+                carrier: speeds.carrier,
+                ring: speeds.ring,
+            },
+            weights: [Shaft::Sun, Shaft::Ring].map(|shaft| differential.weight(shaft)),
+            ratios: (differential.ratios().iter())
+                .map(|ratio| RatioSummary::new(ratio, differential.is_largest(ratio)))
+                .collect(),
+            identities: differential.identities().map(IdentitySummary::new).into(),
+            conditions: (layout.conditions(coupling).iter())
+                .map(TrainConditionSummary::new)
+                .collect(),
+            builds,
+            suggestions: suggestions.iter().map(SuggestionSummary::new).collect(),
+            in_contact: in_contact(wheels),
+            mobility: MobilitySummary {
+                links: counts.links,
+                one_freedom: counts.one_freedom,
+                two_freedoms: counts.two_freedoms,
+                mobility: counts.mobility(),
+                passive: counts.passive(),
+            },
+            gaps: layout
+                .gaps()
+                .filter(|_| coupling == assur::gears::train::Coupling::Magnetic),
+            axis_distance: layout.axis_distance(coupling),
+            velocities: layout
+                .velocities(coupling, &in_radians)
+                .map(|found| VelocitySummary {
+                    sun: of_point(found.sun),
+                    centre: of_point(found.centre),
+                    ring: of_point(found.ring),
+                    instantaneous_centre: found.instantaneous_centre,
+                }),
+            torques: ShaftNumbers::new(&torques),
+            powers: ShaftNumbers::new(&powers),
+            limits: limits.map(|one| {
+                let [sun, satellite, carrier, ring] = Body::ALL.map(|body| one.static_limit(body));
+                BodyNumbers {
+                    sun,
+                    satellite,
+                    carrier,
+                    ring,
+                }
+            }),
+            swings: limits.map(|one| meshes.map(|mesh| one.swing_rate(mesh) / TAU)),
+            load: limits.map(|one| PullSummary {
+                value: greatest(&document.load),
+                max: OVERLOAD * one.static_limit(free.body()),
+            }),
+            slips: reading.map(|reading| reading.meshes.map(|mesh| mesh.slipped)),
+            halt: course
+                .halt()
+                .map(|Halt::TooFast { body, time }| HaltSummary {
+                    body: BODIES[body.index()],
+                    time,
+                }),
+        }
+    }
+}
+
+/// What is listed beside the drawing, whatever is plotted.
+fn listed(loaded: bool) -> Vec<ListedSummary<'static>> {
+    let one = |quantity: Quantity| ListedSummary {
+        name: quantity.name(),
+        what: match quantity {
+            Quantity::Angle(_) => "angle",
+            Quantity::LoadAngle(_) => "load_angle",
+        },
+        of: vec![BODIES[quantity.body()]],
+        number: Some(NUMBERS[quantity.body()]),
+        role: quantity.role().name(),
+    };
+    Quantity::all(loaded).map(one).collect()
+}
+
+fn in_contact(train: &Train) -> Option<u32> {
+    if train.kind() != Kind::Planar {
+        return None;
+    }
+    let [sun, ring] = [Member::Sun, Member::Ring].map(|member| f64::from(train.teeth(member)));
+    let found = Train::in_contact([sun, ring]).ok()??;
+    Some(found.teeth(Member::Satellite))
+}
+
+fn of_point(point: PointVelocity) -> [f64; 2] {
+    [point.radius, point.velocity]
+}
+
+impl ShaftNumbers {
+    fn new(shafts: &Shafts) -> Self {
+        Self {
+            sun: shafts.sun,
+            carrier: shafts.carrier,
+            ring: shafts.ring,
+        }
+    }
+}
+
+impl RatioSummary {
+    fn new(ratio: &Ratio, largest: bool) -> Self {
+        Self {
+            name: ratio.to_string(),
+            of: ratio.of.number(),
+            to: ratio.to.number(),
+            held: ratio.held.number(),
+            numerator: ratio.numerator,
+            denominator: ratio.denominator,
+            value: ratio.value(),
+            largest,
+        }
+    }
+}
+
+impl IdentitySummary {
+    fn new(identity: Identity) -> Self {
+        let (numerator, denominator) = identity.sum();
+        Self {
+            terms: identity.terms.map(|ratio| ratio.to_string()),
+            sum: numerator as f64 / denominator as f64,
+        }
+    }
+}
+
+impl TrainConditionSummary {
+    fn new(condition: &Condition) -> Self {
+        Self {
+            kind: match condition.kind {
+                ConditionKind::Coaxiality => "coaxiality",
+                ConditionKind::Room => "room",
+                ConditionKind::SunGap => "sun_gap",
+                ConditionKind::RingGap => "ring_gap",
+                ConditionKind::Assembly => "assembly",
+                ConditionKind::Neighbours => "neighbours",
+            },
+            left: condition.left,
+            relation: match condition.relation {
+                Relation::Equal => "=",
+                Relation::Greater => ">",
+                Relation::Less => "<",
+                Relation::Multiple => "multiple",
+            },
+            right: condition.right,
+            met: condition.met(),
+        }
+    }
+}
+
+impl SuggestionSummary {
+    fn new(suggestion: &Suggestion) -> Self {
+        let train = &suggestion.train;
+        let step = train.teeth(Member::Step);
+        Self {
+            z1: train.teeth(Member::Sun),
+            z2: train.teeth(Member::Satellite),
+            z2_step: (train.kind() == Kind::Stepped).then_some(step),
+            z4: train.teeth(Member::Ring),
+        }
+    }
+}

@@ -1,0 +1,536 @@
+//! A differential by time through the border, in a real browser: what is said of it, its places, plots and load.
+#![cfg(target_family = "wasm")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use assur_web::{Simulator, catalogue, role_names};
+use js_sys::JSON;
+use serde_json::{Value, json};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+fn value(value: &JsValue) -> Value {
+    let text: String = JSON::stringify(value).unwrap().into();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn js(value: &Value) -> JsValue {
+    JSON::parse(&value.to_string()).unwrap()
+}
+
+fn state(document: &Value, plot: &str) -> JsValue {
+    let view = json!({"phi_deg": 0, "playing": false, "direction": 1, "speed": 1, "traces": true, "lang": "en", "plot": plot});
+    js(&json!({"format": 2, "kind": "gear-train", "document": document, "view": view}))
+}
+
+fn known(name: &str) -> Value {
+    let all = value(&catalogue().unwrap());
+    let mut all = all.as_array().unwrap().iter();
+    let found = all.find(|preset| preset["id"] == name).unwrap();
+    assert_eq!(found["kind"], "gear-train");
+    found["document"].clone()
+}
+
+/// A train of the catalogue with some of it other, and what is said of it.
+fn opened(name: &str, plot: &str, changes: &Value) -> (Simulator, Value) {
+    let mut document = known(name);
+    for (key, other) in changes.as_object().unwrap() {
+        document[key] = other.clone();
+    }
+    let mut simulator = Simulator::new();
+    let summary = value(&simulator.set(state(&document, plot)).unwrap());
+    (simulator, summary)
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+fn near(found: &Value, expected: f64) {
+    let off = number(found) - expected;
+    assert!(
+        off.abs() < 1e-9 * (1.0 + expected.abs()),
+        "{found} {expected}"
+    );
+}
+
+/// The lists of `at`.
+fn lists(simulator: &Simulator, time: f64) -> [Vec<f64>; 4] {
+    let at = simulator.at(time).unwrap();
+    assert!(at.iter().all(|number| number.is_finite()), "{time}");
+    let mut from = 4;
+    let lists = [0, 1, 2, 3].map(|list| {
+        let length = at[list] as usize;
+        from += length;
+        at[from - length..from].to_vec()
+    });
+    assert_eq!(from, at.len());
+    lists
+}
+
+fn readout(simulator: &Simulator, time: f64, name: &str) -> f64 {
+    let names = simulator.readout_names().unwrap();
+    let place = names.iter().position(|one| one == name).unwrap();
+    lists(simulator, time)[2][place]
+}
+
+#[wasm_bindgen_test]
+fn speeds_ratios_conditions_and_limits() {
+    let (_, summary) = opened("train-magnets", "angles", &json!({}));
+    let speeds = &summary["speeds"];
+    // (20·60 + 43·12)/63, and the satellites less than the carrier by 2(60 − n₃).
+    let carrier = 1716.0 / 63.0;
+    for (name, speed) in [
+        ("sun", 60.0),
+        ("ring", 12.0),
+        ("carrier", carrier),
+        ("satellite", 3.0 * carrier - 120.0),
+    ] {
+        near(&speeds[name], speed);
+    }
+    assert_eq!(
+        (&summary["free"], &summary["weights"]),
+        (&json!("carrier"), &json!([20, 43]))
+    );
+    let ratios = summary["ratios"].as_array().unwrap();
+    assert_eq!(ratios.len(), 6);
+    let first = &ratios[0];
+    assert_eq!(
+        (&first["name"], &first["largest"]),
+        (&json!("1/3(4)"), &json!(true))
+    );
+    near(&first["value"], 63.0 / 20.0);
+    for identity in summary["identities"].as_array().unwrap() {
+        near(&identity["sum"], 1.0);
+    }
+    let conditions = summary["conditions"].as_array().unwrap();
+    let kinds: Vec<&str> = conditions
+        .iter()
+        .filter_map(|one| one["kind"].as_str())
+        .collect();
+    assert_eq!(
+        kinds,
+        ["room", "sun_gap", "ring_gap", "assembly", "neighbours"]
+    );
+    assert!(conditions.iter().all(|one| one["met"] == true));
+    assert_eq!(
+        (&summary["builds"], &summary["suggestions"]),
+        (&json!(true), &json!([]))
+    );
+    assert_eq!(summary["gaps"], json!([3, 3]));
+    let mobility = &summary["mobility"];
+    assert_eq!(
+        (&mobility["mobility"], &mobility["passive"]),
+        (&json!(0), &json!(2))
+    );
+    // kT/p: 3·2/20 of the sun, 3·5/43 of the ring; the weaker holds.
+    for (name, limit) in [
+        ("sun", 6.0),
+        ("ring", 12.9),
+        ("carrier", 18.9),
+        ("satellite", 10.0 * (0.3 + 15.0 / 43.0)),
+    ] {
+        near(&summary["limits"][name], limit);
+    }
+    near(&summary["load"]["value"], 8.0);
+    near(&summary["load"]["max"], 1.5 * 18.9);
+    assert_eq!(
+        (&summary["slips"], &summary["halt"]),
+        (&Value::Null, &Value::Null)
+    );
+    let powers = &summary["powers"];
+    let sum: f64 = ["sun", "carrier", "ring"]
+        .map(|name| number(&powers[name]))
+        .iter()
+        .sum();
+    assert!(sum.abs() < 1e-9, "{powers}");
+    // Where teeth or forms are others nothing is followed under load.
+    for name in ["train-gears", "train-stepped", "train-bevel"] {
+        let (_, summary) = opened(name, "angles", &json!({}));
+        assert_eq!(
+            (&summary["builds"], &summary["limits"]),
+            (&json!(true), &Value::Null),
+            "{name}"
+        );
+    }
+    let (_, summary) = opened("train-magnets", "angles", &json!({"satellites": 4}));
+    assert_eq!(summary["builds"], false);
+    assert_eq!(summary["suggestions"].as_array().unwrap().len(), 5);
+}
+
+#[wasm_bindgen_test]
+fn a_place_has_all_that_is_named() {
+    for (name, plot, loaded) in [
+        ("train-magnets", "angles", false),
+        ("train-magnets", "angles", true),
+        ("train-magnets", "load", true),
+        ("train-magnets", "sun.angle", true),
+        ("train-magnets", "ring.load_angle", true),
+        ("train-gears", "satellite.angle", false),
+        ("train-stepped", "angles", false),
+        ("train-bevel", "angles", false),
+    ] {
+        let (simulator, summary) = opened(name, plot, &json!({"loaded": loaded, "span_s": 1}));
+        let names = simulator.readout_names().unwrap();
+        let quantities = if loaded { 6 } else { 4 };
+        let rest = if loaded { 11 } else { 0 };
+        assert_eq!(names.len(), 1 + 3 * quantities + rest);
+        let plotted = summary["plotted"].as_array().unwrap();
+        let expected = match plot {
+            "angles" => 4,
+            "load" => 2,
+            _ => 1,
+        };
+        assert_eq!(plotted.len(), expected);
+        assert_eq!(summary["listed"].as_array().unwrap().len(), quantities);
+        for listed in summary["listed"].as_array().unwrap() {
+            assert!(
+                names.iter().any(|one| listed["name"] == json!(one)),
+                "{listed}"
+            );
+        }
+        for time in [0.0, 0.3, 1.0] {
+            let [now, handles, readouts, values] = lists(&simulator, time);
+            assert!(!now.is_empty());
+            assert_eq!(
+                (handles.len(), readouts.len(), values.len()),
+                (0, names.len(), 3 * expected)
+            );
+            assert_eq!(readouts[0], time);
+            assert_eq!(simulator.plotted(time).unwrap(), values);
+            for (at, one) in plotted.iter().enumerate() {
+                let place = names.iter().position(|name| one == name).unwrap();
+                assert_eq!(values[3 * at..3 * at + 3], readouts[place..place + 3]);
+            }
+        }
+        for wrong in [f64::NAN, -1.0, f64::INFINITY, 1e300] {
+            lists(&simulator, wrong);
+        }
+        // Bevel wheels are drawn anew in every frame.
+        let empty = simulator.scene().unwrap().is_empty();
+        assert_eq!(empty, name == "train-bevel");
+    }
+}
+
+#[wasm_bindgen_test]
+fn unknown_plots_are_refused_and_the_last_state_is_kept() {
+    let (mut simulator, _) = opened("train-magnets", "angles", &json!({}));
+    let before = simulator.at(2.0).unwrap();
+    let document = known("train-magnets");
+    for plot in ["load", "sun.load_angle", "planet.angle", "carrier"] {
+        let thrown = value(&simulator.set(state(&document, plot)).unwrap_err());
+        assert_eq!(
+            thrown,
+            json!([{"code": "unknown_choice", "field": "plot"}]),
+            "{plot}"
+        );
+    }
+    for (field, wrong, code) in [
+        ("z4", json!(20), "ring_not_larger"),
+        ("z4", json!(38), "contact"),
+        ("drives", json!([]), "drive_count"),
+        ("span_s", json!(1e9), "out_of_range"),
+        ("z1", json!("many"), "bad_state"),
+    ] {
+        let mut damaged = document.clone();
+        damaged[field] = wrong;
+        let thrown = value(&simulator.set(state(&damaged, "angles")).unwrap_err());
+        assert_eq!(thrown[0]["code"], code, "{thrown}");
+    }
+    assert_eq!(simulator.at(2.0).unwrap(), before);
+    assert_eq!(value(&simulator.why(1.0).unwrap()), json!([]));
+}
+
+#[wasm_bindgen_test]
+fn time_goes_on_and_a_run_begins_again() {
+    let (simulator, summary) = opened("train-magnets", "angles", &json!({}));
+    assert_eq!(summary["cycle"]["end"], 6);
+    let advance =
+        |simulator: &Simulator, input: f64, by: f64| simulator.advance(input, by).unwrap();
+    assert_eq!(advance(&simulator, 1e5, 7.0), [1e5 + 7.0, 1.0]);
+    assert_eq!(advance(&simulator, 1.0, -3.0), [2.0, -1.0]);
+    assert_eq!(advance(&simulator, 1e6, 7.0), [1e6, 1.0]);
+    assert_eq!(advance(&simulator, 1.0, f64::NAN)[0], 0.0);
+    let (simulator, summary) = opened(
+        "train-magnets",
+        "load",
+        &json!({"loaded": true, "span_s": 2}),
+    );
+    assert_eq!(
+        (&summary["cycle"]["end"], &summary["cycle"]["full"]),
+        (&json!(2), &json!(false))
+    );
+    assert_eq!(advance(&simulator, 1.5, 1.0), [0.5, 1.0]);
+    assert_eq!(advance(&simulator, 0.5, -1.0), [1.5, 1.0]);
+}
+
+/// Sun 60 and ring 12 a minute: 10,000 turns of the sun take 10,000 s.
+#[wasm_bindgen_test]
+fn angles_are_told_after_ten_thousand_turns() {
+    let (simulator, _) = opened("train-magnets", "angles", &json!({}));
+    let turn = std::f64::consts::TAU;
+    assert_eq!(readout(&simulator, 10_000.0, "sun.angle"), 10_000.0 * turn);
+    assert_eq!(readout(&simulator, 10_000.0, "ring.angle"), 2_000.0 * turn);
+    let carrier = readout(&simulator, 10_000.0, "carrier.angle");
+    assert!(
+        (carrier - 286_000.0 / 63.0 * turn).abs() < 1e-11,
+        "{carrier}"
+    );
+}
+
+#[wasm_bindgen_test]
+fn observers_see_their_shaft_at_rest() {
+    for (name, loaded) in [
+        ("train-magnets", false),
+        ("train-magnets", true),
+        ("train-bevel", false),
+    ] {
+        let ground = json!({"loaded": loaded, "span_s": 1});
+        let (ground, _) = opened(name, "angles", &ground);
+        for observer in ["sun", "carrier", "ring"] {
+            let (seen, _) = opened(
+                name,
+                "angles",
+                &json!({"loaded": loaded, "span_s": 1, "observer": observer}),
+            );
+            for time in [0.25, 0.75] {
+                for stroke in ["", "′", "″"] {
+                    let of = |simulator: &Simulator, body: &str| {
+                        readout(simulator, time, &format!("{body}.angle{stroke}"))
+                    };
+                    assert_eq!(of(&seen, observer), 0.0, "{observer}{stroke}");
+                    for body in ["sun", "carrier", "ring"] {
+                        let relative = of(&ground, body) - of(&ground, observer);
+                        assert!(
+                            (of(&seen, body) - relative).abs() < 1e-9 * (1.0 + relative.abs()),
+                            "{body} {observer}{stroke}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// For who turns with the carrier of bevel wheels, satellites turn as they do for who stands on the ground.
+#[wasm_bindgen_test]
+fn bevel_satellites_turn_about_their_own_axes_for_everybody() {
+    let (ground, _) = opened("train-bevel", "angles", &json!({}));
+    let (carrier, _) = opened("train-bevel", "angles", &json!({"observer": "carrier"}));
+    let [one, other] = [&ground, &carrier].map(|from| readout(from, 1.0, "satellite.angle′"));
+    // (30 − 36)·24/16 a minute.
+    let expected = -9.0 * std::f64::consts::TAU / 60.0;
+    assert!(
+        (one - expected).abs() < 1e-12 && (other - expected).abs() < 1e-12,
+        "{one} {other}"
+    );
+}
+
+#[wasm_bindgen_test]
+fn the_load_is_scaled_and_its_times_stay() {
+    let (simulator, _) = opened("train-magnets", "angles", &json!({}));
+    let set = |simulator: &Simulator, load: f64| {
+        value(&simulator.set_dimension("load", load, 0.0).unwrap())
+    };
+    let change = set(&simulator, 16.0);
+    assert_eq!(
+        change["document"]["load"],
+        json!([[1, 0], [3, 16], [4.5, 16], [5, 0]])
+    );
+    let nothing = set(&simulator, 0.0)["document"]["load"].clone();
+    assert_eq!(nothing, json!([[1, 0], [3, 0], [4.5, 0], [5, 0]]));
+    let (unloaded, summary) = opened("train-magnets", "angles", &json!({"load": nothing}));
+    assert_eq!(summary["load"]["value"], 0.0);
+    let again = set(&unloaded, 4.0);
+    assert_eq!(
+        again["document"]["load"],
+        json!([[1, 0], [3, 4], [4.5, 4], [5, 0]])
+    );
+    let (none, _) = opened("train-magnets", "angles", &json!({"load": []}));
+    let begun = set(&none, 4.0)["document"]["load"].clone();
+    assert_eq!(begun.as_array().unwrap().len(), 4);
+    let (_, summary) = opened(
+        "train-magnets",
+        "angles",
+        &json!({"load": begun, "loaded": true}),
+    );
+    near(&summary["load"]["value"], 4.0);
+    for (field, wrong, code) in [
+        ("load", f64::NAN, "not_a_number"),
+        ("load", -1.0, "out_of_range"),
+        ("z1", 30.0, "bad_state"),
+    ] {
+        let thrown = value(&simulator.set_dimension(field, wrong, 0.0).unwrap_err());
+        assert_eq!(thrown[0]["code"], code);
+    }
+    assert!(simulator.drag("sun", 0.0, 1.0, 1.0).is_err());
+    assert!(simulator.as_kind("scheme", 0.0).is_err());
+}
+
+#[wasm_bindgen_test]
+fn a_strong_load_makes_meshes_slip() {
+    let load =
+        |torque: f64| json!({"loaded": true, "load": [[1, 0], [3, torque], [4.5, torque], [5, 0]]});
+    let (_, summary) = opened("train-magnets", "load", &load(8.0));
+    assert_eq!(
+        (&summary["slips"], &summary["halt"]),
+        (&json!([0, 0]), &Value::Null)
+    );
+    let (simulator, summary) = opened("train-magnets", "load", &load(26.0));
+    let slips = summary["slips"].as_array().unwrap();
+    assert!(
+        slips.iter().any(|one| one.as_i64().unwrap().abs() > 5),
+        "{slips:?}"
+    );
+    // The load angle goes on with every period that slips.
+    let mesh = if slips[0].as_i64().unwrap().abs() > 5 {
+        0
+    } else {
+        1
+    };
+    let (name, plates) = [("sun", 20.0), ("ring", 43.0)][mesh];
+    let angle = readout(&simulator, 6.0, &format!("{name}.load_angle"));
+    let periods = angle / (std::f64::consts::TAU / plates);
+    assert!(
+        (periods - number(&slips[mesh])).abs() < 0.5,
+        "{periods} {slips:?}"
+    );
+    let imbalance = readout(&simulator, 6.0, "imbalance") / readout(&simulator, 6.0, "driven");
+    assert!(imbalance.abs() < 1e-6, "{imbalance}");
+}
+
+/// What runs away at once can be shown all the same.
+#[wasm_bindgen_test]
+fn a_run_that_halts_at_once_is_shown() {
+    let load = json!({"loaded": true, "load": [[0, -1e9]], "bodies": {"damping": [0, 0, 0, 0]}});
+    let (simulator, summary) = opened("train-magnets", "load", &load);
+    assert_eq!(summary["cycle"]["end"], 0);
+    assert_eq!(summary["halt"]["time"], 0);
+    assert_eq!(simulator.advance(0.0, 0.1).unwrap(), [0.0, 1.0]);
+    lists(&simulator, 3.0);
+    chart(&simulator, 0.0);
+}
+
+fn chart(simulator: &Simulator, around: f64) -> Value {
+    let document = web_sys::window().unwrap().document().unwrap();
+    let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
+    let context: CanvasRenderingContext2d =
+        canvas.get_context("2d").unwrap().unwrap().unchecked_into();
+    let request =
+        js(&json!({"width": 400, "height": 600, "palette": vec![[0, 0, 0]; role_names().len()]}));
+    js_sys::Reflect::set(&request, &"around".into(), &around.into()).unwrap();
+    value(&simulator.chart(&context, request).unwrap())
+}
+
+#[wasm_bindgen_test]
+fn plots_go_on_around_a_time() {
+    let (simulator, _) = opened("train-magnets", "angles", &json!({}));
+    for (around, start) in [
+        (0.0, 0.0),
+        (5.9, 0.0),
+        (6.1, 6.0),
+        (6000.5, 6000.0),
+        (-3.0, 0.0),
+        (f64::NAN, 0.0),
+        (f64::INFINITY, 999_996.0),
+    ] {
+        let chart = chart(&simulator, around);
+        let panels = chart["panels"].as_array().unwrap();
+        assert_eq!(panels.len(), 3);
+        for panel in panels {
+            let axis = [&panel["x0"], &panel["x1"]].map(number);
+            assert_eq!(axis, [start, start + 6.0], "{around}");
+            assert_eq!(panel["series"].as_array().unwrap().len(), 4);
+        }
+    }
+    let (run, _) = opened(
+        "train-magnets",
+        "load",
+        &json!({"loaded": true, "span_s": 2}),
+    );
+    for around in [0.0, 100.0] {
+        let panel = &chart(&run, around)["panels"][0];
+        assert_eq!((&panel["x0"], &panel["x1"]), (&json!(0), &json!(2)));
+        assert_eq!(panel["series"].as_array().unwrap().len(), 2);
+    }
+}
+
+#[wasm_bindgen_test]
+fn the_table_has_a_row_for_every_step() {
+    for loaded in [false, true] {
+        let (simulator, _) = opened(
+            "train-magnets",
+            "angles",
+            &json!({"loaded": loaded, "span_s": 1}),
+        );
+        let table = value(&simulator.sweep(8).unwrap());
+        let names = simulator.readout_names().unwrap();
+        let column = |name: &String| match name.split_once('.') {
+            Some((of, what)) if what.ends_with('′') => {
+                format!("{of}.d{}", what.trim_end_matches('′'))
+            }
+            Some((of, what)) if what.ends_with('″') => {
+                format!("{of}.dd{}", what.trim_end_matches('″'))
+            }
+            _ => name.clone(),
+        };
+        let columns: Vec<String> = names[1..].iter().map(column).collect();
+        assert_eq!(table["columns"], json!(columns));
+        let rows = table["rows"].as_array().unwrap();
+        assert_eq!(rows.len(), 9);
+        for (step, row) in rows.iter().enumerate() {
+            let time = step as f64 / 8.0;
+            assert_eq!(
+                (number(&row["input"]), &row["reason"]),
+                (time, &Value::Null)
+            );
+            let values: Vec<f64> = row["values"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(number)
+                .collect();
+            let expected = &lists(&simulator, time)[2][1..];
+            assert_eq!(values.len(), expected.len());
+            // Numbers that go through text may differ in their last digit.
+            for (value, expected) in values.iter().zip(expected) {
+                let off = (value - expected).abs();
+                assert!(off <= 1e-15 * expected.abs(), "{value} {expected}");
+            }
+        }
+    }
+}
+
+/// How long it takes: told, not asserted.
+#[wasm_bindgen_test]
+fn how_long_it_takes() {
+    let now = || web_sys::window().unwrap().performance().unwrap().now();
+    for (what, loaded, torque) in [
+        ("nothing slips", false, 8.0),
+        ("synchronous run", true, 8.0),
+        ("slipping run", true, 26.0),
+    ] {
+        let mut document = known("train-magnets");
+        document["loaded"] = json!(loaded);
+        document["load"] = json!([[1, 0], [3, torque], [4.5, torque], [5, 0]]);
+        let state = state(&document, "angles");
+        let mut simulator = Simulator::new();
+        let start = now();
+        for _ in 0..5 {
+            simulator.set(state.clone()).unwrap();
+        }
+        let set = (now() - start) / 5.0;
+        let start = now();
+        for step in 0..1000 {
+            simulator.at(f64::from(step) * 0.006).unwrap();
+        }
+        let at = (now() - start) / 1000.0;
+        console_log!("time: {what}: set {set:.1} ms, at {at:.4} ms");
+    }
+}
