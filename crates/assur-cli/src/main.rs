@@ -53,7 +53,7 @@ enum Command {
         #[arg(long, value_name = "N")]
         assembly: Option<usize>,
     },
-    /// Shows mobility, class, formula and the Assur groups in their order.
+    /// Shows mobility, class, formula, passive wheels and the Assur groups in their order.
     Structure {
         /// Catalogue name or file.
         name: String,

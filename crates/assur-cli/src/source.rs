@@ -2,7 +2,7 @@
 
 use std::io;
 
-use assur::mobility::{Cut, Scheme, SchemeDefect, SchemeDraft};
+use assur::mobility::{Cut, Scheme, SchemeDraft};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
 
@@ -62,10 +62,7 @@ pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
     let pose = motion
         .pose::<1>(motion.home())
         .map_err(|reason| refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()]))?;
-    let defective = |defects: Vec<SchemeDefect>| {
-        let problems = defects.into_iter().map(SchemeProblem::from);
-        refuse(problems.map(Problem::from).collect())
-    };
+    let defective = |defects| refuse(SchemeProblem::all(defects));
     let scheme = Scheme::new(&SchemeDraft::of(mechanism, &pose)).map_err(defective)?;
     let cuts = Vec::new();
     Ok(Schemed { scheme, cuts })

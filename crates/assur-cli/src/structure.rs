@@ -30,6 +30,12 @@ pub(crate) fn write(out: &mut impl Write, motion: &Motion, as_json: bool) -> Res
     for key in ["links", "mobility", "class", "formula", "assemblies"] {
         writeln!(out, "{key:<11} {}", word(&described[key]))?;
     }
+    if described["passive"]
+        .as_array()
+        .is_some_and(|passive| !passive.is_empty())
+    {
+        writeln!(out, "{:<11} {}", "passive", word(&described["passive"]))?;
+    }
     for (k, step) in described["steps"]
         .as_array()
         .into_iter()
@@ -91,6 +97,8 @@ fn described(motion: &Motion) -> Value {
             let links: Vec<&str> = motion.links_at(end).collect();
             json!({key: at, "kind": end.kind.code(), "links": links})
         });
+    let passive = mechanism.passive_wheels();
+    let passive = passive.map(|wheel| mechanism.link_name(wheel));
     json!({
         "links": mechanism.links().collect::<Vec<_>>(),
         "drivers": drivers(mechanism),
@@ -98,6 +106,8 @@ fn described(motion: &Motion) -> Value {
         "mobility": driving,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
+        // Wheels that repeat what others do, as further satellites.
+        "passive": passive.collect::<Vec<_>>(),
         "assemblies": mechanism.assemblies(),
         "drawn_assembly": mechanism.drawn_assembly() + 1,
         "steps": steps.collect::<Vec<_>>(),

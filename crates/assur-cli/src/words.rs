@@ -6,7 +6,7 @@ use assur_file::Problem;
 use serde::Deserialize;
 use serde_json::{Error, Map, Value};
 
-/// The English tables: what all kinds have, and what schemes have of their own.
+/// The English tables: what all kinds have, and what schemes and differentials have of their own.
 pub(crate) struct Words(BTreeMap<String, String>);
 
 /// A problem as it is written for programs.
@@ -24,6 +24,7 @@ impl Words {
         let tables = [
             include_str!("../../../lang/en.json"),
             include_str!("../../../www/kinds/scheme/words.en.json"),
+            include_str!("../../../www/kinds/gear-train/words.en.json"),
         ];
         let tables = tables
             .into_iter()

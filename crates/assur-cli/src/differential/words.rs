@@ -37,6 +37,15 @@ pub(super) fn input_error(error: &InputError) -> String {
         InputError::Number { shaft, fault } => {
             number(&format!("{} or its tie", speed(shaft)), fault)
         }
+        InputError::Rise { shaft, fault } => {
+            number(&format!("the time in which {} rises", speed(shaft)), fault)
+        }
+        InputError::TooFast {
+            shaft,
+            speed: value,
+        } => {
+            format!("{} would be {value}, too fast", speed(shaft))
+        }
         InputError::TiedToItself { shaft } => format!("{} is tied to itself", speed(shaft)),
         InputError::Twice { shaft } => format!("{} is given twice", speed(shaft)),
         InputError::Underdetermined { given } => format!(
