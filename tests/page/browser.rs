@@ -350,8 +350,12 @@ impl Page {
 
     /// The number behind a read-out.
     pub(crate) async fn value(&self, id: &str) -> f64 {
-        let value = self.attribute(id, "data-value").await;
-        let value = value.unwrap_or_else(|| panic!("{id} has no value"));
+        // At once: between finding and reading it a table may be built anew.
+        let script = format!("return document.getElementById('{id}')?.dataset.value ?? null;");
+        let value = self.ask(&script).await;
+        let value = value
+            .as_str()
+            .unwrap_or_else(|| panic!("{id} has no value"));
         value
             .parse()
             .unwrap_or_else(|_| panic!("{id} shows {value}"))

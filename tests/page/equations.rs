@@ -93,8 +93,10 @@ async fn equations_stand_in_numbers() {
     assert_eq!(page.value("out-input").await, 75.0);
     let last = shown(&page, 10).await;
     page.write("field-length-0", "40").await;
-    page.until("a sentence", async || page.text("problem").await != "")
-        .await;
+    page.until("a sentence", async || {
+        !page.text("problem").await.is_empty()
+    })
+    .await;
     assert_eq!(shown(&page, 10).await, last);
     page.close().await;
 }

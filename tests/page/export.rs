@@ -58,7 +58,7 @@ impl Csv {
         let cells = |line: &str| line.split(',').map(str::to_owned).collect();
         let mut rows: Vec<Vec<String>> = text.lines().map(cells).collect();
         let header = rows.remove(0);
-        assert!(["phi_deg", "s"].contains(&&*header[0]), "{header:?}");
+        assert!(["phi_deg", "s", "t"].contains(&&*header[0]), "{header:?}");
         assert_eq!(header.last().unwrap(), "reason");
         for row in &rows {
             assert_eq!(row.len(), header.len(), "{row:?}");

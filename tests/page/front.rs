@@ -143,6 +143,7 @@ async fn every_card_has_its_picture() {
     let ids: Vec<String> = shown(&page).await;
     let mut expected: Vec<String> = assur_file::catalogue()
         .chain(assur_file::schemes())
+        .chain(assur_file::trains())
         .map(str::to_owned)
         .collect();
     let lessons = ids
@@ -309,7 +310,7 @@ async fn take(page: &Page, id: &str, name: &str) {
     page.until(name, async || {
         page.text("mechanism-name").await.contains(name)
             && page.count("#out-formula").await == 1
-            && page.text("out-formula").await != ""
+            && !page.text("out-formula").await.is_empty()
     })
     .await;
     page.settle().await;

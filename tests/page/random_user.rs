@@ -35,7 +35,7 @@ const NONSENSE: &str = r"
     const text = document.body.innerText;
     const labels = [...document.querySelectorAll('[aria-label], [aria-valuetext]')]
         .map((one) => `${one.ariaLabel} ${one.ariaValueText}`).join(' ');
-    const values = [...document.querySelectorAll('input')].map((one) => one.dataset.typed ? '' : one.value).join(' ');
+    const values = [...document.querySelectorAll('input')].map((one) => one.dataset.typed ? '' : `${one.id} ${one.value}`).join(' ');
     // A range may have no end.
     const nonsense = /.{0,30}(?:\bNaN\b|undefined|Infinity|(?<!(?:…|<) )∞|\[object).{0,30}/g;
     return `${text} ${labels} ${values}`.match(nonsense) ?? [];";
@@ -281,6 +281,12 @@ const SCHEME: &str = "#2&kind=scheme&d.planar=true&d.ground=%220%22&d.cut=%5B%22
     at%22:%5B6,0%5D%7D%5D\
     &v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
 
+/// A differential under load, near its limit.
+const TRAIN: &str = "#2&kind=gear-train&d.z1=20&d.z2=10&d.z4=43&d.loaded=true\
+    &d.drives=%5B%7B%22shaft%22:%22sun%22,%22rpm%22:60%7D,%7B%22shaft%22:%22ring%22,%22rpm%22:12%7D%5D\
+    &d.load=%5B%5B1,0%5D,%5B3,10%5D,%5B4.5,10%5D,%5B5,0%5D%5D&v.phi_deg=0&v.t=1&v.plot=%22load%22\
+    &v.playing=true&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
+
 #[tokio::test]
 async fn nothing_breaks_whatever_somebody_does() {
     wander("").await;
@@ -294,6 +300,11 @@ async fn nothing_breaks_in_a_synthesis() {
 #[tokio::test]
 async fn nothing_breaks_in_a_scheme() {
     wander(SCHEME).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_in_a_train() {
+    wander(TRAIN).await;
 }
 
 /// Does whatever comes to hand, beginning at an address.

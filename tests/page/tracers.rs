@@ -93,6 +93,36 @@ async fn a_point_is_put_dragged_and_undone() {
     page.close().await;
 }
 
+/// While a mixer is refused, what is drawn may be of another kind: nothing of that comes into the mixer.
+#[tokio::test]
+async fn a_drawing_left_behind_puts_nothing_into_another_kind() {
+    let page = Page::open().await;
+    page.stop_at("60").await;
+    page.write("field-l1", "9").await;
+    page.until("a refusal", async || !page.text("problem").await.is_empty())
+        .await;
+    page.click("gallery").await;
+    page.until("the gallery", async || {
+        page.count("#gallery-jansen").await == 1
+    })
+    .await;
+    page.click("gallery-jansen").await;
+    page.until("a linkage", async || page.text("problem").await.is_empty())
+        .await;
+    page.click("undo").await;
+    page.until("the mixer", async || !page.text("problem").await.is_empty())
+        .await;
+    let problems = page.text("problem").await;
+    let drawn = page.element("mechanism").await.rect().await.unwrap();
+    page.click("trace").await;
+    page.drag_along("mechanism", &[(0.5 * drawn.width, 0.5 * drawn.height)])
+        .await;
+    page.settle().await;
+    assert_eq!(page.count("#tracers .card:not([hidden])").await, 0);
+    assert_eq!(page.text("problem").await, problems);
+    page.close().await;
+}
+
 #[tokio::test]
 async fn a_point_by_touch() {
     let page = Page::open().await;

@@ -90,7 +90,10 @@ function pose({ summary, coordinate, input, readouts, words }) {
 
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
-  const { summary: { formula, four_bars: bars, assembly, assemblies }, words } = snapshot;
+  const { summary, words } = snapshot;
+  // What is no linkage has a description of its own.
+  if (!("formula" in summary)) return pose(snapshot);
+  const { formula, four_bars: bars, assembly, assemblies } = summary;
   const types = bars.map(({ grashof }) => words.text(`grashof.${grashof}`));
   const [number, count] = [assembly, assemblies].map((one) => words.numbers.exact(one));
   const kind = words.text("told.kind", { type: types.join("; "), assembly: number, count });
@@ -118,8 +121,9 @@ function positions({ summary, coordinate, input, words }) {
  * @param {Snapshot} snapshot
  * @param {readonly Panel[]} panels
  */
-function plots({ summary: { cycle, listed }, coordinate, words }, panels) {
-  const axis = words.text(`told.axis.${coordinate.moves}`, { from: coordinate.text(cycle.start, words, 1), to: coordinate.text(cycle.end, words, 1) });
+function plots({ summary: { listed }, coordinate, place, words }, panels) {
+  const [from, to] = Object.values(coordinate.axis(place)).map((end) => coordinate.written(end, words, 1));
+  const axis = words.text(`told.axis.${coordinate.moves}`, { from, to });
   const told = panels.map((panel) => {
     const unit = words.text(unitOf(panel, coordinate), { power: powerOf(panel) });
     const curves = panel.series.map((one) => {

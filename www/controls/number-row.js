@@ -25,6 +25,8 @@ export class NumberRow {
   #box;
   /** @type {HTMLInputElement | null} */
   #slider = null;
+  /** @type {SliderRange | undefined} */
+  #range;
   /** @type {(value: number) => string} as it is read at a glance */
   #brief = String;
 
@@ -58,6 +60,7 @@ export class NumberRow {
       make("span", { "data-t": `name.${key}`, "data-n": n }),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
+    this.#range = slider;
     if (slider) {
       this.#slider = makeSlider(id, key, n, slider);
       this.#slider.addEventListener("input", () => {
@@ -72,13 +75,23 @@ export class NumberRow {
   }
 
   /**
+   * Another range of the slider, from the next value shown on.
+   * @param {number} min
+   * @param {number} max
+   */
+  fit(min, max) {
+    if (this.#range) this.#range = { ...this.#range, min, max };
+  }
+
+  /**
    * @param {number} value
    * @param {import("assur/core/words.js").Words} words
    * @param {boolean} invalid
    */
   show(value, words, invalid) {
     const { numbers } = words;
-    const { slider: range, unit = "", counted } = this.#kind;
+    const { unit = "", counted } = this.#kind;
+    const range = this.#range;
     this.#brief = (value) => numbers.brief(value) + unit;
     this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;

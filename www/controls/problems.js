@@ -14,6 +14,11 @@ import { called, entryNumber } from "assur/core/names.js";
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `points[8].x`. */
 const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
+/** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
+const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
+
+/** What stands for a link in a problem. */
+const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
 /**
  * @param {string} field
@@ -24,6 +29,8 @@ const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
 function fieldName(field, words, document) {
   const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
   if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at), words) ?? at });
+  const [, numbers, place] = NUMBER.exec(field) ?? [];
+  if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   return words.text(`field.${list}.${part}`, { n: entryNumber(list, Number(index)) });
@@ -59,7 +66,7 @@ export function sentence(problem, words, document) {
     else if (name === "path" && value === ".") places.path = words.text("field.state");
     else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
     else if (Array.isArray(value)) places[name] = value.map((one) => (name === "links" ? called(String(one), words) : one)).join(", ");
-    else if (name === "link") places.link = called(String(value), words);
+    else if (LINKS.includes(name)) places[name] = called(String(value), words);
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }
   return words.text(key, places);

@@ -34,6 +34,8 @@ export class Transport {
   #view = null;
   /** @type {Cycle | null} the cycle the scrubber was made for */
   #cycle = null;
+  /** Where its axis begins, as readers count. */
+  #start = 0;
   /** @type {[number, number][] | null} the parts of the scrubber where it can be assembled, if not all of them */
   #arcs = null;
   #lang = "";
@@ -70,8 +72,8 @@ export class Transport {
     const { summary, coordinate, place, words, legible } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
-    if (this.#cycle !== summary.cycle) this.#fit(snapshot);
-    const { start, end } = coordinate;
+    const { start, end } = coordinate.axis(place);
+    if (this.#cycle !== summary.cycle || this.#start !== start) this.#fit(snapshot, start);
     this.#bar.show(Math.min(Math.max((place - start) / (end - start), 0), 1), this.#arcs);
     if (legible) this.#write(snapshot);
   }
@@ -129,6 +131,8 @@ export class Transport {
     for (const option of this.#speed.options) {
       const times = { value: words.numbers.upTo(Number(option.value), 2) };
       option.textContent = option.value === TRUE_TIME ? words.text(`transport.true_time.${moves}`) : words.text("transport.times", times);
+      // Time itself is real already.
+      if (option.value === TRUE_TIME) option.hidden = moves === "time";
     }
   }
 
@@ -146,14 +150,17 @@ export class Transport {
   /**
    * The scrubber shows the whole axis; where nothing can be assembled its track is broken.
    * @param {Snapshot} snapshot
+   * @param {number} first as readers count
    */
-  #fit({ summary: { cycle }, coordinate, words }) {
+  #fit({ summary: { cycle }, coordinate, words }, first) {
     this.#cycle = cycle;
+    this.#start = first;
     const { start, end, full, arcs } = cycle;
-    this.#scrubber.min = String(coordinate.start);
-    this.#scrubber.max = String(coordinate.end);
+    this.#scrubber.min = String(first);
+    this.#scrubber.max = String(coordinate.last(first));
     const part = (/** @type {number} */ input) => (input - start) / (end - start);
-    this.#arcs = full ? null : arcs.map(([from, to]) => [part(from), part(to)]);
+    // A run goes through all its times, also where it has an end.
+    this.#arcs = full || coordinate.moves === "time" ? null : arcs.map(([from, to]) => [part(from), part(to)]);
     const { moves, step } = coordinate;
     write(this.#symbol, coordinate.symbol);
     const size = words.numbers.short(step) + (moves === "angle" ? "°" : "");

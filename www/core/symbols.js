@@ -4,6 +4,7 @@ import { called } from "assur/core/names.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const LETTERS = Object.freeze({
   angle: Object.freeze(["φ", "ω", "ε"]),
+  load_angle: Object.freeze(["Δ", "Δ′", "Δ″"]),
   x: Object.freeze(["x", "ẋ", "ẍ"]),
   y: Object.freeze(["y", "ẏ", "ÿ"]),
 });

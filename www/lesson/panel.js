@@ -20,11 +20,11 @@ import { withView } from "assur/state/state.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[],
+ *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
  * What a button opens instead of the document there is: a preset, with dimensions `set` (by their names, as in `controls`) or another link
- * to `drive` it, the crank's angle in it or its motion, and what is laid over the drawing. The words of the button are `ID.show.NAME`, or "Show it".
+ * to `drive` it, the crank's angle in it or its motion, what is laid over the drawing, and what is plotted. The words of the button are `ID.show.NAME`, or "Show it".
  */
 
 /**

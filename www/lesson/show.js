@@ -58,11 +58,11 @@ function edits({ set = {}, drive }, document, engine) {
  * @param {Summary | null} summary of what it opens, where the engine takes it
  * @returns {Partial<View>} how that is looked at
  */
-function looked({ play = false, overlays = ["traces"], at }, summary) {
+function looked({ play = false, overlays = ["traces"], plot = "angles", at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
   // The plots are those that the words are about.
-  return { ...shown, plot: "angles", axes: "analogues", ...place, playing: play };
+  return { ...shown, plot, axes: "analogues", ...place, playing: play };
 }

@@ -26,6 +26,7 @@ export class PlotBar {
   #epsilon;
   /** @type {readonly string[]} the points that can be chosen */
   #points = [];
+  #overviews = "";
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
@@ -52,20 +53,21 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, coordinate, words, problems }) {
+  render({ state: { view }, summary: { overviews }, coordinate, words, problems }) {
     const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, ...wrong];
+    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    if (words !== this.#shown[7] || points !== this.#points) this.#offer(points, words);
+    if (words !== this.#shown[7] || points !== this.#points || overviews.join() !== this.#overviews) this.#offer(points, overviews, words);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
     this.#plot.value = plot;
     this.#axes.value = axes;
     this.#unit.value = unit;
-    this.#input.hidden = axes === "analogues" && !trueTime;
+    this.#axes.hidden = moves === "time";
+    this.#input.hidden = moves === "time" || (axes === "analogues" && !trueTime);
     this.#unit.hidden = moves !== "angle";
     this.#omega.show(omega, both(omega / this.#per(moves, unit), words.numbers), wrong[0]);
     this.#epsilon.show(epsilon, both(epsilon, words.numbers), wrong[1]);
@@ -86,6 +88,7 @@ export class PlotBar {
    * @param {Words} words
    */
   #name({ moves, rates }, words) {
+    if (moves === "time") return;
     const said = (/** @type {string} */ key) => words.text(`input.${key}.${moves}`);
     for (const [i, name] of /** @type {const} */ (["omega", "epsilon"]).entries()) {
       write(byId(`${name}-symbol`, HTMLElement), rates[i]);
@@ -100,14 +103,16 @@ export class PlotBar {
 
   /**
    * @param {readonly string[]} points
+   * @param {readonly string[]} overviews what is plotted together
    * @param {Words} words
    */
-  #offer(points, words) {
+  #offer(points, overviews, words) {
     this.#points = points;
+    this.#overviews = overviews.join();
     const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
       make("option", { value }, [words.text(key, { name })]);
     this.#plot.replaceChildren(
-      option("angles", "plots.main", ""),
+      ...overviews.map((name) => option(name, `plots.overview.${name}`, "")),
       ...this.#engine.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
       ...points.map((point) => option(point, "plots.point", subscript(point))),
     );

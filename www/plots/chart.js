@@ -43,7 +43,8 @@ export class ChartView {
   render(snapshot) {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
-    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision}`;
+    const { start } = snapshot.coordinate.axis(snapshot.place);
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;
     this.#draw();
@@ -89,7 +90,7 @@ export class ChartView {
     const { palette, scale } = theme;
     // Not as the text that was written last left it.
     context.lineJoin = "round";
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole }));
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, around: snapshot.input }));
     const panels = drawn.value?.panels ?? [];
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);

@@ -208,16 +208,22 @@ export class ChartCursor {
  * @param {number} first
  * @param {number} last
  * @param {number} tall the height of a tag
- * @returns {number[]} the same, at least that far apart, between first and last
+ * @returns {number[]} as near to them as may be, at least that far apart, between first and last
  */
 function spread(tops, first, last, tall) {
-  const placed = tops.map((top) => Math.min(Math.max(top, first), last - tall));
-  for (let i = 1; i < placed.length; i++) {
-    const lack = placed[i - 1] + tall + 2 - placed[i];
-    if (lack <= 0) continue;
-    const down = Math.min(lack / 2, last - tall - placed[i]);
-    placed[i] += down;
-    placed[i - 1] -= lack - down;
-  }
-  return placed;
+  const step = tall + 2;
+  // Those that would meet stand in a block round the mean of their places.
+  /** @type {{ sum: number, count: number }[]} */
+  const blocks = [];
+  tops.forEach((top, i) => {
+    let block = { sum: top - i * step, count: 1 };
+    for (let before = blocks.at(-1); before && before.sum / before.count > block.sum / block.count; before = blocks.at(-1)) {
+      block = { sum: before.sum + block.sum, count: before.count + block.count };
+      blocks.pop();
+    }
+    blocks.push(block);
+  });
+  const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
+  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
+  return places.map((place, i) => place + i * step);
 }

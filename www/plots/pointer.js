@@ -28,7 +28,10 @@ export class ChartPointer {
     this.#chart = chart;
     this.#cursor = cursor;
     this.#model = model;
-    this.#drive = (/** @type {number} */ input) => page.drive(model.coordinate.place(input));
+    this.#drive = (/** @type {number} */ input) => {
+      const { coordinate } = model;
+      page.drive(Math.min(coordinate.place(input), coordinate.last(coordinate.of(page.store.get()))));
+    };
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#up(event));

@@ -53,9 +53,10 @@ export class ReadoutTable {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
     // What derivatives of what is listed are called: of angles, of lengths, of both.
-    const sorts = ["angle", "x"].filter((sort) => listed.some(({ what }) => (sort === "angle" ? what === "angle" : what === "x" || what === "y")));
+    const sorts = ["angle", "load_angle", "x"].filter((sort) => listed.some(({ what }) => what === sort || (sort === "x" && what === "y")));
+    const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
-      write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, view.axes === "physical", words).trim()).join(", "));
+      write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
     });
     this.#cells = [];
     const rows = listed.map((one) => {
@@ -88,7 +89,8 @@ function row(role, curve, title, cells) {
 
 /** @param {Listed} listed an angle or a coordinate */
 function letter({ what, number }) {
-  return what === "angle" ? `φ${subscript(number ?? "")}` : what;
+  if (what === "angle") return `φ${subscript(number ?? "")}`;
+  return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
 
 /**
@@ -98,5 +100,6 @@ function letter({ what, number }) {
  */
 function label({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");
+  if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of[0], words) });
   return what === "transmission" ? words.text("readouts.transmission") : subscript(of[0]);
 }

@@ -7,13 +7,13 @@ const HUGE = 1e6;
 
 /**
  * @param {number} value of the engine
- * @param {"angle" | "x" | "y" | "transmission"} what it is of
+ * @param {import("assur/engine.js").Listed["what"]} what it is of
  * @param {number} order of the derivative
  * @param {import("assur/core/words.js").Words} words
  * @returns {{ value: number, text: string }} angles in degrees
  */
 export function written(value, what, order, { numbers }) {
-  const angle = order === 0 && (what === "angle" || what === "transmission");
+  const angle = order === 0 && what !== "x" && what !== "y";
   const shown = angle ? degrees(value) : value;
   const size = Math.abs(shown);
   const text = size < HUGE ? numbers.fixed(shown, angle || size < LARGE ? 3 : 1) : numbers.brief(shown);

@@ -9,7 +9,7 @@ import { paintSquares } from "assur/stage/paper.js";
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words" | "legible">} Snapshot
+ * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words" | "legible"> & { readonly summary?: object }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -72,7 +72,10 @@ export class Figure {
    */
   paintGround(target, size, view) {
     if (!this.#snapshot) return;
-    paintSquares(target.context, size, view, this.#theme, this.#snapshot.words, target.ratio);
+    const { words, summary } = this.#snapshot;
+    // Drawings that tell no unit are in that of the lengths of their document.
+    const { lengths = "length" } = /** @type {{ lengths?: string }} */ (summary ?? {});
+    paintSquares(target.context, size, view, this.#theme, words, lengths, target.ratio);
     this.paintStill(target, view);
   }
 

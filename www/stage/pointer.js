@@ -2,7 +2,7 @@
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
-import { TRACERS, withDocument, withView } from "assur/state/state.js";
+import { TRACERS, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/stage/view.js").Joint} Joint
@@ -152,8 +152,7 @@ export class MechanismPointer {
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
     const put = attempt(() => this.#engine.trace(inputNow(this.#page), x, y)).value;
-    if (!put) return null;
-    this.#store.update((state) => withDocument(state, put.document));
+    if (!put || !take(put, this.#page)) return null;
     this.trace(false);
     const { tracers } = put.document;
     const { name = `P${tracers.length}`, link } = tracers[tracers.length - 1];

@@ -5,16 +5,20 @@ import { withDocument } from "assur/state/state.js";
 /**
  * @param {import("assur/engine.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
+ * @returns {boolean} whether it was taken: a hand on a drawing that a refused state left behind changes nothing of a document of
+ * another kind
  */
 export function take({ document, input }, { store, model, drafts }) {
+  if (model.kind !== store.get().kind) return false;
   if (document) {
     drafts.dropAll(Object.keys(document));
     store.update((state) => withDocument(state, document));
   }
-  if (input === undefined) return;
+  if (input === undefined) return true;
   // The place is one of the motion that is now.
   model.follow(store.get());
   store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
+  return true;
 }
 
 /**

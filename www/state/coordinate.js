@@ -1,5 +1,5 @@
-// The input of the motion as readers meet it: the angle of a crank in degrees, or how far a slide has come. The engine has
-// radians, or the unit of the lengths.
+// The input of the motion as readers meet it: the angle of a crank in degrees, how far a slide has come, or time in seconds. The
+// engine has radians, the unit of the lengths, seconds.
 import { degrees, radians } from "assur/core/angles.js";
 import { subscript } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
@@ -14,13 +14,20 @@ import { withView } from "assur/state/state.js";
 const SORTS = Object.freeze({
   angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
   length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
+  time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
 /** At speed 1 a crank turns once, and a slide goes there and back, in so many seconds. */
 const PERIOD = 6;
 
-/** A slide's way is gone in about so many small steps. */
+/** A slide's way, and a span of time, is gone in about so many small steps. */
 const STEPS = 100;
+
+/** The longest time, in seconds, as the engine takes it. */
+const LONGEST = 1e6;
+
+/** So small a part of a time nobody sees. */
+const HAIR = 1e-9;
 
 /** The fields of the view that hold an input, whatever moves. */
 export const FIELDS = Object.freeze(Object.values(SORTS).map(({ field }) => field));
@@ -32,7 +39,7 @@ export class Coordinate {
   #number;
 
   /**
-   * @param {"angle" | "length"} moves
+   * @param {"angle" | "length" | "time"} moves
    * @param {Cycle} cycle where the input goes, in the engine's unit
    * @param {string} [number] by which it is called
    */
@@ -58,13 +65,24 @@ export class Coordinate {
     return this.#sort.rates.map((letter) => letter + this.#number);
   }
 
-  /** The ends of its axis, as readers count. */
-  get start() {
-    return this.place(this.#cycle.start);
+  /**
+   * The ends of its axis, as readers count. Time that goes on and on has one span after the other.
+   * @param {number} place as readers count
+   */
+  axis(place) {
+    const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.place(input));
+    if (!this.#goesOn) return { start, end };
+    const before = Math.max(0, Math.floor(place / end)) * end;
+    return { start: before, end: before + end };
   }
 
-  get end() {
-    return this.place(this.#cycle.end);
+  /**
+   * The last place of the axis that shows a place: where time goes on, the next span begins at the end of the axis.
+   * @param {number} place as readers count
+   */
+  last(place) {
+    const { end } = this.axis(place);
+    return this.#goesOn ? end * (1 - HAIR) : end;
   }
 
   /** A small step by hand, as readers count. */
@@ -72,9 +90,19 @@ export class Coordinate {
     return this.#turns ? 1 : 10 ** Math.round(Math.log10(this.#way / STEPS));
   }
 
-  /** How fast it goes at speed 1, in the engine's unit per second. */
-  get speed() {
-    return this.#turns ? (2 * Math.PI) / PERIOD : (2 * this.#way) / PERIOD;
+  /**
+   * How fast it goes, in the engine's unit per second. In real time the driver moves with ω₁ alone: ε₁ is what it has at the
+   * instant, it does not hasten.
+   * @param {State["view"]} view
+   */
+  pace({ true_time: trueTime, omega, speed }) {
+    if (this.moves === "time") return speed;
+    if (trueTime) return omega;
+    return speed * (this.#turns ? (2 * Math.PI) / PERIOD : (2 * this.#way) / PERIOD);
+  }
+
+  get #goesOn() {
+    return this.moves === "time" && this.#cycle.full;
   }
 
   get #way() {
@@ -108,10 +136,12 @@ export class Coordinate {
   /**
    * @param {State} state
    * @param {number} place as readers count
-   * @returns {State} with the input there; a slide stops at the ends of its way
+   * @returns {State} with the input there; a slide stops at the ends of its way, time at 0 and at the end of a run
    */
   put(state, place) {
-    const reached = this.#turns ? this.#onto(place) : Math.min(Math.max(place, this.start), this.end);
+    const wanted = this.moves === "time" ? Math.min(place, LONGEST) : place;
+    const { start, end } = this.axis(wanted);
+    const reached = this.#turns ? this.#onto(wanted) : Math.min(Math.max(wanted, start), end);
     return withView(state, { [this.field]: reached });
   }
 
@@ -158,14 +188,14 @@ export class Coordinate {
    * @returns {string} a turn, or a slide's way, divided into so many parts
    */
   share(count, words) {
-    const part = this.#turns ? words.numbers.upTo(360 / count, 1) : words.numbers.upTo(this.#way / count, this.#decimals(5));
+    const part = this.#turns ? words.numbers.upTo(360 / count, 1) : words.numbers.upTo(this.#way / count, this.moves === "time" ? 5 : this.#decimals(5));
     return this.#withUnit(part, words);
   }
 
   /**
    * @param {number} one
    * @param {number} other input of the engine
-   * @returns {boolean} whether nobody sees a difference: half a degree, or a part of a slide's way
+   * @returns {boolean} whether nobody sees a difference: half a degree, or a part of a slide's way or of a span of time
    */
   near(one, other) {
     if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);
@@ -177,18 +207,20 @@ export class Coordinate {
    * @param {Words} words
    */
   #withUnit(number, words) {
-    return this.#turns ? `${number}°` : words.text("unit.length", { value: number });
+    return this.#turns ? `${number}°` : words.text(`unit.${this.moves}`, { value: number });
   }
 
   /** @param {number} decimals */
   #decimals(decimals) {
-    return this.#turns ? decimals : Math.max(0, decimals - Math.floor(Math.log10(this.#way)));
+    return this.moves === "length" ? Math.max(0, decimals - Math.floor(Math.log10(this.#way))) : decimals;
   }
 
   /** @param {number} place */
   #onto(place) {
-    if (!this.#turns || (place >= this.start && place <= this.end)) return place;
-    const period = this.end - this.start;
-    return place - period * Math.floor((place - this.start) / period);
+    const { start, end } = this.axis(place);
+    if (this.moves === "time") return Math.min(Math.max(place, start), end);
+    if (!this.#turns || (place >= start && place <= end)) return place;
+    const period = end - start;
+    return place - period * Math.floor((place - start) / period);
   }
 }

@@ -135,6 +135,11 @@ export class Model {
     return this.#drawn.summary;
   }
 
+  /** @returns {Kind} of what is drawn: while a state is refused that may be another than the state's */
+  get kind() {
+    return this.#drawn.kind;
+  }
+
   /** The input of the drawing as it is saved, for the engine. */
   get home() {
     return (this.summary.moves ? this.summary : STILL).home;

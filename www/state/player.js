@@ -22,9 +22,7 @@ export function played(state, dt, engine, model) {
   // Where nothing can be assembled there is no motion to go on with: it starts at home.
   const { coordinate } = model;
   const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
-  // In real time the driver moves with ω₁ alone: ε₁ is what it has at the instant, it does not hasten.
-  const speed = view.true_time ? view.omega : view.speed * coordinate.speed;
-  const moved = attempt(() => engine.advance(from, view.direction * speed * dt));
+  const moved = attempt(() => engine.advance(from, view.direction * coordinate.pace(view) * dt));
   if (!moved.value) return withView(state, { playing: false });
   const direction = moved.value.sign < 0 ? turned(view.direction) : view.direction;
   return withView(coordinate.put(state, coordinate.place(moved.value.input)), { direction });

@@ -43,6 +43,7 @@ function completeView(view) {
   return Object.freeze({
     phi_deg: 62,
     s: 0,
+    t: 0,
     playing: true,
     direction: 1,
     speed: 1,

@@ -13,6 +13,7 @@ import { make } from "assur/core/dom.js";
 /** @type {Readonly<Record<string, (summary: Summary, words: Words, snapshot: Snapshot) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
   mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
+  passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
   "linkage-assembly": ({ assembly, assemblies }, words) =>

@@ -1,4 +1,5 @@
 // What the page shows of a scheme of links and pairs only.
+import { Description } from "assur/kinds/scheme/description.js";
 import { FormulasView } from "assur/kinds/scheme/formulas.js";
 import { GeometryView } from "assur/kinds/scheme/geometry.js";
 import { LookView } from "assur/kinds/scheme/look.js";
@@ -7,11 +8,10 @@ import { Opening } from "assur/kinds/scheme/opening.js";
 import { PairsView } from "assur/kinds/scheme/pairs.js";
 import { PracticeView } from "assur/kinds/scheme/practice.js";
 import { schemeStatus } from "assur/kinds/scheme/status.js";
-import { Told } from "assur/kinds/scheme/told.js";
 import "assur/kinds/scheme/style.js";
 
 /** @type {import("assur/app/views.js").Make} */
 export const views = (page) => [
   new Opening(page), new MethodView(page), new FormulasView(), new GeometryView(page), new PairsView(page), new LookView(page), new PracticeView(page),
-  schemeStatus(), new Told(),
+  schemeStatus(), new Description(),
 ];

@@ -75,8 +75,6 @@ export class MethodView {
 
   #begin() {
     const { automatic } = this.#snapshot?.summary ?? { automatic: [] };
-    this.#stop();
-    this.#coming = automatic;
     this.#put([]);
     this.#coming = automatic;
     this.#timer = setTimeout(() => this.#next(0), PAUSE / 4);

@@ -34,8 +34,10 @@ export class PracticeView {
   #end = make("button", { id: "practice-end", class: "control add", type: "button", "data-t": "practice.end" });
   #said = make("p", { id: "practice-said" });
   #rows = make("div", { id: "practice-rows" });
-  /** What is asked, and of which task. */
+  /** What is asked. */
   #asked = "";
+  /** @type {number | null} of which task the answers are */
+  #answered = null;
   /** @type {Map<string, number>} what was answered, by the question */
   #answers = new Map();
   /** @type {{ question: Question, box: NumberBox, verdict: HTMLElement, input: HTMLInputElement }[]} */
@@ -63,8 +65,8 @@ export class PracticeView {
     const classes = summary.counts.pairs.map(({ freedoms }) => freedoms);
     const asked = JSON.stringify([words.lang, task, classes]);
     if (asked !== this.#asked) {
-      const [, before] = JSON.parse(this.#asked || "[]");
-      if (before !== task) this.#answers.clear();
+      if (task !== this.#answered) this.#answers.clear();
+      this.#answered = task;
       this.#asked = asked;
       this.#build(classes, words);
     }

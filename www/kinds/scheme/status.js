@@ -19,14 +19,11 @@ const ENTRIES = Object.freeze({
   pairs: ({ counts }, { numbers }) => ({ text: counts.pairs.map(({ freedoms, count }) => `${symbolOf(freedoms)} = ${numbers.exact(count)}`).join(", ") }),
 });
 
-/** Of a task it is not told. */
-const ASKED = Object.freeze(["w", "q", "rank", "links", "pairs"]);
-
-/** @returns {StatusLine<Snapshot>} */
+/** Of a task nothing is told: it asks for all of it. @returns {StatusLine<Snapshot>} */
 export function schemeStatus() {
   return new StatusLine("scheme", Object.entries(ENTRIES).map(([name, say]) => ({
     name: `scheme-${name}`,
     title: `status.scheme.${name}`,
-    say: ({ summary, words, state }) => (state.document.task != null && ASKED.includes(name) ? null : say(summary, words)),
+    say: ({ summary, words, state }) => (state.document.task != null ? null : say(summary, words)),
   })));
 }

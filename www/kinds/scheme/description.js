@@ -5,14 +5,14 @@ import { asked } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
-export class Told {
+export class Description {
   #drawing = byId("mechanism-description", HTMLElement);
-  #told = new Seen();
+  #shown = new Seen();
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state: { document }, summary: { links, pairs, mobility, redundant }, words, withheld } = snapshot;
-    if (this.#told.same(document, words, withheld)) return;
+    if (this.#shown.same(document, words, withheld)) return;
     const { numbers } = words;
     const [moving, joined] = [links.length - 1, pairs.length].map((one) => numbers.exact(one));
     const [w, q] = [asked(mobility, "w", snapshot), asked(redundant, "q", snapshot)];

@@ -1,0 +1,25 @@
+// A field of the document that is one of a few.
+import { make } from "assur/core/dom.js";
+
+export class Choice {
+  #select;
+
+  /**
+   * @param {string} field
+   * @param {readonly string[]} values
+   * @param {(value: string) => string} key of the name of a choice
+   * @param {(value: string) => void} choose
+   * @param {string} [label] the key of its name
+   */
+  constructor(field, values, key, choose, label = `field.${field}`) {
+    this.#select = make("select", { id: `field-${field}`, class: "control", "data-t-label": label },
+      values.map((value) => make("option", { value, "data-t": key(value) })));
+    this.#select.addEventListener("change", () => choose(this.#select.value));
+    this.element = make("label", { class: "row train-choice", "data-field": field }, [make("span", { class: "name", "data-t": label }), this.#select]);
+  }
+
+  /** @param {string} value */
+  show(value) {
+    if (this.#select.value !== value) this.#select.value = value;
+  }
+}

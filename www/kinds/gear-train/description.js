@@ -1,0 +1,37 @@
+// What a screen reader is told of the train beyond its pose.
+import { byId, make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
+
+/** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
+
+/** So long nothing changes before it is told, in milliseconds. */
+const PAUSE = 700;
+
+export class TrainDescription {
+  #place = make("p", { id: "train-description", class: "unseen", "data-of": "gear-train" });
+  #shown = new Seen();
+  #timer = 0;
+
+  constructor() {
+    byId("mechanism-description", HTMLElement).after(this.#place);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ summary, words, stale, withheld }) {
+    if (this.#shown.same(summary, words, stale, withheld) || stale) return;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => write(this.#place, told(summary, words, withheld)), PAUSE);
+  }
+}
+
+/**
+ * @param {Snapshot["summary"]} summary
+ * @param {Snapshot["words"]} words
+ * @param {ReadonlySet<string>} withheld
+ */
+function told({ speeds, slips }, words, withheld) {
+  const said = Object.fromEntries(Object.entries(speeds).map(([body, speed]) => [body, withheld.has(`train-${body}`) ? "?" : words.numbers.upTo(speed, 2)]));
+  const parts = [words.text("told.train", said)];
+  if (slips) parts.push(words.text("told.slipped", { sun: words.numbers.exact(slips[0]), ring: words.numbers.exact(slips[1]) }));
+  return parts.join(" ");
+}

@@ -1,0 +1,108 @@
+// Under load: whether the run is followed, its length, the load on the free shaft, and what the magnets come to.
+import { NumberRow } from "assur/controls/number-row.js";
+import { section } from "assur/controls/section.js";
+import { make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
+import { change, inputNow } from "assur/state/change.js";
+import { edited, withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** Of the account of energies what is told. */
+const ENERGIES = Object.freeze(["driven", "delivered", "dissipated", "kinetic", "potential", "imbalance"]);
+
+/** A run under load is followed for no longer, seconds. */
+const LONGEST_RUN = 30;
+
+export class LoadView {
+  #page;
+  #loaded = make("input", { id: "field-loaded", type: "checkbox" });
+  #span;
+  #pull;
+  #limit = make("p", { id: "train-limit" });
+  #meshes = make("p", { id: "train-meshes" });
+  #energies = make("tbody");
+  #account;
+  #shown = new Seen();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    const { store, drafts, engine } = page;
+    this.#page = page;
+    this.#loaded.addEventListener("change", () => this.#load(this.#loaded.checked));
+    this.#span = new NumberRow({ field: "span_s", symbol: "t", role: "secondary" }, drafts, (value) => store.update((state) => edited(state, "gear-train", () => ({ span_s: value }))));
+    this.#pull = new NumberRow({ field: "load", key: "load", symbol: "T", role: "rocker", slider: { min: 0, max: 10, step: 0.1 } }, drafts, (value) =>
+      change(() => engine.setDimension("load", value, inputNow(page)), "load", page));
+    this.#account = make("details", { id: "train-energies" }, [
+      make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
+    ]);
+    // What is unfolded at rest is told at once.
+    this.#account.addEventListener("toggle", () => page.redraw());
+    section("gear-train", "load.heading", "load", [
+      make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),
+      this.#pull.element, this.#limit, this.#meshes, this.#span.element, this.#account,
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state: { document }, summary, words, problems, readouts, legible, stale, withheld } = snapshot;
+    if (legible && !stale && this.#account.open) this.#tell(readouts, words);
+    const wrong = new Set(problems.map(({ field }) => field));
+    if (this.#shown.same(document, summary, words, stale, withheld, ...wrong)) return;
+    const { load, limits, slips, halt, free } = summary;
+    const loaded = document.loaded ?? false;
+    this.#loaded.checked = loaded;
+    this.#loaded.disabled = !loaded && !limits;
+    this.#span.show(document.span_s ?? 6, words, wrong.has("span_s"));
+    this.#pull.element.hidden = this.#account.hidden = !loaded;
+    if (load) this.#pull.fit(0, load.max);
+    if (load) this.#pull.show(load.value, words, wrong.has("load"));
+    this.#limit.hidden = !limits;
+    const hidden = withheld.has("train-limit");
+    if (limits) {
+      const limit = hidden ? "?" : words.numbers.upTo(limits[/** @type {"sun" | "carrier" | "ring"} */ (free)], 3);
+      write(this.#limit, words.text("load.limit", { shaft: called(free, words), limit }));
+    }
+    const lines = loaded && slips ? slips.map((count, mesh) => slipped(["sun", "ring"][mesh], count, words)) : [];
+    if (halt) lines.push(words.text("load.halt", { body: called(halt.body, words), time: words.numbers.upTo(halt.time, 2) }));
+    write(this.#meshes, lines.join(" "));
+  }
+
+  /**
+   * A run has an end: it begins at its beginning, with the load angles plotted.
+   * @param {boolean} loaded
+   */
+  #load(loaded) {
+    this.#page.history.step(() => {
+      this.#page.store.update((state) => {
+        const next = edited(state, "gear-train", ({ span_s: span = 6 }) => ({ loaded, span_s: loaded ? Math.min(span, LONGEST_RUN) : span }));
+        return withView(next, { t: 0, plot: loaded ? "load" : "angles" });
+      });
+    });
+  }
+
+  /**
+   * @param {Snapshot["readouts"]} readouts
+   * @param {Words} words
+   */
+  #tell(readouts, words) {
+    this.#energies.replaceChildren(...ENERGIES.filter((name) => readouts?.[name] !== undefined).map((name) => make("tr", {}, [
+      make("th", { scope: "row" }, [words.text(`energy.${name}`)]), make("td", {}, [words.numbers.brief(readouts?.[name] ?? 0)]),
+    ])));
+  }
+}
+
+/**
+ * @param {string} mesh
+ * @param {number} count of periods by which it has slipped
+ * @param {Words} words
+ */
+function slipped(mesh, count, words) {
+  const said = count === 0 ? words.text("load.synchronous") : words.counted("load.slipped", Math.abs(count));
+  return `${words.text(`mesh.${mesh}`)}: ${said}.`;
+}

@@ -1,0 +1,52 @@
+// Working members 7 and 8: what they are, and what they take.
+import { NumberRow } from "assur/controls/number-row.js";
+import { section } from "assur/controls/section.js";
+import { make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
+import { Choice } from "assur/kinds/gear-train/choice.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/gear-train/drives.js").Document} Document
+ * @typedef {NonNullable<NonNullable<Document["members"]>["carrier"]>} Member
+ */
+
+const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
+
+/** Of each its number and its colour. */
+const PLACES = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
+
+export class MembersView {
+  #places;
+  #shown = new Seen();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ store, drafts }) {
+    const put = (/** @type {"satellite" | "carrier"} */ place, /** @type {(member: Member | null) => Member | null} */ change) =>
+      store.update((state) => edited(state, "gear-train", ({ members }) => ({ members: { ...members, [place]: change(members?.[place] ?? null) } })));
+    this.#places = /** @type {("satellite" | "carrier")[]} */ (Object.keys(PLACES)).map((place) => {
+      const choice = new Choice(`members.${place}`, KINDS, (kind) => `member.${kind}`, (kind) => put(place, (member) => (
+        kind === "none" ? null : { kind: /** @type {Member["kind"]} */ (kind), torque: member?.torque ?? 0 })));
+      const field = `members.${place}.torque`;
+      const row = new NumberRow({ field, id: `torque-${place}`, ...PLACES[place] }, drafts, (torque) => put(place, (member) => member && { ...member, torque }));
+      return { place, choice, row };
+    });
+    section("gear-train", "members.heading", "members", [
+      ...this.#places.flatMap(({ choice, row }) => [choice.element, row.element]),
+      make("p", { class: "note", "data-t": "members.claims" }),
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state: { document }, words, problems }) {
+    const wrong = new Set(problems.map(({ field }) => field));
+    if (this.#shown.same(document.members, words, ...wrong)) return;
+    for (const { place, choice, row } of this.#places) {
+      const member = document.members?.[place];
+      choice.show(member?.kind ?? "none");
+      row.element.hidden = !member;
+      if (member) row.show(member.torque ?? 0, words, wrong.has(row.field));
+    }
+  }
+}

@@ -1,0 +1,33 @@
+// In whose frame the train is drawn, read and plotted.
+import { section } from "assur/controls/section.js";
+import { make } from "assur/core/dom.js";
+import { edited } from "assur/state/state.js";
+
+/** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
+
+const PLACES = Object.freeze(/** @type {const} */ (["ground", "sun", "carrier", "ring"]));
+
+export class ObserverView {
+  /** @type {Map<string, HTMLInputElement>} */
+  #boxes = new Map();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ store }) {
+    const choices = PLACES.map((place) => {
+      const box = make("input", { id: `observer-${place}`, type: "radio", name: "observer", value: place });
+      box.addEventListener("change", () => store.update((state) => edited(state, "gear-train", () => ({ observer: place }))));
+      this.#boxes.set(place, box);
+      return make("label", { class: "check" }, [box, " ", make("span", { "data-t": `observer.${place}` })]);
+    });
+    section("gear-train", "observer.heading", "observer", [
+      make("div", { class: "train-observers", role: "radiogroup", "data-t-label": "field.observer" }, choices),
+      make("p", { class: "note", "data-t": "observer.said" }),
+    ]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state: { document } }) {
+    const box = this.#boxes.get(document.observer ?? "ground");
+    if (box && !box.checked) box.checked = true;
+  }
+}

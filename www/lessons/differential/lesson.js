@@ -1,0 +1,108 @@
+// The steps of the lesson on the differential with magnetic couplings: what each shows, and what is asked of it as it then is.
+// Its words are in words.*.json of this folder, under the step's id.
+
+/**
+ * @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary
+ */
+
+/** The six ratios u_ij⁽ᵏ⁾, by i and j. */
+const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);
+
+/** @type {import("assur/lesson/panel.js").Lesson<"gear-train">} */
+export const LESSON = Object.freeze({ kind: "gear-train", steps: [
+  {
+    id: "parts",
+    formula: "W = 3n − 2P₁ − P₂",
+    shows: [{ name: "single", preset: "one_satellite", play: true }, { name: "three", preset: "driven", play: true }],
+    question: { hides: ["train-w"], within: 0, answer: ({ mobility: { mobility, passive } }) => mobility + passive },
+  },
+  {
+    id: "sum",
+    formula: "ω₃ = (z₁ω₁ + z₄ω₄) / (z₁ + z₄)\nω₂ = ω₃ − (ω₁ − ω₃) z₁/z₂",
+    shows: [{ name: "driven", preset: "driven", play: true }, { name: "alike", preset: "alike", play: true }],
+    controls: ["drives"],
+    readouts: ["train-sun", "train-ring", "train-carrier"],
+    question: { hides: ["train-carrier", "dcarrier"], within: 0.1, answer: ({ speeds }) => speeds.carrier },
+  },
+  {
+    id: "hold",
+    formula: "ω₄ = cω₁: ω₃ = ω₁ (z₁ + cz₄) / (z₁ + z₄)",
+    shows: [
+      { name: "ring", preset: "ring_held", play: true }, { name: "sun", preset: "sun_held", play: true },
+      { name: "carrier", preset: "carrier_held", play: true }, { name: "tied", preset: "tied", play: true },
+    ],
+    controls: ["drives"],
+    readouts: ["train-sun", "train-ring", "train-carrier"],
+    question: { hides: ["train-ratios"], within: 0.005, answer: ({ ratios }) => valueOf(ratios, "4/1(3)") },
+  },
+  {
+    id: "willis",
+    formula: "(ω₁ − ω₃) / (ω₄ − ω₃) = −z₄/z₁",
+    shows: [
+      { name: "ground", preset: "driven", play: true }, { name: "carrier", preset: "seen_from_carrier", play: true },
+      { name: "sun", preset: "seen_from_sun", play: true }, { name: "ring", preset: "seen_from_ring", play: true },
+    ],
+    controls: ["observer"],
+    readouts: ["dsun", "dring", "dcarrier"],
+    question: { hides: ["train-ratios"], within: 0.01, answer: ({ ratios }) => valueOf(ratios, "1/4(3)") },
+  },
+  {
+    id: "ratios",
+    formula: "u₁₃⁽⁴⁾ + u₁₄⁽³⁾ = 1\nu₃₄⁽¹⁾ + u₃₁⁽⁴⁾ = 1\nu₄₁⁽³⁾ + u₄₃⁽¹⁾ = 1",
+    shows: [{ preset: "ring_held", play: true }],
+    controls: ["ratios"],
+    question: { hides: ["train-largest"], choices: RATIOS, answer: largest },
+  },
+  {
+    id: "gaps",
+    formula: "(d₁ + d₂) / 2 < a_w < (d₄ − d₂) / 2\nsin(π/k) > d₂ / (2a_w)",
+    shows: [{ name: "mend", preset: "not_to_be_built" }, { name: "contact", preset: "contact" }],
+    controls: ["wheels", "conditions"],
+    errata: true,
+    question: { within: 0, answer: pitchesEach },
+  },
+  {
+    id: "load",
+    formula: "T₁ = T sin z₁Δ\nT₁ : T₄ : T₃ = z₁ : z₄ : −(z₁ + z₄)",
+    shows: [{ name: "brief", preset: "overloaded", plot: "load", play: true }, { name: "light", preset: "loaded", plot: "load", play: true }],
+    controls: ["load"],
+    readouts: ["sun.load_angle", "ring.load_angle"],
+    question: { hides: ["train-limit"], within: 0.1, answer: ({ limits }) => limits?.carrier },
+  },
+  {
+    id: "uses",
+    formula: "ω₂ = ω₃ − (ω₁ − ω₃) z₁/z₂",
+    shows: [
+      { name: "mixer", preset: "mixer", play: true }, { name: "fan", preset: "fan", play: true }, { name: "brushes", preset: "brushes", play: true },
+    ],
+    controls: ["members"],
+    question: { hides: ["train-satellite", "dsatellite"], within: 0.1, answer: ({ speeds }) => speeds.satellite },
+  },
+] });
+
+/**
+ * @param {Summary["ratios"]} ratios
+ * @param {string} name as 1/3(4)
+ * @returns {number | undefined}
+ */
+function valueOf(ratios, name) {
+  return ratios.find((ratio) => ratio.name === name)?.value;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string | undefined} the ratio by which the paper characterises a differential
+ */
+function largest({ ratios }) {
+  const found = ratios.find((ratio) => ratio.largest);
+  return found && `${found.of}${found.to}`;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} (z₁ + z₄)/k of what can be built; as long as it cannot, what nobody can answer
+ */
+function pitchesEach({ builds, conditions }) {
+  const assembly = conditions.find(({ kind }) => kind === "assembly");
+  return builds && assembly ? assembly.left / assembly.right : Infinity;
+}
