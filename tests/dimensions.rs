@@ -3,9 +3,9 @@
 //! works.
 #![cfg(not(target_family = "wasm"))]
 
-use assur::mechanism::{ConstraintKind, Dimension, Mechanism, Pose};
-use assur::motion::{Changed, Motion, Refusal};
-use assur::{Assembly, FourBar, Point, Vector};
+use assur::mechanism::{ConstraintKind, Dimension, Mechanism, Pose, Quantity};
+use assur::motion::{Changed, Motion, OutputProfile, Refusal};
+use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
 
 fn motion(name: &str) -> Motion {
@@ -117,6 +117,7 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
         )
     });
     assert!(residual(mechanism, &pose) < 1e-9, "{at}");
+    ends_are_poses(motion, at);
     // The drawing is that pose.
     let drawn: Vec<Point> = mechanism.draft().points.iter().map(|one| one.at).collect();
     let size = mechanism.size();
@@ -129,6 +130,29 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
             &back.motion.pose(back.input).unwrap(),
         );
         assert!(off(before, &again) < 1e-7 * size, "{at}");
+    }
+}
+
+/// Where a motion turns back there is a pose, and so a least and a greatest angle of
+/// every link.
+fn ends_are_poses(motion: &Motion, at: &str) {
+    let mechanism = motion.mechanism();
+    if !motion.cycle().is_full() {
+        for end in motion.cycle().arcs().as_flattened() {
+            let pose = motion.pose::<1>(*end);
+            assert!(pose.is_ok(), "{at}: {end} {:?}", pose.err());
+        }
+        for dead in motion.dead_points() {
+            assert!(motion.pose::<1>(dead.input).is_ok(), "{at}: {dead:?}");
+        }
+    }
+    for link in &mechanism.draft().links {
+        let link = mechanism.link(&link.name).unwrap();
+        for swing in OutputProfile::new(motion, Quantity::Angle(link)).swings() {
+            if let Swing::Between { min, max } = swing {
+                assert!(min <= max && (max - min).is_finite(), "{at}: {min} {max}");
+            }
+        }
     }
 }
 

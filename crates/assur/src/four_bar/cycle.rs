@@ -61,6 +61,11 @@ impl Cycle {
         (after || before).then_some((Self { period, full, arcs }, shift))
     }
 
+    /// Other ends for an arc.
+    pub(crate) fn set_arc(&mut self, arc: usize, ends: [f64; 2]) {
+        self.arcs[arc] = ends;
+    }
+
     /// True where the crank turns fully.
     pub fn is_full(&self) -> bool {
         self.full

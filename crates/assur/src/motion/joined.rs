@@ -40,6 +40,7 @@ impl Motion {
         self.change_points.extend(change_points);
         sort_by(&mut self.change_points, f64::total_cmp);
         self.cycle = cycle;
+        self.end_in_poses();
         // What is told of the other linkage must be so of this one.
         other.knots.shift(-shift);
         let same = match (self.pose::<1>(theirs + shift), other.pose::<1>(theirs)) {

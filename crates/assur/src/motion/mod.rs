@@ -40,6 +40,9 @@ use crate::sorting::sort_by;
 use continuation::{Continuation, End};
 use interpolation::Knots;
 
+/// So often the way back from an end to a pose is doubled, from the rounding of the input on.
+const BACK: u32 = 24;
+
 /// The motion of a mechanism in one of its assemblies. A pose depends on the
 /// input alone: which way each group is joined at every input has been found out
 /// once, by going through the motion.
@@ -130,10 +133,40 @@ impl Motion {
             dead_points,
             home,
         };
+        motion.end_in_poses();
         if motion.pose::<1>(home).is_err() {
             motion.home = motion.cycle.home();
         }
         motion
+    }
+
+    /// Takes back the ends of its arcs, by as little as can be told, to where there is a
+    /// pose. Told by other turns an input is rounded anew, and may then lie beyond a dead
+    /// point that it was just before.
+    fn end_in_poses(&mut self) {
+        if self.cycle.is_full() {
+            return;
+        }
+        let arcs = self.cycle.arcs().to_vec();
+        for (index, arc) in arcs.into_iter().enumerate() {
+            let unit = f64::EPSILON * arc[0].abs().max(arc[1].abs()).max(1.0);
+            let ends = [[arc[0], arc[1]], [arc[1], arc[0]]].map(|[end, other]| {
+                let back = (other - end).signum() * unit;
+                let back = (0..BACK).map(|doubled| back * f64::from((1_u32 << doubled) - 1));
+                let mut inside = back
+                    .map(|back| end + back)
+                    .take_while(|input| (other - input) * (other - end) > 0.0);
+                inside
+                    .find(|input| self.pose::<1>(*input).is_ok())
+                    .unwrap_or(end)
+            });
+            for dead in &mut self.dead_points {
+                if let Some(side) = arc.iter().position(|end| *end == dead.input) {
+                    dead.input = ends[side];
+                }
+            }
+            self.cycle.set_arc(index, ends);
+        }
     }
 
     /// The mechanism that moves.
