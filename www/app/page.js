@@ -92,7 +92,7 @@ export class Page {
       },
     });
     this.store.subscribe(redraw);
-    persist(this.store, () => this.model.sound);
+    persist(this.store, (state) => this.model.takes(state));
     // The address that was entered: by now another may have been written over it.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);

@@ -160,6 +160,15 @@ export class Model {
     return this.#refused.length === 0;
   }
 
+  /**
+   * Whether the engine takes a state, which may be newer than what was drawn last.
+   * @param {State} state
+   */
+  takes(state) {
+    this.follow(state);
+    return this.sound;
+  }
+
   /** Whether the state asks for a plot of what the mechanism has not. */
   get unplottable() {
     return this.#refused.some(({ code, field }) => code === "unknown_choice" && field === "plot");

@@ -62,7 +62,7 @@ export function showInAddress(state) {
 /**
  * From now on every change is kept: in the browser at once, in the address when the crank is at rest.
  * @param {import("assur/state/store.js").Store<State>} store
- * @param {() => boolean} sound whether the engine took the state; another is not kept
+ * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  */
 export function persist(store, sound) {
   let timer = 0;
@@ -70,9 +70,9 @@ export function persist(store, sound) {
   const save = () => {
     clearTimeout(timer);
     timer = 0;
-    if (!changed || !sound()) return;
-    changed = false;
     const state = store.get();
+    if (!changed || !sound(state)) return;
+    changed = false;
     guarded(() => localStorage.setItem(KEY, toFile(state)));
     if (!state.view.playing) showInAddress(state);
   };
