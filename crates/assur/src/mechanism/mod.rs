@@ -40,14 +40,16 @@ pub use multiple::Multiple;
 pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
-pub(crate) use rate::MOST_TURNS;
+pub(crate) use rate::{NEVER, common};
 pub use tracer::DraftTracer;
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
 pub use crate::position::Cause;
 
 use crate::index::{Id, List};
-use crate::position::{Anchor, Given, Nearby, Orientation, Predictor, Sign, State, Step};
+use crate::position::{
+    Anchor, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
+};
 use crate::structure::Structure;
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
@@ -358,6 +360,11 @@ impl Mechanism {
             put.map_err(|cause| (step, cause))?;
         }
         Ok(())
+    }
+
+    /// What certifies steps of its motion.
+    pub(crate) fn enclosure(&self) -> Enclosure {
+        Enclosure::new(self.bodies.len(), self.steps.len())
     }
 
     /// One turn, or the range of the driven slide.

@@ -33,6 +33,13 @@ pub(super) fn group(
         conditions: Vec::new(),
         meshes: Vec::new(),
         home: Vec::new(),
+        units: Vec::new(),
+        size: extent(
+            members
+                .iter()
+                .flat_map(|body| bodies.of(*body))
+                .map(|(point, _)| drawn(*point)),
+        ),
     };
     for body in members {
         for (point, _) in bodies.of(*body) {
@@ -64,6 +71,21 @@ pub(super) fn group(
         plan.mesh(gear);
     }
     plan.finished(offset)
+}
+
+/// How far points are apart at most, by their least and greatest coordinates; 1 where they are all in one place.
+fn extent(points: impl Iterator<Item = Vector>) -> f64 {
+    let none = [
+        Vector::repeat(f64::INFINITY),
+        Vector::repeat(f64::NEG_INFINITY),
+    ];
+    let [least, most] = points.fold(none, |[least, most], at| [least.inf(&at), most.sup(&at)]);
+    let size = (most - least).norm();
+    if size.is_finite() && size > 0.0 {
+        size
+    } else {
+        1.0
+    }
 }
 
 /// How a body follows from what is known.
@@ -108,8 +130,11 @@ struct Plan<'a> {
     by_slide: Vec<SlideId>,
     conditions: Vec<Condition>,
     meshes: Vec<Mesh>,
-    /// The drawn values of the unknowns.
+    /// The drawn values of the unknowns, and what each is measured by.
     home: Vec<Vector>,
+    units: Vec<f64>,
+    /// The size of the group.
+    size: f64,
 }
 
 impl Plan<'_> {
@@ -133,8 +158,9 @@ impl Plan<'_> {
         }
     }
 
-    fn unknown(&mut self, home: Vector) -> Form {
+    fn unknown(&mut self, home: Vector, unit: f64) -> Form {
         self.home.push(home);
+        self.units.push(unit);
         Form {
             unknowns: vec![(self.home.len() - 1, Vector::x())],
             ..Form::default()
@@ -193,12 +219,12 @@ impl Plan<'_> {
         // Of equals the first: `max_by_key` takes the last.
         let best = free.rev().max_by_key(|point| joints(*point));
         if let Some(point) = best {
-            let form = self.unknown(drawn(point));
+            let form = self.unknown(drawn(point), self.size);
             self.points.insert(point, form);
             return;
         }
         // A block with one point: its direction is the unknown.
-        let turn = self.unknown(self.orientations[body].turn);
+        let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions.push(Condition::Unit(turn.clone(), 0.0));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {
             return;
@@ -378,10 +404,9 @@ impl Plan<'_> {
         let bodies: Vec<_> = bodies
             .map(|(body, forms)| (body, forms.map(&mut index)))
             .collect();
-        let unknowns = self.home.len();
         let group = Group::new(
             offset,
-            unknowns,
+            self.units,
             self.inputs,
             &forms,
             equations,

@@ -8,8 +8,11 @@ use super::resolved::{Driver, Resolved};
 use crate::index::{BodyId, List};
 use crate::position::Step;
 
-/// A motion that has not repeated after so many turns of the first crank is followed no further.
-pub(crate) const MOST_TURNS: usize = 24;
+/// Further drivers are back after so many turns of the first crank at most.
+const MOST_TURNS: usize = 24;
+
+/// More turns than any motion is followed.
+pub(crate) const NEVER: usize = 10_000_000;
 
 /// A rate is a ratio of whole numbers, within this.
 const WHOLE: f64 = 1e-11;
@@ -64,6 +67,35 @@ pub(super) fn rounds(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>>
     }
 }
 
+/// The denominator of a ratio that numbers of teeth make, by its continued fraction; none beyond [`NEVER`].
+fn denominator(ratio: f64) -> Option<usize> {
+    let mut rest = ratio;
+    let mut denominators = [0.0, 1.0];
+    while denominators[1] < NEVER as f64 {
+        let turned = ratio * denominators[1];
+        // As exact as a product of a few ratios.
+        if (turned - turned.round()).abs() <= 16.0 * f64::EPSILON * turned.abs().max(1.0) {
+            return Some(denominators[1] as usize);
+        }
+        rest = (rest - rest.floor()).recip();
+        denominators = [
+            denominators[1],
+            rest.floor() * denominators[1] + denominators[0],
+        ];
+    }
+    None
+}
+
+/// The least common multiple; none where it is beyond [`NEVER`].
+pub(crate) fn common(a: usize, b: usize) -> Option<usize> {
+    let (mut divisor, mut rest) = (a, b);
+    while rest > 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    let multiple = (a / divisor.max(1)).checked_mul(b)?;
+    (multiple < NEVER).then_some(multiple)
+}
+
 /// Whether what turns at a rate is back after so many turns.
 fn is_whole(rate: f64, turns: usize) -> bool {
     let turned = rate * turns as f64;
@@ -72,16 +104,18 @@ fn is_whole(rate: f64, turns: usize) -> bool {
 
 impl Mechanism {
     /// Lets the period be that of the wheels as well that turn in proportion to the input: of those that carry
-    /// others or show how they are turned. What is not back after [`MOST_TURNS`] does not count.
+    /// others or show how they are turned. Where one does not come back it never ends.
     pub(super) fn count_turns_of_wheels(&mut self) {
         let Some(rounds) = self.rounds else { return };
         let rates = self.rates_of_bodies();
         let counts = |body: &BodyId| self.carries(*body) || self.shows_its_angle(*body);
         let bodies = self.bodies().filter(counts);
-        let rates: Vec<f64> = bodies.filter_map(|body| rates[body]).collect();
-        let are_back = |turns: &usize| rates.iter().all(|rate| is_whole(*rate, *turns));
-        let mut together = (1..=MOST_TURNS).filter(|turns| turns % rounds == 0);
-        self.rounds = together.find(are_back).or(self.rounds);
+        let rates = bodies.filter_map(|body| rates[body]);
+        let turns = rates.map(|rate| denominator(rate));
+        let together = turns
+            .into_iter()
+            .fold(Some(rounds), |all, turns| common(all?, turns?));
+        self.rounds = Some(together.unwrap_or(NEVER));
     }
 
     /// Of each body by how much its angle grows with the input, where that is constant by the drivers and the
@@ -121,8 +155,17 @@ impl Mechanism {
     pub(crate) fn rounds(&self) -> usize {
         self.rounds.unwrap_or(1)
     }
-    /// What the input can be told by without another pose, where the motion does not repeat: its period, unless a
-    /// group reckons with how often the crank has turned.
+
+    /// After how many turns a mechanism of cranks and wheels alone repeats, by the numbers of teeth; none of another,
+    /// and of one that takes more than can be told.
+    pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
+        let mut steps = self.steps.iter();
+        let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Geared(_)));
+        self.rounds.filter(|turns| alone && *turns < NEVER)
+    }
+
+    /// What the input can be told by without another pose, where the motion does not repeat: its period, unless that
+    /// is never over or a group reckons with how often the crank has turned.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.rates_of_bodies();
         let mut counted = self.steps.iter().flat_map(|step| match step {
@@ -130,6 +173,7 @@ impl Mechanism {
             _ => Vec::new(),
         });
         let counts_turns = counted.any(|body| rates[body].is_some_and(|rate| rate != 0.0));
-        self.period().filter(|_| !counts_turns)
+        self.period()
+            .filter(|_| !counts_turns && self.rounds() < NEVER)
     }
 }

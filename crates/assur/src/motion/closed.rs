@@ -35,6 +35,17 @@ impl Motion {
     }
 }
 
+impl Motion {
+    /// The motion of cranks and wheels alone, which repeats after so many turns.
+    pub(super) fn of_wheels(mechanism: Mechanism, turns: usize) -> Self {
+        let cycle = Cycle::turning(turns);
+        let home = cycle.wrap(mechanism.home());
+        let (signs, orientations) = mechanism.as_drawn();
+        let knots = Knots::alone(home, signs, orientations);
+        Self::of(mechanism, cycle, knots, Vec::new(), home)
+    }
+}
+
 /// A rocker of a four-bar in closed form, or what turns in a constant ratio to it.
 struct Rocker<'a> {
     closed: ClosedStep<'a>,

@@ -1,6 +1,7 @@
-//! Following a motion by continuity, from the drawn pose until it repeats or ends:
-//! every pose is predicted by the derivatives of the one before it, and steps are
-//! halved where a pose is not the predicted one.
+//! Following a motion by continuity, from the drawn pose until it repeats or ends. A step from a pose is taken where
+//! it is certified that nothing happens in it ([`Enclosure`]), and halved where it is not. What no step can pass is
+//! looked at where it has come near: links that pass through in line, a dead point, or a pose too near to a singular
+//! one.
 
 use std::convert::Infallible;
 
@@ -9,34 +10,34 @@ use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::Knots;
 use super::root::bisect;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{Cause, MOST_TURNS, Mechanism, Signs};
-use crate::position::{Nearby, Orientation, Predictor, ROUNDING, State, Step};
+use crate::mechanism::{Cause, Mechanism, NEVER, Signs, common};
+use crate::position::{Enclosure, Nearby, Orientation, Predictor, ROUNDING, State, Step};
 use crate::{Jet, Vector};
 
-/// Samples a turn; more where angles change fast.
+/// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
 const GRID: usize = 360;
-/// A turn of a body is known but for whole turns of its angle. They are certain if
-/// the angle changes by less than this from one sample to the next, radians …
+/// A body turns by less than this in a step, radians, so that its whole turns are counted.
 const MOST_TURNED: f64 = 1.0;
-/// … and that change differs by less than this from what the rates at both predict.
-const MOST_OFF: f64 = 0.2;
-/// The guess for a group may be off by this, relative to the size: Newton's method
-/// converges to the nearest solution only from nearby.
-const MOST_CORRECTED: f64 = 1e-4;
 /// No step is halved more often.
-const HALVINGS: i32 = 40;
-/// After links have passed through in line the motion is taken up this part of a
-/// turn, or of a slide's range, later: there their margins have left zero.
+const HALVINGS: i32 = 24;
+/// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
+/// through; as far beyond the motion is taken up again: there their margins have left zero.
 const PASSED: f64 = 1e-5;
+/// Within this part the singular pose that a group comes to is found by extrapolation.
+const EXTRAPOLATED: f64 = 1e-10;
+/// Two extrapolations of it agree within this part of its distance.
+const AGREED: f64 = 0.1;
 /// A motion repeats where all links are in the places of its start, within this of
 /// the size.
 const SAME: f64 = 1e-7;
+/// No more steps are tried, by bodies that are solved in each: about half a second. Hunting teeth may take more turns.
+const MOST_WORK: usize = 250_000;
 
 /// How a motion ended.
 pub(super) enum End {
     /// It repeats after so many turns.
     Closed(usize),
-    /// The driver can go no further.
+    /// The driver can go no further, or is followed no further.
     Dead(DeadPoint),
 }
 
@@ -48,11 +49,12 @@ pub(super) struct Continuation<'a> {
     /// The pose at the input, and a second one to try the next.
     here: Predictor,
     there: Predictor,
+    cell: Enclosure,
     /// The bodies whose angles are found by their turns, to a whole turn.
     winding: Vec<BodyId>,
     pub(super) change_points: Vec<f64>,
-    /// The step in doubt where the last trial was, if it was in doubt.
-    doubtful: StepId,
+    /// What may still be tried.
+    work: usize,
 }
 
 /// A pose that is expected.
@@ -70,18 +72,11 @@ impl Prediction {
     }
 }
 
-/// What a step along the motion meets.
-enum Outcome {
-    /// Nothing; the pose at this input is at hand.
-    Clear(f64),
-    /// The step is too long to tell what happens in it.
-    Doubt,
-    /// Links pass through in line here.
-    Passing {
-        step: StepId,
-        input: f64,
-    },
-    Blocked(DeadPoint),
+/// Where links pass through in line.
+struct Passing {
+    input: f64,
+    /// Whether they go on joined the other way; the closed form of a four-bar passes by itself.
+    turns_over: bool,
 }
 
 impl<'a> Continuation<'a> {
@@ -97,9 +92,10 @@ impl<'a> Continuation<'a> {
             input,
             there: here.clone(),
             here: here.clone(),
+            cell: mechanism.enclosure(),
             winding: mechanism.bodies().filter(winds).collect(),
             change_points: Vec::new(),
-            doubtful: StepId::FIRST,
+            work: MOST_WORK,
         }
     }
 
@@ -109,10 +105,11 @@ impl<'a> Continuation<'a> {
         knots.push(self.input, &self.signs, &self.here);
         let home = self.input;
         let cell = self.mechanism.span() / GRID as f64;
-        // A four-bar in closed form repeats after its own cycle, and drivers after theirs, no sooner.
+        // A four-bar in closed form repeats after its own cycle, and drivers and wheels after theirs, no sooner.
         let turns = self.mechanism.closed_steps().map(|closed| closed.turns());
         let least = common(turns.max().unwrap_or(1), self.mechanism.rounds());
-        for sample in 1..=GRID * MOST_TURNS {
+        let least = least.unwrap_or(NEVER);
+        for sample in 1.. {
             let target = home + sense * cell * sample as f64;
             if let Some(dead) = self.go_to(target, knots) {
                 return End::Dead(dead);
@@ -124,52 +121,78 @@ impl<'a> Continuation<'a> {
                 return End::Closed(sample / GRID);
             }
         }
-        End::Closed(MOST_TURNS)
+        End::Closed(least)
     }
 
     /// One cell of the grid, in as many steps as it takes.
     fn go_to(&mut self, target: f64, knots: &mut Knots) -> Option<DeadPoint> {
         let sense = (target - self.input).signum();
+        let whole = self.mechanism.span() / GRID as f64;
         let mut halved = 0;
         while (target - self.input) * sense > 0.0 {
-            let step = (target - self.input) * 0.5_f64.powi(halved);
-            let next = if halved == 0 {
-                target
+            let left = (target - self.input).abs();
+            let width = left.min(whole * 0.5_f64.powi(halved));
+            let next = if width < left {
+                self.input + sense * width
             } else {
-                self.input + step
+                target
             };
-            if next == self.input {
-                return Some(self.dead_at(self.input, self.doubtful, Cause::DeadPoint));
-            }
-            match self.step_to(next, true) {
-                Outcome::Clear(reached) => {
-                    self.input = reached;
-                    std::mem::swap(&mut self.here, &mut self.there);
-                    knots.push(self.input, &self.signs, &self.here);
-                    halved = (halved - 1).max(0);
+            let bodies = self.mechanism.bodies().len();
+            let Some(work) = self.work.checked_sub(bodies) else {
+                return Some(self.ends(StepId::FIRST, DeadPointKind::Unfollowed));
+            };
+            self.work = work;
+            let Err(step) = self.step_to(next) else {
+                self.input = next;
+                std::mem::swap(&mut self.here, &mut self.there);
+                knots.push(self.input, &self.signs, &self.here);
+                halved = (halved - 1).max(0);
+                continue;
+            };
+            if let Some(passing) = self.passes(step, sense * width) {
+                if !self.pass(step, &passing, sense, knots) {
+                    return Some(self.ends(step, DeadPointKind::NearSingular));
                 }
-                Outcome::Doubt if halved < HALVINGS => halved += 1,
-                Outcome::Doubt => {
-                    return Some(self.dead_at(self.input, self.doubtful, Cause::DeadPoint));
-                }
-                Outcome::Passing { step, input } => {
-                    self.signs[step] = self.signs[step].opposite();
-                    self.change_points.push(input);
-                    if (input - self.input) * sense > 0.0 {
-                        knots.push(input, &self.signs, &self.here);
-                    } else {
-                        knots.amend(&self.signs);
-                    }
-                    let past = input + sense * PASSED * self.mechanism.span();
-                    if !self.jump(past) {
-                        return Some(self.dead_at(input, step, Cause::DeadPoint));
-                    }
-                    knots.push(self.input, &self.signs, &self.here);
-                }
-                Outcome::Blocked(dead) => return Some(dead),
+                halved = 0;
+            } else if self.is_group(step) && width < EXTRAPOLATED * self.mechanism.span() {
+                return Some(self.singular(step, sense, knots));
+            } else if halved < HALVINGS && next != self.input {
+                halved += 1;
+            } else {
+                return Some(self.stopped(step, sense));
             }
         }
         None
+    }
+
+    /// Goes a step ahead to the second pose.
+    ///
+    /// # Errors
+    /// The first step of the plan of which it is not certain that nothing happens to it.
+    fn step_to(&mut self, next: f64) -> Result<(), StepId> {
+        let Self {
+            mechanism,
+            here,
+            cell,
+            ..
+        } = self;
+        let width = next - self.input;
+        cell.certify(mechanism.steps(), here, width)?;
+        for body in &self.winding {
+            if cell.reach() * cell.pace(here, *body) > MOST_TURNED {
+                return Err(mechanism.placed_by(*body).unwrap_or(StepId::FIRST));
+            }
+        }
+        self.try_next(next)?;
+        let strayed = |step: &StepId| {
+            let placing = &self.mechanism.steps()[*step];
+            !self.cell.holds(*step, placing, &self.here, &self.there)
+        };
+        self.mechanism
+            .steps()
+            .ids()
+            .find(strayed)
+            .map_or(Ok(()), Err)
     }
 
     /// The pose at an input, from the one that is predicted there.
@@ -184,94 +207,17 @@ impl<'a> Continuation<'a> {
     }
 
     /// The same into the second pose.
-    fn try_next(&mut self, input: f64) -> Result<(), (StepId, Cause)> {
+    fn try_next(&mut self, input: f64) -> Result<(), StepId> {
         let predicted = self.predicted(input);
         let near = predicted.near();
-        self.mechanism
-            .solve(input, &self.signs, near, &mut self.there)
-    }
-
-    /// Goes to an input beyond a change point with the signs that hold there.
-    fn jump(&mut self, input: f64) -> bool {
-        let solved = self.try_next(input).is_ok();
-        if solved {
-            self.input = input;
-            std::mem::swap(&mut self.here, &mut self.there);
-        }
-        solved
-    }
-
-    /// What lies between here and the next input. Where links are just in line
-    /// there, it may look a little beyond.
-    fn step_to(&mut self, next: f64, beyond: bool) -> Outcome {
-        if let Some(dead) = self.arc_ends(next) {
-            return self.up_to(dead);
-        }
-        if let Err((step, cause)) = self.try_next(next) {
-            return self.blocked(next, step, cause, beyond);
-        }
-        let width = next - self.input;
-        for body in &self.winding {
-            let [a, b] = [&self.here, &self.there].map(|state| state.angle(*body));
-            let change = b.value() - a.value();
-            let rates = 0.5 * (a.derivative(1) + b.derivative(1)) * width;
-            if change.abs() > MOST_TURNED || (change - rates).abs() > MOST_OFF {
-                return Outcome::Doubt;
-            }
-        }
-        for step in self.mechanism.steps().ids() {
-            let [a, b] = [&self.here, &self.there].map(|state| state.margins[step][0].value());
-            // Newton's method may have found another assembly.
-            let far = self.there.corrections[0] > MOST_CORRECTED || a * b <= 0.0;
-            if self.is_group(step) && far {
-                self.doubtful = step;
-                return Outcome::Doubt;
-            }
-        }
-        for step in self.mechanism.steps().ids() {
-            for side in [0, 1] {
-                if let Some(met) = self.touch(step, side, next) {
-                    return met;
-                }
-            }
-        }
-        Outcome::Clear(next)
+        let solved = self
+            .mechanism
+            .solve(input, &self.signs, near, &mut self.there);
+        solved.map_err(|(step, _)| step)
     }
 
     fn is_group(&self, step: StepId) -> bool {
         matches!(self.mechanism.steps()[step], Step::Group(_))
-    }
-
-    /// The dead point of a four-bar in closed form before an input.
-    fn arc_ends(&self, next: f64) -> Option<DeadPoint> {
-        let sense = (next - self.input).signum();
-        let ends = self.mechanism.closed_steps().filter_map(|closed| {
-            let arc = closed.arc(self.input)?;
-            let end = if sense > 0.0 { arc[1] } else { arc[0] };
-            ((next - end) * sense > 0.0).then(|| dead_point(&closed, arc, end))
-        });
-        ends.min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)))
-    }
-
-    /// The end of an arc of a four-bar, unless other links come to theirs before.
-    fn up_to(&mut self, dead: DeadPoint) -> Outcome {
-        let mut probe: State<1> = self.mechanism.blank_state();
-        match self.solve(dead.input, &mut probe) {
-            Err((step, cause)) if step != dead.step => self.blocked(dead.input, step, cause, false),
-            // What happens between here and there is seen in shorter steps only.
-            _ if (dead.input - self.input).abs() > PASSED * self.mechanism.span() => Outcome::Doubt,
-            _ => Outcome::Blocked(dead),
-        }
-    }
-
-    /// The same for an input that is no pose: within rounding of a dead point there
-    /// are no derivatives either.
-    fn arc_ends_at(&self, step: StepId, bad: f64) -> Option<DeadPoint> {
-        let mut closed = self.mechanism.closed_steps();
-        let closed = closed.find(|closed| closed.step == step)?;
-        let arc = closed.arc(self.input)?;
-        let end = arc[usize::from(bad > self.input)];
-        Some(dead_point(&closed, arc, end))
     }
 
     /// Where everything should be at another input, by the derivatives here.
@@ -298,71 +244,157 @@ impl<'a> Continuation<'a> {
         }
     }
 
-    /// Whether a margin comes down to zero and up again within a step.
-    fn touch(&mut self, step: StepId, side: usize, next: f64) -> Option<Outcome> {
-        let [a, b] = [&self.here, &self.there].map(|state| state.margins[step][side]);
-        let width = next - self.input;
-        let [fall, rise] = [a.derivative(1) * width, b.derivative(1) * width];
-        // Tangents bound what it falls by, with room for its bend.
-        if fall >= 0.0
-            || rise <= 0.0
-            || a.value() + 2.0 * fall > 0.0 && b.value() - 2.0 * rise > 0.0
-        {
+    /// Where just ahead the links of a step come into line and pass through; none where they do not, or it is too far
+    /// to be told.
+    fn passes(&self, step: StepId, width: f64) -> Option<Passing> {
+        let window = PASSED * self.mechanism.span();
+        if width.abs() > window {
             return None;
         }
-        let mut probe: State<3> = self.mechanism.blank_state();
-        let lowest = bisect([self.input, next], |input| {
-            let solved = self.solve(input, &mut probe);
-            solved.map_err(|(at, cause)| (input, at, cause))?;
-            Ok(probe.margins[step][side].derivative(1) * width < 0.0)
-        });
-        let (lowest, least) = match lowest {
-            Ok([low, high]) => {
-                let solved = self.solve(low, &mut probe);
-                let least = solved.map_or(0.0, |()| probe.margins[step][side].value());
-                (0.5 * (low + high), least)
-            }
-            // There are no derivatives at the very touch.
-            Err((input, at, Cause::DeadPoint)) if at == step => (input, 0.0),
-            Err((input, at, cause)) => return Some(self.blocked(input, at, cause, false)),
-        };
+        let sense = width.signum();
+        let ahead = |input: f64| (0.0..=window).contains(&((input - self.input) * sense));
+        let mut closed = self.mechanism.closed_steps();
+        if let Some(closed) = closed.find(|closed| closed.step == step) {
+            let around = [self.input - 2.0 * window, self.input + 2.0 * window];
+            let mut points = closed.change_points(around).into_iter();
+            let input = points.find(|input| ahead(*input))?;
+            return Some(Passing {
+                input,
+                turns_over: false,
+            });
+        }
         let placing = &self.mechanism.steps()[step];
-        if least > 16.0 * ROUNDING * placing.scale() {
-            None
-        } else if placing.passes() {
-            let input = lowest;
-            Some(Outcome::Passing { step, input })
-        } else {
-            let dead = self.dead_at(lowest, step, Cause::Parallel);
-            Some(Outcome::Blocked(dead))
+        if !placing.passes() {
+            return None;
+        }
+        // A margin that comes down to zero and up again is a parabola there.
+        let zero = 16.0 * ROUNDING * placing.scale();
+        let margins = self.here.margins[step].into_iter();
+        let lowest = margins.filter_map(|margin| {
+            let [value, slope, bend] = [0, 1, 2].map(|order| margin.derivative(order));
+            let input = self.input - slope / bend;
+            let least = value - 0.5 * slope * slope / bend;
+            (bend > 0.0 && ahead(input) && least.abs() <= zero).then_some(input)
+        });
+        lowest
+            .min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
+            .map(|input| Passing {
+                input,
+                turns_over: true,
+            })
+    }
+
+    /// Goes through to where the links of a step have passed; whether nothing happens to others meanwhile.
+    fn pass(&mut self, step: StepId, passing: &Passing, sense: f64, knots: &mut Knots) -> bool {
+        let before = self.signs.clone();
+        if passing.turns_over {
+            self.signs[step] = self.signs[step].opposite();
+        }
+        let past = passing.input + sense * PASSED * self.mechanism.span();
+        if self.try_next(past).is_err() {
+            self.signs = before;
+            return false;
+        }
+        let width = past - self.input;
+        let certified = self.cell.certify_beside(
+            self.mechanism.steps(),
+            &self.here,
+            width,
+            Some((step, &self.there)),
+        );
+        if certified.is_err() {
+            self.signs = before;
+            return false;
+        }
+        if passing.turns_over {
+            self.change_points.push(passing.input);
+            if (passing.input - self.input) * sense > 0.0 {
+                knots.push(passing.input, &self.signs, &self.here);
+            } else {
+                knots.amend(&self.signs);
+            }
+        }
+        self.input = past;
+        std::mem::swap(&mut self.here, &mut self.there);
+        knots.push(self.input, &self.signs, &self.here);
+        true
+    }
+
+    /// The singular pose of a group that lies just ahead; where none is known, the pose of the step that goes no
+    /// further. One group's fold lets those that hang on it move ever faster, so that it may be theirs that is met.
+    fn singular(&self, step: StepId, sense: f64, knots: &Knots) -> DeadPoint {
+        let groups = self.mechanism.steps().ids();
+        let groups = groups.filter(|other| self.is_group(*other));
+        let folds = groups.filter_map(|step| Some((step, self.fold(step, sense, knots)?)));
+        let nearest = folds.min_by(|(_, a), (_, b)| (a * sense).total_cmp(&(b * sense)));
+        match nearest {
+            Some((step, input)) => DeadPoint {
+                input,
+                kind: DeadPointKind::Singular,
+                step,
+            },
+            None => self.ends(step, DeadPointKind::NearSingular),
         }
     }
 
-    /// The dead point between here and an input without a pose; a change point
-    /// may be there as well, within rounding.
-    fn blocked(&mut self, bad: f64, step: StepId, cause: Cause, beyond: bool) -> Outcome {
-        if self.is_group(step) {
-            self.doubtful = step;
-            return Outcome::Doubt;
+    /// Where just ahead two assemblies of a group meet: the square of its determinant goes to zero in proportion to
+    /// the distance from there.
+    fn fold(&self, step: StepId, sense: f64, knots: &Knots) -> Option<f64> {
+        let square = |[input, determinant]: [f64; 2]| [input, determinant * determinant];
+        let first = square([self.input, self.here.margins[step][0].value()]);
+        let zero = |[x0, f0]: [f64; 2], [x1, f1]: [f64; 2]| x0 + f0 * (x0 - x1) / (f1 - f0);
+        let back = |from: [f64; 2], by: f64| {
+            let mut earlier = knots.determinants(step).map(square);
+            earlier.find(|[input, _]| (from[0] - input) * sense >= by)
+        };
+        let next = back(first, f64::MIN_POSITIVE)?;
+        let distance = (zero(first, next) - first[0]).abs();
+        let second = back(first, 0.5 * distance)?;
+        let third = back(second, 0.5 * distance)?;
+        let [near, far] = [zero(first, second), zero(second, third)];
+        let ahead = (near - first[0]) * sense;
+        let agreed = (near - far).abs() <= AGREED * ahead;
+        (agreed && ahead > 0.0 && ahead <= PASSED * self.mechanism.span()).then_some(near)
+    }
+
+    /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be
+    /// tried.
+    fn stopped(&self, step: StepId, sense: f64) -> DeadPoint {
+        let mut closed = self.mechanism.closed_steps();
+        let closed = closed.find(|closed| closed.step == step);
+        if let Some((closed, arc)) = closed.and_then(|one| Some((one, one.arc(self.input)?))) {
+            return dead_point(&closed, arc, arc[usize::from(sense > 0.0)]);
         }
+        // As far as links could pass through in line, and no farther, there is just one thing to meet.
         let mut probe: State<1> = self.mechanism.blank_state();
-        if let Some(dead) = self.arc_ends_at(step, bad) {
-            return self.up_to(dead);
-        }
-        // Of a deltoid the pose is undetermined at one input, and goes on beyond it.
-        if beyond && matches!(cause, Cause::DeadPoint | Cause::Undetermined) {
-            let past = bad + 1e-3 * (bad - self.input);
-            if self.solve(past, &mut probe).is_ok() {
-                return self.step_to(past, false);
-            }
-        }
-        let mut found = (step, cause);
+        let window = PASSED * self.mechanism.span();
+        let mut beyond = (0..=HALVINGS)
+            .rev()
+            .map(|halved| self.input + sense * window * 0.5_f64.powi(halved));
+        let met = beyond.find_map(|input| Some((input, self.solve(input, &mut probe).err()?)));
+        let Some((bad, (step, cause))) = met else {
+            return self
+                .parallel(step, sense)
+                .unwrap_or_else(|| self.ends(step, DeadPointKind::NearSingular));
+        };
         let Ok([last, _]) = bisect([self.input, bad], |input| {
-            let solved = self.solve(input, &mut probe);
-            let solved = solved.map_err(|met| found = met);
-            Ok::<bool, Infallible>(solved.is_ok())
+            Ok::<bool, Infallible>(self.solve(input, &mut probe).is_ok())
         });
-        Outcome::Blocked(self.dead_at(last, found.0, found.1))
+        self.dead_at(last, step, cause)
+    }
+
+    /// Where just ahead the two guides of a step become parallel: there are poses beyond, but not from here. The
+    /// margin is the square of the sine between them.
+    fn parallel(&self, step: StepId, sense: f64) -> Option<DeadPoint> {
+        let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
+        let margin = self.here.margins[step][0];
+        let ahead = -2.0 * margin.value() / margin.derivative(1);
+        let near = ahead * sense > 0.0 && ahead.abs() <= PASSED * self.mechanism.span();
+        (crosses && near).then(|| DeadPoint {
+            input: self.input + ahead,
+            kind: DeadPointKind::Parallel,
+            step,
+        })
     }
 
     /// What kind of dead point a step has at an input.
@@ -382,9 +414,10 @@ impl<'a> Continuation<'a> {
         debug_assert!(solved.is_ok() || cause != Cause::Input);
         DeadPoint { input, kind, step }
     }
-}
 
-/// The least common multiple.
-fn common(a: usize, b: usize) -> usize {
-    (1..=b).map(|k| a * k).find(|all| all % b == 0).unwrap_or(a)
+    /// It is followed no further than here.
+    fn ends(&self, step: StepId, kind: DeadPointKind) -> DeadPoint {
+        let input = self.input;
+        DeadPoint { input, kind, step }
+    }
 }

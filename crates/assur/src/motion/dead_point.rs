@@ -19,6 +19,11 @@ pub enum DeadPointKind {
     Singular,
     /// The end of a driven slide's range: no dead point of the linkage.
     Range,
+    /// A pose so near to a singular one, or to another branch of the motion, that it cannot be told how the motion
+    /// goes on: no dead point that is known.
+    NearSingular,
+    /// The motion goes on for longer than it is followed: no dead point.
+    Unfollowed,
 }
 
 impl DeadPointKind {
@@ -31,6 +36,8 @@ impl DeadPointKind {
             Self::Parallel => "parallel",
             Self::Singular => "singular",
             Self::Range => "range",
+            Self::NearSingular => "near_singular",
+            Self::Unfollowed => "unfollowed",
         }
     }
 }

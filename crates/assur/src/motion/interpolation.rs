@@ -1,7 +1,7 @@
 //! Samples of a motion, and between them by Hermite interpolation the guess from
 //! which groups are solved.
 
-use crate::index::{BodyId, List};
+use crate::index::{BodyId, List, StepId};
 use crate::mechanism::Signs;
 use crate::position::{Nearby, Orientation, Predictor};
 use crate::sorting::sort_by;
@@ -18,6 +18,8 @@ pub(super) struct Knots {
 struct Knot {
     input: f64,
     signs: Signs,
+    /// The first margin of each step: of a group its determinant.
+    margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
     /// Of each coordinate the value and the coefficients of three derivatives.
     natural: Vec<[f64; 4]>,
@@ -31,6 +33,11 @@ impl Knots {
         self.list.push(Knot {
             input,
             signs: signs.clone(),
+            margins: state
+                .margins
+                .iter()
+                .map(|[margin, _]| margin.value())
+                .collect(),
             orientations: state.orientations(),
             natural: natural.collect(),
         });
@@ -46,6 +53,7 @@ impl Knots {
             list: vec![Knot {
                 input,
                 signs: signs.clone(),
+                margins: signs.alike(1.0),
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
@@ -60,6 +68,14 @@ impl Knots {
 
     pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
         self.list.iter().map(|knot| knot.input)
+    }
+
+    /// The inputs with the determinants of a group of higher class, the last first.
+    pub(super) fn determinants(&self, step: StepId) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.list
+            .iter()
+            .rev()
+            .map(move |knot| [knot.input, knot.margins[step]])
     }
 
     /// Other signs from the last knot on.

@@ -31,7 +31,7 @@ pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
 pub use transmission::LeastTransmission;
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use crate::Cycle;
 use crate::mechanism::{Mechanism, Pose, Unsolved};
@@ -62,6 +62,8 @@ impl Motion {
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
             Self::in_closed_form(mechanism)
+        } else if let Some(turns) = mechanism.turns_of_wheels() {
+            Self::of_wheels(mechanism, turns)
         } else {
             Self::followed(mechanism)
         }
@@ -90,8 +92,8 @@ impl Motion {
                 forth.change_points.extend(back.change_points);
                 knots.prepend(before);
                 let period = mechanism.period_of_arcs();
-                // The arc is told by whole periods so that it begins within one from −π on.
-                let shift = period.map_or(0.0, |turn| turn * ((first.input + PI) / turn).floor());
+                // The arc is told by whole periods so that it begins within half of one from 0.
+                let shift = period.map_or(0.0, |turn| turn * (first.input / turn + 0.5).floor());
                 knots.shift(-shift);
                 turned = shift;
                 let ends = [first, last].map(|end| DeadPoint {

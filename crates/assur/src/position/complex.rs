@@ -56,6 +56,13 @@ impl<const N: usize> Complex<N> {
         Self(self.0.map(conjugate))
     }
 
+    /// The same with its first derivatives only.
+    pub(crate) fn truncated<const M: usize>(&self) -> Complex<M> {
+        Complex(std::array::from_fn(|k| {
+            self.0.get(k).copied().unwrap_or_default()
+        }))
+    }
+
     /// i times this: a quarter turn to the left.
     pub(crate) fn left(self) -> Self {
         Self(self.0.map(|c| Vector::new(-c.y, c.x)))

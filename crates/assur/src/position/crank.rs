@@ -1,8 +1,8 @@
 //! The driven crank: the mechanism of Class I.
 
-use super::{Anchor, Cause, Course, Given, Solvable, State};
+use super::{Anchor, Cause, Course, Enclosure, Given, Predictor, Solvable, State};
 use crate::Vector;
-use crate::index::BodyId;
+use crate::index::{BodyId, StepId};
 
 /// A body hinged on the frame and turned by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,12 @@ impl Solvable for Crank {
         let angle = self.course.at(given.input) + -self.lead;
         state.pin(self.body, angle, self.at, self.hinge);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        let at = cell.place(from, self.at).bend;
+        cell.set(self.body, 0.0, [(self.hinge, at); 2]);
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

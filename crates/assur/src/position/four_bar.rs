@@ -4,8 +4,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::rrr::Triangle;
-use super::{Angle, Arm, Cause, Complex, Given, Orientation, Sign, Solvable, State};
-use crate::index::BodyId;
+use super::{
+    Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Solvable, State,
+};
+use crate::index::{BodyId, StepId};
 use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
 
 /// P and Q relative to (l₂ + l₃)² from which on links are far from being in line.
@@ -143,6 +145,10 @@ impl Solvable for Closed {
             return Ok(());
         }
         self.turn(state, given.sign)
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        cell.pair(from, &self.arms)
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -1,7 +1,7 @@
 //! An epicyclic train: wheels and carriers whose angles follow from those of others by the numbers of teeth.
 
-use super::{Anchor, Cause, Given, Solvable, State};
-use crate::index::BodyId;
+use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State};
+use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
 /// Bodies each of which is hinged on one that is placed before it, and whose meshes determine all their angles: a
@@ -40,6 +40,18 @@ impl Solvable for Geared {
             state.pin(member.body, angle, member.at, member.hinge);
         }
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        for member in &self.members {
+            let at = cell.place(from, member.at).bend;
+            let ratios = member.ratios.iter();
+            let spin = ratios
+                .map(|(body, ratio)| cell.spin(*body) * ratio.abs())
+                .sum();
+            cell.set(member.body, spin, [(member.hinge, at); 2]);
+        }
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -12,8 +12,10 @@ use super::elimination::Elimination;
 use super::equation::MOST_FORMS;
 use super::mesh::Mesh;
 use super::step::finite;
-use super::work::{Work, largest};
-use super::{Anchor, Cause, Equation, Form, Given, Nearby, Solvable, State};
+use super::work::Work;
+use super::{
+    Anchor, Cause, Complex, Enclosure, Equation, Form, Given, Nearby, Predictor, Solvable, State,
+};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -44,6 +46,10 @@ pub(crate) struct Group {
     further: Vec<Term>,
     equations: Vec<Equation>,
     pub(super) meshes: Vec<Mesh>,
+    /// Of each unknown what it is measured by: the size of the group for a place, 1 for a direction; and by how much
+    /// each form changes where all unknowns change by their units.
+    pub(super) units: Vec<f64>,
+    pub(super) by_unknowns: Vec<f64>,
     /// What an equation is left with becomes a length by this; none for angles.
     lengths: Vec<f64>,
     /// Each body with the forms of its origin and its turn.
@@ -78,21 +84,23 @@ struct Entry {
 const CONVERGED: f64 = 1e-14;
 /// No more steps are taken, from a guess that is near or from a drawing.
 const MOST_STEPS: usize = 30;
-/// The equations hold when they are left with this.
-const CLOSED: f64 = 1e-12;
+/// The equations hold when they are left with no more than rounding leaves of the terms they are sums of, some of
+/// which are rounded more than once.
+const ROUNDINGS: f64 = 16.0;
 
 impl Group {
     /// None where the equations, each with its length, are not as many as the
     /// unknowns. Forms of equations come first.
     pub(crate) fn new(
         offset: usize,
-        unknowns: usize,
+        units: Vec<f64>,
         inputs: Vec<Input>,
         forms: &[Form],
         equations: Vec<(Equation, f64)>,
         meshes: Vec<Mesh>,
         bodies: Vec<(BodyId, [usize; 2])>,
     ) -> Option<Self> {
+        let unknowns = units.len();
         let size = 2 * unknowns;
         if equations.len() != size {
             return None;
@@ -131,10 +139,16 @@ impl Group {
             });
             terms.collect()
         };
+        let by_unknowns = forms.iter().map(|form| {
+            let terms = form.unknowns.iter();
+            terms.map(|(unknown, by)| by.norm() * units[*unknown]).sum()
+        });
         Some(Self {
             inputs,
             unknowns,
             offset,
+            by_unknowns: by_unknowns.collect(),
+            units,
             constants: forms.iter().map(|form| form.constant).collect(),
             equated,
             taken: terms(|form| &form.inputs, 0..forms.len()),
@@ -169,12 +183,7 @@ impl Group {
         }
         let work = &mut state.work;
         self.guess(work, near);
-        for (value, constant) in work.values.iter_mut().zip(&self.constants) {
-            value.set_constant(*constant);
-        }
-        for term in &self.taken {
-            work.values[term.form] = work.values[term.form] + work.inputs[term.of].by(term.by);
-        }
+        self.take(work);
         for (known, value) in work.known.iter_mut().zip(&work.values) {
             *known = value.value();
         }
@@ -205,7 +214,6 @@ impl Group {
         step: StepId,
     ) -> Result<(), Cause> {
         let work = &mut state.work;
-        let length = state.scale.sqrt();
         let mut last = f64::INFINITY;
         for turn in 0..MOST_STEPS {
             self.evaluate(work);
@@ -219,7 +227,6 @@ impl Group {
                 };
                 *left = [equation.left(&work.values, &work.given), rate];
             }
-            let left = largest(&work.left);
             let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
             state.margins[step] = [Jet::constant(determinant); 2];
             self.suited(work.planned, &work.spare).solve(
@@ -227,16 +234,16 @@ impl Group {
                 &mut work.left,
                 &mut work.step,
             );
-            let change = largest(&work.step);
+            let change = self.change(&work.step);
             if !change.is_finite() {
                 return Err(Cause::DeadPoint);
             }
             if let Some(correction) = state.corrections.get_mut(turn) {
-                *correction = correction.max(change / length);
+                *correction = correction.max(change);
             }
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.
-            if change <= CONVERGED * length || (left <= CLOSED && change >= 0.5 * last) {
+            if change <= CONVERGED || change >= 0.5 * last && self.is_closed(work) {
                 return Ok(());
             }
             if turn + 1 == MOST_STEPS {
@@ -252,11 +259,88 @@ impl Group {
         Err(Cause::DeadPoint)
     }
 
+    /// The largest change of an unknown in its unit; each has a rate with it.
+    fn change(&self, step: &[[f64; 2]]) -> f64 {
+        let changes = step.chunks_exact(2).zip(&self.units);
+        changes.fold(0.0, |most, (change, unit)| {
+            let change = change[0][0].abs().max(change[1][0].abs()) / unit;
+            if change > most || change.is_nan() {
+                change
+            } else {
+                most
+            }
+        })
+    }
+
+    /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
+    /// of its direction.
+    fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
+        let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
+            for term in terms {
+                noise[term.form] += inputs[term.of][0].norm() * term.by.norm();
+            }
+        };
+        let mut noise = std::mem::take(&mut work.noise);
+        noise.clear();
+        noise.extend(self.constants.iter().map(|constant| constant.norm()));
+        terms(&work.inputs, &self.taken, &mut noise);
+        terms(&work.unknowns, &self.sought, &mut noise);
+        let closed = self.equations.iter().all(|equation| {
+            let size = |form: usize| work.values[form][0].norm();
+            let rounded = match *equation {
+                Equation::Unit(form) => size(form) * noise[form],
+                Equation::Real(form) | Equation::Imaginary(form) => noise[form],
+                Equation::Line { direction, way } => {
+                    size(direction) * noise[way] + size(way) * noise[direction]
+                }
+                Equation::Mesh { turns, mesh } => {
+                    let given = &work.given[mesh];
+                    let turns = turns.iter().flatten().zip(given.near);
+                    turns.fold(given.angle.value().abs(), |sum, ((form, by), near)| {
+                        sum + by.abs() * (noise[*form] + near.angle.abs())
+                    })
+                }
+            };
+            let left = equation.left(&work.values, &work.given).abs();
+            left <= ROUNDINGS * f64::EPSILON * rounded
+        });
+        work.noise = noise;
+        closed
+    }
+
     /// The unknowns as they are guessed.
     fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
         let own = near.natural[2 * self.offset..].chunks_exact(2);
         for (place, guess) in work.unknowns.iter_mut().zip(own) {
             place[0] = Vector::new(guess[0], guess[1]);
+        }
+    }
+
+    /// What all forms have of what is solved.
+    pub(super) fn take<const N: usize>(&self, work: &mut Work<N>) {
+        for (value, constant) in work.values.iter_mut().zip(&self.constants) {
+            value.set_constant(*constant);
+        }
+        for term in &self.taken {
+            work.values[term.form] = work.values[term.form] + work.inputs[term.of].by(term.by);
+        }
+    }
+
+    /// Its own of the unknowns of all groups.
+    pub(super) fn own<'a, T>(&self, natural: &'a [T]) -> impl Iterator<Item = &'a T> {
+        natural[self.offset..].iter().take(self.unknowns)
+    }
+
+    pub(super) fn equations(&self) -> &[Equation] {
+        &self.equations
+    }
+
+    /// What the second derivatives of all forms are at most by those of what is solved.
+    pub(super) fn bends(&self, inputs: &[f64], forms: &mut Vec<f64>) {
+        forms.clear();
+        forms.resize(self.constants.len(), 0.0);
+        for term in &self.taken {
+            forms[term.form] += inputs[term.of] * term.by.norm();
         }
     }
 
@@ -286,7 +370,7 @@ impl Group {
 
     /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
     /// must be; its determinant, none where it is singular.
-    fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
+    pub(super) fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
         let planned = self.elimination.factor(&mut work.jacobian);
         work.planned = planned.is_some();
@@ -298,16 +382,23 @@ impl Group {
     }
 
     /// The elimination that was done: as planned for the group, or for this pose.
-    fn suited<'a>(&'a self, planned: bool, spare: &'a Elimination) -> &'a Elimination {
+    pub(super) fn suited<'a>(&'a self, planned: bool, spare: &'a Elimination) -> &'a Elimination {
         if planned { &self.elimination } else { spare }
     }
 
     /// Adds to the forms that stand in equations what the unknowns contribute to a
     /// coefficient.
     #[inline(always)]
-    fn add<const N: usize>(&self, work: &mut Work<N>, order: usize) {
+    pub(super) fn add<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         for term in &self.sought {
             work.values[term.form][order] += product(work.unknowns[term.of][order], term.by);
+        }
+    }
+
+    /// Adds to all other forms what the unknowns contribute.
+    pub(super) fn add_further<const N: usize>(&self, work: &mut Work<N>) {
+        for term in &self.further {
+            work.values[term.form] = work.values[term.form] + work.unknowns[term.of].by(term.by);
         }
     }
 
@@ -356,9 +447,7 @@ impl Group {
     /// Puts what was found where it is looked for.
     fn settle<const N: usize>(&self, state: &mut State<N>, near: Nearby<'_>) -> Result<(), Cause> {
         let work = &mut state.work;
-        for term in &self.further {
-            work.values[term.form] = work.values[term.form] + work.unknowns[term.of].by(term.by);
-        }
+        self.add_further(work);
         let mut sum = Vector::zeros();
         let natural = &mut state.natural[self.offset..];
         for (place, found) in natural.iter_mut().zip(&work.unknowns) {
@@ -388,6 +477,10 @@ impl Solvable for Group {
     #[inline(always)]
     fn put<const N: usize>(&self, state: &mut State<N>, given: &Given<'_, N>) -> Result<(), Cause> {
         self.solve(state, given)
+    }
+
+    fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        self.certified(step, from, cell)
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -7,10 +7,12 @@
 //! to it has constant local coordinates. A group is solved from bodies that were
 //! solved before it.
 
+mod certified;
 mod complex;
 mod course;
 mod crank;
 mod elimination;
+mod enclosure;
 mod equation;
 mod four_bar;
 mod geared;
@@ -32,6 +34,7 @@ use crate::index::BodyId;
 pub(crate) use complex::{Complex, conjugate, product, quotient};
 pub(crate) use course::Course;
 pub(crate) use crank::Crank;
+pub(crate) use enclosure::Enclosure;
 pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;
 pub(crate) use geared::{Geared, Member};

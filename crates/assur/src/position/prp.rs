@@ -1,9 +1,9 @@
 //! The dyad PRP: two links that slide along solved lines and are hinged on each
 //! other.
 
-use super::{Cause, Given, Solvable, State, Track, crossing};
+use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State, Track, crossing};
 use crate::Vector;
-use crate::index::BodyId;
+use crate::index::{BodyId, StepId};
 
 /// Links i and j; the point of both tracks is the joint C between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +28,23 @@ impl Solvable for Prp {
         state.slid(i, lines[0].1, c);
         state.slid(j, lines[1].1, c);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        let [i, j] = &self.tracks;
+        let at = from
+            .place(Anchor {
+                body: i.body,
+                local: i.point,
+            })
+            .value();
+        let lines = [i, j].map(|track| (track.line.body, track.heading));
+        let Some(bend) = cell.crossing(from, at, lines) else {
+            return false;
+        };
+        cell.slid(i, bend);
+        cell.slid(j, bend);
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

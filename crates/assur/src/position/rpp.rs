@@ -3,9 +3,9 @@
 
 use super::complex::{Complex, conjugate};
 use super::rpr::Side;
-use super::{Cause, Given, Solvable, State, Track, crossing};
+use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State, Track, crossing};
 use crate::Vector;
-use crate::index::BodyId;
+use crate::index::{BodyId, StepId};
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +43,28 @@ impl Solvable for Rpp {
         let at = crossing([guide, sliding], &mut state.margins[given.step])?;
         state.slid(track, direction, at);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        let Self { side, track, .. } = self;
+        let spin = cell.spin(track.line.body);
+        let hinge = cell.place(from, side.outer).bend;
+        cell.set(side.body, spin, [(side.hinge, hinge); 2]);
+        let at = from
+            .place(Anchor {
+                body: track.body,
+                local: track.point,
+            })
+            .value();
+        let lines = [
+            (track.line.body, track.heading),
+            (side.body, side.direction),
+        ];
+        let Some(bend) = cell.crossing(from, at, lines) else {
+            return false;
+        };
+        cell.slid(track, bend);
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

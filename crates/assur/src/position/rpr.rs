@@ -1,8 +1,8 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
 use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Cause, Dead, Given, Solvable, State, root};
-use crate::index::BodyId;
+use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, root};
+use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
 /// Links i and j hinged at B and D (the slotted lever and the block of an
@@ -58,6 +58,29 @@ impl Solvable for Rpr {
             state.origin[side.body] = at - turn.by(side.hinge);
         }
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        // With d = u (w + ih): ω w = u × d′ and ε w = u × d″ + ω²h − 2ω w′.
+        let [i, j] = &self.sides;
+        let [b, d] = [i, j].map(|side| cell.place(from, side.outer));
+        let base = d.minus(&b);
+        let apart = (i.off - j.off).abs();
+        let [least, most] = cell.distances(&base);
+        if least <= apart {
+            return false;
+        }
+        let run = ((least - apart) * (least + apart)).sqrt();
+        let speed = cell.speed(&base);
+        let crude = speed / run;
+        let lengthens = 2.0 * most * speed / run;
+        let spin = |pace: f64| (base.bend + pace * (pace * apart + lengthens)) / run;
+        let pace = crude.min(cell.turning(from, i.body).abs() + cell.reach * spin(crude));
+        let spin = spin(pace);
+        for (side, outer) in [(i, b), (j, d)] {
+            cell.set(side.body, spin, [(side.hinge, outer.bend); 2]);
+        }
+        spin.is_finite()
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -2,8 +2,11 @@
 //! a solved line.
 
 use super::complex::Complex;
-use super::{Arm, Cause, Dead, Given, Solvable, State, Track, root};
-use crate::index::BodyId;
+use super::{
+    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, Track, product, root,
+};
+use crate::Vector;
+use crate::index::{BodyId, StepId};
 
 /// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider
 /// of a slider-crank).
@@ -38,6 +41,57 @@ impl Solvable for Rrp {
         state.lay(&self.arm, b, to_c);
         state.slid(&self.track, direction, b + to_c);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        let Self { arm, track } = self;
+        let (length, line) = (arm.length(), track.line.body);
+        let at = from
+            .place(Anchor {
+                body: track.body,
+                local: track.point,
+            })
+            .value();
+        let b = cell.place(from, arm.outer);
+        // From B to the place of the line that is at C when the step begins, and its distance from the line, by which
+        // the arm may not be shorter.
+        let way = cell.place_at(from, line, at).minus(&b);
+        let [direction, rate] = [0, 1].map(|order| product(from.turn[line][order], track.heading));
+        let left = |v: Vector| Vector::new(-v.y, v.x);
+        let rise = left(direction).dot(&way.at);
+        let climbs = left(direction).dot(&way.rate) + left(rate).dot(&way.at);
+        let (pace, speed) = (cell.pace(from, line), cell.speed(&way));
+        let [_, far] = cell.distances(&way);
+        let bend = way.bend + 2.0 * pace * speed + cell.sway(from, line) * far;
+        let most = rise.abs().max((rise + climbs * cell.width).abs())
+            + 0.5 * cell.reach * cell.reach * bend;
+        if most >= length {
+            return false;
+        }
+        let sine = ((length - most) * (length + most)).sqrt() / length;
+        // n·X″ = n·q″ + 2σ′ω + σε, with the way σ of C along the line: σ′ is no more than |X′| + |q′|.
+        let free = sine - cell.reach * pace;
+        if free <= 0.0 {
+            return false;
+        }
+        let crude = speed * (1.0 + cell.reach * pace) / free;
+        let slides = crude + speed;
+        let rest = way.bend + slides * (2.0 * pace + cell.reach * cell.spin(line));
+        let v0 = cell.turning(from, arm.body).abs() * length;
+        let v = cell.settled(v0, (length * sine).recip(), rest / sine);
+        let v = v.map_or(crude, |v| v.min(crude));
+        let bend = (v * v / length + rest) / sine;
+        if !bend.is_finite() {
+            return false;
+        }
+        let joint = b.bend + bend;
+        cell.set(
+            arm.body,
+            bend / length,
+            [(arm.from, b.bend), (arm.to, joint)],
+        );
+        cell.slid(track, joint);
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

@@ -1,9 +1,9 @@
 //! The dyad RRR: two links hinged on each other and on two solved points.
 
 use super::complex::Complex;
-use super::{Arm, Cause, Dead, Given, Solvable, State, clear};
+use super::{Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, clear};
 use crate::Jet;
-use crate::index::BodyId;
+use crate::index::{BodyId, StepId};
 
 /// Links i and j with the joint C between them, i hinged at B, j at D.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +98,10 @@ impl Solvable for Rrr {
         };
         triangle.lay(state, &self.arms, side);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        cell.pair(from, &self.arms)
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

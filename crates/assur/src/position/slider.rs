@@ -1,8 +1,8 @@
 //! The driven slide.
 
-use super::{Cause, Complex, Course, Given, Solvable, State, Track};
+use super::{Anchor, Cause, Complex, Course, Enclosure, Given, Predictor, Solvable, State, Track};
 use crate::Jet;
-use crate::index::BodyId;
+use crate::index::{BodyId, StepId};
 
 /// A body moved along a line of the frame by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +32,33 @@ impl Solvable for Slider {
         let at = direction * Complex::new(coordinate, Jet::constant(track.off));
         state.slid(track, direction, start + at);
         Ok(())
+    }
+
+    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        let Self {
+            track,
+            range,
+            course,
+        } = self;
+        let line = track.line.body;
+        let at = from
+            .place(Anchor {
+                body: track.body,
+                local: track.point,
+            })
+            .value();
+        let (start, direction) = from.line(track);
+        let here = (at - start.value()).dot(&direction.value());
+        let there = here + course.rate * cell.width;
+        if !(range[0]..=range[1]).contains(&there) {
+            return false;
+        }
+        // C″ = Q″ + 2σ′v′ + σv″ with a constant rate σ′ along the line.
+        let rate = course.rate.abs();
+        let along = 2.0 * rate * cell.pace(from, line) + cell.reach * rate * cell.sway(from, line);
+        let bend = cell.place_at(from, line, at).bend + along;
+        cell.slid(track, bend);
+        true
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

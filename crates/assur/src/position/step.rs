@@ -1,6 +1,9 @@
 //! A step of the plan: what each kind of it tells of itself, in a file of its own.
 
-use super::{Cause, Closed, Crank, Geared, Group, Nearby, Prp, Rpp, Rpr, Rrp, Rrr, Slider, State};
+use super::{
+    Cause, Closed, Crank, Enclosure, Geared, Group, Nearby, Predictor, Prp, Rpp, Rpr, Rrp, Rrr,
+    Slider, State,
+};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -48,6 +51,10 @@ pub(crate) trait Solvable {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause>;
+
+    /// Bounds the motion of its bodies over a step of the input from a pose; whether it is certain that it stays
+    /// solved the same way.
+    fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
     /// The bodies that it places.
     fn bodies(&self) -> impl Iterator<Item = BodyId>;
@@ -148,6 +155,11 @@ impl Step {
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
         ask!(self, kind => kind.put(state, given))
+    }
+
+    /// Bounds the motion of its bodies over a step of the input.
+    pub(crate) fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        ask!(self, kind => kind.enclose(step, from, cell))
     }
 
     /// The bodies that it places.

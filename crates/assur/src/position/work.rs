@@ -30,6 +30,8 @@ pub(crate) struct Work<const N: usize> {
     pub(super) lack: Vec<[f64; 1]>,
     pub(super) gain: Vec<[f64; 1]>,
     pub(super) jacobian: Vec<f64>,
+    /// What rounding may leave of each form.
+    pub(super) noise: Vec<f64>,
     /// Whether it was eliminated as planned for the group; else as planned here.
     pub(super) planned: bool,
     pub(super) spare: Elimination,
@@ -61,14 +63,7 @@ impl<const N: usize> Work<N> {
         self.lack.resize(size, [0.0]);
         self.gain.resize(size, [0.0]);
         self.jacobian.resize(size * size, 0.0);
+        self.noise.reserve(group.constants.len());
         self.spare.fit(size);
     }
-}
-
-/// The largest of the corrections; each has a rate with it.
-pub(super) fn largest(values: &[[f64; 2]]) -> f64 {
-    values.iter().fold(0.0, |most, [value, _]| {
-        let value = value.abs();
-        if value > most { value } else { most }
-    })
 }

@@ -1,0 +1,289 @@
+//! What bounds the motion of a group of higher class over a step of the input.
+//!
+//! Its equations are quadratic in the unknowns X and in what it takes from solved bodies, but for wheels in mesh, whose
+//! angles have bounded second derivatives as well. Along the tangent X₀ + t X₀′ the equations are left with t²/2 times
+//! what is known (`defect`), and the Jacobian J differs from the one where the step begins by what the tangent and the
+//! distance from it allow. With A = J₀⁻¹, where ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball as wide as twice the first correction,
+//! there is just one solution in it (Kantorovich), it depends continuously on the input, and J is regular: the
+//! determinant keeps its sign, so that the step has no singular pose, no other assembly and no flight to infinity.
+
+use super::enclosure::{AT_ONCE, Bounds, Enclosure};
+use super::equation::{Equation, MOST_FORMS};
+use super::group::{Group, Input};
+use super::{Predictor, Vector};
+use crate::index::StepId;
+
+/// What is known of a form: value and derivative where the step begins, what its second derivative is at most by what
+/// is solved, and how much it changes with the unknowns.
+#[derive(Clone, Copy)]
+struct Known {
+    value: Vector,
+    rate: Vector,
+    bend: f64,
+    by_unknowns: f64,
+}
+
+/// The Jacobian changes by no more than this, relative to itself.
+const REGULAR: f64 = 0.5;
+
+impl Group {
+    /// See [`super::Solvable::enclose`].
+    pub(super) fn certified(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+        cell.work.fit(self);
+        self.linearize(from, cell);
+        if !self.invert(cell) {
+            return false;
+        }
+        let reach = cell.reach;
+        let half_square = 0.5 * reach * reach;
+        // What the equations are left with on the tangent, by t²/2; how the Jacobian changes along it; and how with
+        // the distance from it.
+        let spins = |mesh: usize, cell: &Enclosure| -> f64 {
+            let known = self.meshes[mesh].known.iter();
+            known.map(|(body, by)| cell.spin(*body) * by.abs()).sum()
+        };
+        for (row, equation) in self.equations().iter().enumerate() {
+            let known = |form: usize| self.known(cell, form);
+            let travels = |form: &Known| reach * form.rate.norm() + half_square * form.bend;
+            let far = |form: &Known| form.value.norm() + reach * form.rate.norm();
+            let sums = match *equation {
+                Equation::Unit(form) => {
+                    let f = known(form);
+                    let defect =
+                        f.rate.norm_squared() + (far(&f) + 0.5 * half_square * f.bend) * f.bend;
+                    [defect, f.by_unknowns * travels(&f), f.by_unknowns.powi(2)]
+                }
+                Equation::Real(form) | Equation::Imaginary(form) => [known(form).bend, 0.0, 0.0],
+                Equation::Line { direction, way } => {
+                    let [u, v] = [known(direction), known(way)];
+                    let defect = 2.0 * u.rate.perp(&v.rate).abs()
+                        + (far(&v) + half_square * v.bend) * u.bend
+                        + far(&u) * v.bend;
+                    let changes = u.by_unknowns * travels(&v) + v.by_unknowns * travels(&u);
+                    [defect, changes, 2.0 * u.by_unknowns * v.by_unknowns]
+                }
+                Equation::Mesh { turns, mesh } => {
+                    // The angle of f has the gradient 1/|f|; |f| stays above ½.
+                    let turns = turns.into_iter().flatten();
+                    turns.fold(
+                        [spins(mesh, cell), 0.0, 0.0],
+                        |[defect, changes, off], (form, by)| {
+                            let (f, by) = (known(form), by.abs());
+                            let rate = f.rate.norm_squared();
+                            [
+                                defect + by * (rate + 2.0 * f.bend),
+                                changes + 4.0 * by * f.by_unknowns * travels(&f),
+                                off + 4.0 * by * f.by_unknowns.powi(2),
+                            ]
+                        },
+                    )
+                }
+            };
+            cell.bounds.sums[row] = sums;
+        }
+        let [defect, changes, off] = self.weighed(cell);
+        // The ball has the radius of twice the first correction.
+        let radius = 2.0 * half_square * defect;
+        let change = changes + off * radius;
+        if change.is_nan() || change > REGULAR || !self.turns_little(cell, radius) {
+            return false;
+        }
+        cell.strays[step] = radius;
+        let inverse = (1.0 - change).recip();
+
+        // By how much the rates of the unknowns differ from those where the step begins …
+        for (row, equation) in self.equations().iter().enumerate() {
+            let known = |form: usize| self.known(cell, form);
+            let off = |form: &Known| {
+                reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
+            };
+            let defect = match *equation {
+                Equation::Unit(form) => {
+                    let f = known(form);
+                    off(&f) * f.rate.norm() + reach * f.bend
+                }
+                Equation::Real(form) | Equation::Imaginary(form) => reach * known(form).bend,
+                Equation::Line { direction, way } => {
+                    let [u, v] = [known(direction), known(way)];
+                    u.rate.norm() * off(&v)
+                        + v.rate.norm() * off(&u)
+                        + reach * u.bend * (v.value.norm() + off(&v))
+                        + reach * v.bend * (u.value.norm() + off(&u))
+                }
+                Equation::Mesh { turns, mesh } => {
+                    let turns = turns.into_iter().flatten();
+                    turns.fold(reach * spins(mesh, cell), |sum, (form, by)| {
+                        let f = known(form);
+                        sum + by.abs() * (off(&f) * f.rate.norm() + reach * f.bend)
+                    })
+                }
+            };
+            cell.bounds.sums[row] = [defect, 0.0, 0.0];
+        }
+        let rate_off = inverse * self.weighed(cell)[0];
+        // … and with that what their second derivatives are at most.
+        for (row, equation) in self.equations().iter().enumerate() {
+            let known = |form: usize| self.known(cell, form);
+            let off = |form: &Known| {
+                reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
+            };
+            let speed =
+                |form: &Known| form.rate.norm() + reach * form.bend + form.by_unknowns * rate_off;
+            let bend = match *equation {
+                Equation::Unit(form) => {
+                    let f = known(form);
+                    speed(&f).powi(2) + f.bend
+                }
+                Equation::Real(form) | Equation::Imaginary(form) => known(form).bend,
+                Equation::Line { direction, way } => {
+                    let [u, v] = [known(direction), known(way)];
+                    2.0 * speed(&u) * speed(&v)
+                        + u.bend * (v.value.norm() + off(&v))
+                        + v.bend * (u.value.norm() + off(&u))
+                }
+                Equation::Mesh { turns, mesh } => {
+                    let turns = turns.into_iter().flatten();
+                    turns.fold(spins(mesh, cell), |sum, (form, by)| {
+                        sum + by.abs() * known(form).bend
+                    })
+                }
+            };
+            cell.bounds.sums[row] = [bend, 0.0, 0.0];
+        }
+        let bend = inverse * self.weighed(cell)[0];
+        for (body, [origin, turn]) in &self.bodies {
+            let [origin, turn] = [*origin, *turn].map(|form| {
+                let known = self.known(cell, form);
+                known.bend + known.by_unknowns * bend
+            });
+            cell.set(*body, turn, [(Vector::zeros(), origin); 2]);
+        }
+        bend.is_finite()
+    }
+
+    /// The values of all forms and of their first derivatives where the step begins, and what their second derivatives
+    /// are at most by what is solved.
+    fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
+        for (k, input) in self.inputs.iter().enumerate() {
+            let (taken, bend) = match input {
+                Input::Place(anchor) => (from.place(*anchor), cell.place(from, *anchor).bend),
+                Input::Direction(anchor) => (
+                    from.turn[anchor.body].by(anchor.local),
+                    cell.sway(from, anchor.body) * anchor.local.norm(),
+                ),
+            };
+            cell.work.inputs[k] = taken.truncated();
+            cell.bounds.inputs.resize(self.inputs.len(), 0.0);
+            cell.bounds.inputs[k] = bend;
+        }
+        self.take(&mut cell.work);
+        for (unknown, found) in cell.work.unknowns.iter_mut().zip(self.own(&from.natural)) {
+            *unknown = found.truncated();
+        }
+        self.add(&mut cell.work, 0);
+        self.add(&mut cell.work, 1);
+        self.add_further(&mut cell.work);
+        self.bends(&cell.bounds.inputs, &mut cell.bounds.forms);
+        cell.bounds.sums.resize(2 * self.unknowns, [0.0; 3]);
+    }
+
+    /// The inverse of the Jacobian, column by column.
+    fn invert(&self, cell: &mut Enclosure) -> bool {
+        let size = 2 * self.unknowns;
+        let Enclosure { work, bounds, .. } = cell;
+        if self.factor(work).is_none() {
+            return false;
+        }
+        let Bounds {
+            inverse,
+            units,
+            columns,
+            ..
+        } = bounds;
+        inverse.clear();
+        columns.resize(size, [0.0; AT_ONCE]);
+        let elimination = self.suited(work.planned, &work.spare);
+        for first in (0..size).step_by(AT_ONCE) {
+            units.clear();
+            units.extend(
+                (0..size)
+                    .map(|row| std::array::from_fn(|k| if row == first + k { 1.0 } else { 0.0 })),
+            );
+            elimination.solve(&work.jacobian, units, columns);
+            for k in 0..AT_ONCE.min(size - first) {
+                inverse.extend(columns.iter().map(|column: &[f64; AT_ONCE]| column[k]));
+            }
+        }
+        inverse.iter().all(|value| value.is_finite())
+    }
+
+    /// What sums of the equations, of either sign, come to in the unknowns, each in its unit.
+    fn weighed(&self, cell: &Enclosure) -> [f64; 3] {
+        let size = 2 * self.unknowns;
+        let mut most = [0.0_f64; 3];
+        for (unknown, unit) in self.units.iter().enumerate() {
+            let mut parts = [[0.0_f64; 2]; 3];
+            for (column, sums) in cell
+                .bounds
+                .inverse
+                .chunks_exact(size)
+                .zip(&cell.bounds.sums)
+            {
+                for (part, sum) in parts.iter_mut().zip(sums) {
+                    part[0] += column[2 * unknown].abs() * sum;
+                    part[1] += column[2 * unknown + 1].abs() * sum;
+                }
+            }
+            for (most, [x, y]) in most.iter_mut().zip(parts) {
+                *most = most.max(x.hypot(y) / unit);
+            }
+        }
+        most
+    }
+
+    fn known(&self, cell: &Enclosure, form: usize) -> Known {
+        let value = &cell.work.values[form];
+        Known {
+            value: value[0],
+            rate: value[1],
+            bend: cell.bounds.forms[form],
+            by_unknowns: self.by_unknowns[form],
+        }
+    }
+
+    /// Whether the turns of wheels in mesh stay near enough to where they are for what is said of their angles.
+    fn turns_little(&self, cell: &Enclosure, radius: f64) -> bool {
+        let meshed = self
+            .equations()
+            .iter()
+            .filter_map(|equation| match equation {
+                Equation::Mesh { turns, .. } => Some(turns),
+                _ => None,
+            });
+        let mut turns =
+            meshed.flat_map(|turns: &[Option<(usize, f64)>; MOST_FORMS]| turns.iter().flatten());
+        turns.all(|(form, _)| {
+            let f = self.known(cell, *form);
+            let off = cell.reach * f.rate.norm() + 0.5 * cell.reach * cell.reach * f.bend;
+            off + f.by_unknowns * radius <= 0.5
+        })
+    }
+
+    /// Whether its unknowns at the end of a step are where they were shown to be.
+    pub(crate) fn is_certified(
+        &self,
+        from: &Predictor,
+        to: &Predictor,
+        width: f64,
+        radius: f64,
+    ) -> bool {
+        let ends = self.own(&from.natural).zip(self.own(&to.natural));
+        ends.zip(&self.units).all(|((a, b), unit)| {
+            let off = (b[0] - a[0] - a[1] * width).norm() / unit;
+            off <= radius + ROUNDED
+        })
+    }
+}
+
+/// What rounding may leave of a place, relative to the group.
+const ROUNDED: f64 = 1e-9;

@@ -1,0 +1,298 @@
+//! What lies between two poses: bounds of all second derivatives over a step of the input. With them a step is
+//! certified: that no margin vanishes in it, no group comes to a singular pose and no point goes through infinity is
+//! shown, not seen at its ends.
+//!
+//! Of every body the pose and its first derivative are known where the step begins. A bound of the second derivative
+//! over the step then encloses the body's way: p(t) is within t²p″/2 of p + t p′. Body by body, in the order in which
+//! they are solved, the bound follows from those of what the body hangs on and from how near its joints come to being
+//! in line, which the enclosures of the same bodies tell. (For groups of higher class: L. V. Kantorovich's theorem,
+//! J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear Equations in Several Variables*, 1970, 12.6.)
+
+use super::work::Work;
+use super::{Anchor, Arm, Predictor, Step, Track, conjugate, product};
+use crate::Vector;
+use crate::index::{BodyId, List, StepId};
+
+/// A step of the input from a pose, with what bounds the motion in it.
+#[derive(Clone, Debug)]
+pub(crate) struct Enclosure {
+    /// How far the input goes, with its sense, and without.
+    pub(super) width: f64,
+    pub(super) reach: f64,
+    bodies: List<BodyId, Bound>,
+    /// How far the solution of a group may be from where its tangent leads, in units of its unknowns.
+    pub(super) strays: List<StepId, f64>,
+    pub(super) work: Work<2>,
+    pub(super) bounds: Bounds,
+}
+
+/// So many columns of an inverse are found at once.
+pub(super) const AT_ONCE: usize = 4;
+
+/// Room for what is summed up of a group.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Bounds {
+    pub(super) inverse: Vec<f64>,
+    pub(super) units: Vec<[f64; AT_ONCE]>,
+    pub(super) columns: Vec<[f64; AT_ONCE]>,
+    pub(super) inputs: Vec<f64>,
+    pub(super) forms: Vec<f64>,
+    pub(super) sums: Vec<[f64; 3]>,
+}
+
+/// What bounds the motion of a body over the step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Bound {
+    /// The second derivative of its angle.
+    pub(crate) spin: f64,
+    /// That of two places on it.
+    pub(crate) places: [(Vector, f64); 2],
+}
+
+/// Where a place is when the step begins, how it moves there, and what its second derivative is at most.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    pub(crate) at: Vector,
+    pub(crate) rate: Vector,
+    pub(crate) bend: f64,
+}
+
+impl Way {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        Self {
+            at: self.at - other.at,
+            rate: self.rate - other.rate,
+            bend: self.bend + other.bend,
+        }
+    }
+}
+
+impl Enclosure {
+    pub(crate) fn new(bodies: usize, steps: usize) -> Self {
+        Self {
+            width: 0.0,
+            reach: 0.0,
+            bodies: vec![Bound::default(); bodies].into(),
+            strays: vec![0.0; steps].into(),
+            work: Work::default(),
+            bounds: Bounds::default(),
+        }
+    }
+
+    /// Certifies a step of the input from a pose.
+    ///
+    /// # Errors
+    /// The first step of the plan of which it cannot be shown that nothing happens to it.
+    pub(crate) fn certify(
+        &mut self,
+        steps: &List<StepId, Step>,
+        from: &Predictor,
+        width: f64,
+    ) -> Result<(), StepId> {
+        self.certify_beside(steps, from, width, None)
+    }
+
+    /// The same where links of one step pass through in line, to another pose beyond: in between its bodies are taken
+    /// to move as smoothly as at both ends, which their equation there does not tell.
+    pub(crate) fn certify_beside(
+        &mut self,
+        steps: &List<StepId, Step>,
+        from: &Predictor,
+        width: f64,
+        passing: Option<(StepId, &Predictor)>,
+    ) -> Result<(), StepId> {
+        (self.width, self.reach) = (width, width.abs());
+        for (step, placing) in steps.enumerate() {
+            match passing {
+                Some((passes, to)) if passes == step => self.take_over(placing, from, to),
+                _ if placing.enclose(step, from, self) => {}
+                _ => return Err(step),
+            }
+        }
+        Ok(())
+    }
+
+    /// Twice what the second derivatives are at both ends, whichever is more.
+    fn take_over(&mut self, placing: &Step, from: &Predictor, to: &Predictor) {
+        for body in placing.bodies() {
+            let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
+            let spin = most(&|state| state.angle(body).derivative(2).abs());
+            let bend = most(&|state| 2.0 * state.origin[body][2].norm());
+            self.set(body, spin, [(Vector::zeros(), bend); 2]);
+        }
+    }
+
+    /// How far the input goes.
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// Whether a step of the plan came out at the end of the step where it was shown to be.
+    pub(crate) fn holds(
+        &self,
+        step: StepId,
+        placing: &Step,
+        from: &Predictor,
+        to: &Predictor,
+    ) -> bool {
+        match placing {
+            Step::Group(group) => group.is_certified(from, to, self.width, self.strays[step]),
+            _ => true,
+        }
+    }
+
+    pub(crate) fn set(&mut self, body: BodyId, spin: f64, places: [(Vector, f64); 2]) {
+        self.bodies[body] = Bound { spin, places };
+    }
+
+    /// What the second derivative of a body's angle is at most.
+    pub(crate) fn spin(&self, body: BodyId) -> f64 {
+        self.bodies[body].spin
+    }
+
+    /// How fast a body turns when the step begins.
+    pub(crate) fn turning(&self, from: &Predictor, body: BodyId) -> f64 {
+        let turn = &from.turn[body];
+        turn[0].perp(&turn[1])
+    }
+
+    /// How fast a body turns at most.
+    pub(crate) fn pace(&self, from: &Predictor, body: BodyId) -> f64 {
+        self.turning(from, body).abs() + self.reach * self.spin(body)
+    }
+
+    /// What the second derivative of a direction of a body is at most.
+    pub(crate) fn sway(&self, from: &Predictor, body: BodyId) -> f64 {
+        self.spin(body).hypot(self.pace(from, body).powi(2))
+    }
+
+    /// The way of a place on a body.
+    pub(crate) fn place(&self, from: &Predictor, anchor: Anchor) -> Way {
+        let place = from.place(anchor);
+        let Bound { places, .. } = &self.bodies[anchor.body];
+        let sway = self.sway(from, anchor.body);
+        let bends = places.map(|(local, bend)| bend + (anchor.local - local).norm() * sway);
+        Way {
+            at: place[0],
+            rate: place[1],
+            bend: bends[0].min(bends[1]),
+        }
+    }
+
+    /// The way of the place of a body that is at a point when the step begins.
+    pub(crate) fn place_at(&self, from: &Predictor, body: BodyId, at: Vector) -> Way {
+        let local = product(
+            at - from.origin[body].value(),
+            conjugate(from.turn[body].value()),
+        );
+        self.place(from, Anchor { body, local })
+    }
+
+    /// How fast it goes at most.
+    pub(crate) fn speed(&self, way: &Way) -> f64 {
+        way.rate.norm() + self.reach * way.bend
+    }
+
+    /// The least and the greatest distance from the origin.
+    pub(crate) fn distances(&self, way: &Way) -> [f64; 2] {
+        let Way { at, rate, bend } = way;
+        let room = 0.5 * self.reach * self.reach * bend;
+        let end = at + rate * self.width;
+        let most = at.norm().max(end.norm());
+        // Where the straight way comes nearest.
+        let nearest = -at.dot(rate) / rate.norm_squared() * self.width.signum();
+        let least = if nearest.is_finite() {
+            let nearest = nearest.clamp(0.0, self.reach) * self.width.signum();
+            (at + rate * nearest).norm()
+        } else {
+            at.norm()
+        };
+        [least - room, most + room]
+    }
+
+    /// A speed v that obeys v ≤ v₀ + h (a v² + c) all along, v₀ when the step begins: it is continuous and cannot come
+    /// over the lesser root. None where there is no root.
+    pub(crate) fn settled(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
+        let start = v0 + self.reach * c;
+        let rest = 1.0 - 4.0 * self.reach * a * start;
+        (rest >= 0.0).then(|| 2.0 * start / (1.0 + rest.sqrt()))
+    }
+
+    /// Two links hinged on each other and on solved points: whether they keep from being in line.
+    ///
+    /// With X from B to the joint C and e₂, e₃ along the links: e₂·X″ = −v₂²/l₂ and e₃·(X − d)″ = −v₃²/l₃, so that X″
+    /// is no more than the sum of the right sides over the sine of the angle between the links.
+    pub(crate) fn pair(&mut self, from: &Predictor, arms: &[Arm; 2]) -> bool {
+        let [b, d] = arms.each_ref().map(|arm| self.place(from, arm.outer));
+        let base = d.minus(&b);
+        let [least, most] = self.distances(&base);
+        let [l2, l3] = arms.each_ref().map(Arm::length);
+        let (sum, difference) = (l2 + l3, (l2 - l3).abs());
+        if !(most < sum && least > difference) {
+            return false;
+        }
+        // 16 S² of the triangle, concave in r².
+        let square = |r: f64| (sum - r) * (sum + r) * (r - difference) * (r + difference);
+        let sine = square(least).min(square(most)).sqrt() / (2.0 * l2 * l3);
+        let lengths = l2.recip() + l3.recip();
+        let v0 = arms.each_ref().map(|arm| {
+            let turning = self.turning(from, arm.body).abs();
+            turning * arm.length()
+        });
+        let v0 = v0[0].max(v0[1]);
+        let crude = self.speed(&base) / sine;
+        let v = self.settled(v0, lengths / sine, base.bend / sine);
+        let v = v.map_or(crude, |v| v.min(crude));
+        let bend = (v * v * lengths + base.bend) / sine;
+        if !bend.is_finite() {
+            return false;
+        }
+        let joint = b.bend.min(d.bend) + bend;
+        for (arm, outer) in arms.iter().zip([b, d]) {
+            let places = [(arm.from, outer.bend), (arm.to, joint)];
+            self.set(arm.body, bend / arm.length(), places);
+        }
+        true
+    }
+
+    /// What the second derivative of the point is at most where two lines cross, each by a body that it is fixed to
+    /// and turns with; none where they may become parallel.
+    ///
+    /// With the places Q₁, Q₂ of the bodies that are at the crossing when the step begins and the ways σ along the
+    /// lines from there: n·C″ = n·Q″ + 2σ′ω + σε for each.
+    pub(crate) fn crossing(
+        &self,
+        from: &Predictor,
+        at: Vector,
+        lines: [(BodyId, Vector); 2],
+    ) -> Option<f64> {
+        let bodies = lines.map(|(body, _)| body);
+        let [q1, q2] = bodies.map(|body| self.place_at(from, body, at));
+        let [u, v] = lines.map(|(body, heading)| product(from.turn[body].value(), heading));
+        let turning = bodies.map(|body| self.turning(from, body));
+        let spins = bodies.map(|body| self.spin(body));
+        let apart = u.perp(&v).abs().atan2(u.dot(&v).abs());
+        let turned = (turning[0] - turning[1]).abs() + self.reach * (spins[0] + spins[1]);
+        // What turns together stays apart.
+        let turned = if bodies[0] == bodies[1] { 0.0 } else { turned };
+        let least = apart - self.reach * turned;
+        if least <= 0.0 {
+            return None;
+        }
+        let sine = least.sin();
+        let paces = bodies.map(|body| self.pace(from, body));
+        let way = q2.minus(&q1);
+        let speed = self.speed(&way);
+        let slid = self.reach * speed / sine;
+        let along = (speed + slid * (paces[0] + paces[1])) / sine + speed;
+        let each = |k: usize| 2.0 * along * paces[k] + (slid + self.reach * speed) * spins[k];
+        let bend = q1.bend + (each(0) + each(1) + way.bend) / sine;
+        bend.is_finite().then_some(bend)
+    }
+
+    /// A body that slides along a line, by what bounds the second derivative of its point.
+    pub(crate) fn slid(&mut self, track: &Track, bend: f64) {
+        let spin = self.spin(track.line.body);
+        self.set(track.body, spin, [(track.point, bend); 2]);
+    }
+}
