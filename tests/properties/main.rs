@@ -10,4 +10,5 @@ mod groups;
 mod mixers;
 mod motion;
 mod poses;
+mod random;
 mod structure;

@@ -1,0 +1,163 @@
+//! What does not hold: counted by kind, told with its seed, and the smallest linkage of each kind kept.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::{env, fs};
+
+use assur::mechanism::Draft;
+use assur_file::LinkageDocument;
+
+use crate::subject::Subject;
+
+/// Something that does not hold of a linkage.
+pub(crate) struct Failure {
+    /// What differs, in a word or two.
+    pub(crate) kind: &'static str,
+    /// With numbers.
+    pub(crate) text: String,
+    /// The drawing it was met with, if it is another than the linkage's own.
+    pub(crate) drawn: Option<Draft>,
+}
+
+/// What was looked at.
+#[derive(Default)]
+pub(crate) struct Tally {
+    pub(crate) failures: Vec<Failure>,
+    pub(crate) held: u64,
+    /// What the data do not determine, by what.
+    pub(crate) open: BTreeMap<&'static str, u64>,
+}
+
+impl Tally {
+    pub(crate) fn open(&mut self, what: &'static str) {
+        *self.open.entry(what).or_default() += 1;
+    }
+
+    pub(crate) fn fail(&mut self, kind: &'static str, text: String, drawn: Option<&Draft>) {
+        let drawn = drawn.cloned();
+        self.failures.push(Failure { kind, text, drawn });
+    }
+}
+
+/// The smallest linkage that fails in a way.
+struct Smallest {
+    seed: u64,
+    draft: Draft,
+    failure: Failure,
+}
+
+#[derive(Default)]
+pub(crate) struct Found {
+    linkages: u64,
+    none: u64,
+    held: u64,
+    open: BTreeMap<&'static str, u64>,
+    failed: BTreeMap<&'static str, u64>,
+    seeds: BTreeMap<&'static str, Vec<u64>>,
+    smallest: BTreeMap<&'static str, Smallest>,
+}
+
+impl Found {
+    /// Looks at a linkage; where something fails, at the same with fewer parts as well.
+    pub(crate) fn linkage(
+        &mut self,
+        seed: u64,
+        parts: usize,
+        holds: impl Fn(&Subject, &mut Tally),
+    ) {
+        let look = |parts: usize| {
+            let subject = Subject::new(seed, parts)?;
+            let mut tally = Tally::default();
+            holds(&subject, &mut tally);
+            Some((subject.draft, tally))
+        };
+        let Some((draft, tally)) = look(parts) else {
+            self.none += 1;
+            return;
+        };
+        self.linkages += 1;
+        self.held += tally.held;
+        for (what, count) in &tally.open {
+            *self.open.entry(what).or_default() += count;
+        }
+        if tally.failures.is_empty() {
+            return;
+        }
+        let mut kinds: Vec<&'static str> = tally.failures.iter().map(|one| one.kind).collect();
+        for kind in &kinds {
+            *self.failed.entry(kind).or_default() += 1;
+        }
+        kinds.dedup();
+        for kind in kinds {
+            self.seeds.entry(kind).or_default().push(seed);
+        }
+        self.keep(seed, draft, tally.failures);
+        for fewer in 0..parts {
+            if let Some((draft, tally)) = look(fewer) {
+                self.keep(seed, draft, tally.failures);
+            }
+        }
+    }
+
+    fn keep(&mut self, seed: u64, draft: Draft, failures: Vec<Failure>) {
+        for failure in failures {
+            let smaller = |kept: &Smallest| kept.draft.links.len() > draft.links.len();
+            if self.smallest.get(failure.kind).is_none_or(smaller) {
+                let draft = draft.clone();
+                let kind = failure.kind;
+                let smallest = Smallest {
+                    seed,
+                    draft,
+                    failure,
+                };
+                self.smallest.insert(kind, smallest);
+            }
+        }
+    }
+
+    /// Says what was found, and keeps the smallest linkages as files.
+    ///
+    /// # Panics
+    /// Where anything does not hold, or hardly anything was looked at.
+    pub(crate) fn tell(&self, what: &str) {
+        println!(
+            "{what}: {} linkages ({} drawings are none), {} comparisons hold; not determined: {:?}",
+            self.linkages, self.none, self.held, self.open
+        );
+        let folder = env::var("ASSUR_FOUND").map_or_else(
+            |_| PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("any_drawing"),
+            PathBuf::from,
+        );
+        let mut said = String::new();
+        for (kind, smallest) in &self.smallest {
+            let Smallest {
+                seed,
+                draft,
+                failure,
+            } = smallest;
+            let name = format!("{what}-{}-{seed}", kind.replace(' ', "-"));
+            fs::create_dir_all(&folder).unwrap();
+            let mut write = |draft: &Draft, name: &str| {
+                let text = serde_json::to_string(&LinkageDocument::new(draft)).unwrap();
+                fs::write(folder.join(format!("{name}.json")), text).unwrap();
+            };
+            write(draft, &name);
+            if let Some(drawn) = &failure.drawn {
+                write(drawn, &format!("{name}-redrawn"));
+            }
+            said += &format!(
+                "{kind}: {} times, seeds {:?}; smallest {name}.json, {} links: {}\n",
+                self.failed.get(kind).copied().unwrap_or_default(),
+                self.seeds
+                    .get(kind)
+                    .map_or(&[][..], |seeds| &seeds[..seeds.len().min(12)]),
+                draft.links.len(),
+                failure.text
+            );
+        }
+        assert!(said.is_empty(), "{what}: files in {}\n{said}", folder.display());
+        let open: u64 = self.open.values().sum();
+        assert!(self.held > 4 * open, "{} hold, {open} are left open", self.held);
+        assert!(self.linkages > 2 * self.none, "{} are none", self.none);
+    }
+}

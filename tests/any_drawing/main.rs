@@ -1,0 +1,57 @@
+//! A motion is the linkage's, not the drawing's: properties of random linkages of every class, of
+//! which `ASSUR_DRAWINGS` says how many are compared (10,000 without it).
+#![cfg(not(target_family = "wasm"))]
+
+mod equations;
+mod found;
+mod linkage;
+mod redrawn;
+#[path = "../properties/random.rs"]
+mod random;
+mod rows;
+mod same;
+mod subject;
+
+use found::Found;
+use linkage::Linkage;
+use subject::Subject;
+
+/// How many drawings are compared.
+fn drawings() -> u64 {
+    let asked = std::env::var("ASSUR_DRAWINGS").ok();
+    asked.map_or(10_000, |count| count.parse().unwrap())
+}
+
+/// From which seed on, to look at one again.
+fn first() -> u64 {
+    let asked = std::env::var("ASSUR_SEED").ok();
+    asked.map_or(0, |seed| seed.parse().unwrap())
+}
+
+#[test]
+fn a_motion_is_the_same_however_it_is_drawn() {
+    let mut found = Found::default();
+    let mut compared = 0;
+    let mut seed = first();
+    while compared < drawings() {
+        let parts = Linkage::parts_of(seed);
+        found.linkage(seed, parts, |subject, tally| {
+            same::holds(subject, seed, tally)
+        });
+        compared += same::REDRAWN as u64;
+        seed += 1;
+    }
+    found.tell("redrawn");
+}
+
+#[test]
+fn rows_are_the_linkage_and_each_other() {
+    let mut found = Found::default();
+    for seed in first()..first() + drawings() / 20 {
+        let parts = Linkage::parts_of(seed);
+        found.linkage(seed, parts, |subject, tally| {
+            rows::hold(subject, seed, tally)
+        });
+    }
+    found.tell("rows");
+}

@@ -1,0 +1,255 @@
+//! What holds of the rows of one motion: the row at the drawn input is the drawing, rows fulfil the
+//! equations of the linkage, neighbours follow from each other, and it ends in singular poses only.
+
+use assur::mechanism::Pose;
+use assur::motion::DeadPointKind;
+
+use crate::equations::{Shown, modulo_turn};
+use crate::found::Tally;
+use crate::random::Random;
+use crate::subject::{Known, Subject, determined, uncertainty};
+
+/// What links, slides and gears may leave of their equations, relative to the size, and of their
+/// derivatives, relative to their scale.
+const RESIDUAL: f64 = 1e-12;
+/// A step along the motion in radii of convergence of its Taylor series.
+const STEP: f64 = 0.1;
+/// Steps along each motion, at most.
+const STEPS: usize = 1_500;
+/// So close to an end, or to a change point, relative to the range, nothing is followed.
+const MARGIN: f64 = 1e-6;
+/// The determinant is looked at after so many steps.
+const LOOKS: usize = 16;
+/// At a dead point errors grow at least so much: there, to half of the digits, it is singular.
+const SINGULAR: f64 = 1e4;
+
+pub(crate) fn hold(subject: &Subject, seed: u64, tally: &mut Tally) {
+    let mut random = Random::new(82_000_000 + seed);
+    let before = tally.failures.len();
+    drawn(subject, tally);
+    equations(subject, tally);
+    ends(subject, tally);
+    joined(subject, &mut random, tally);
+    tally.held += u64::from(tally.failures.len() == before);
+}
+
+/// The row at the drawn input is the drawing.
+fn drawn(subject: &Subject, tally: &mut Tally) {
+    let (motion, equations) = (&subject.motion, &subject.equations);
+    let drawn = equations.drawn_input();
+    let home = motion.home();
+    let off = match motion.mechanism().turns() {
+        true => modulo_turn(home - drawn).abs(),
+        false => (home - drawn).abs() / equations.size(),
+    };
+    let error = uncertainty(1.0, equations.shortest(), 1.0);
+    // Of a drawing in a singular pose the engine may take another one.
+    let Ok(pose) = motion.pose::<1>(home) else {
+        return tally.fail("drawn pose", format!("none at home {home}"), None);
+    };
+    let shown = Shown::of(motion.mechanism(), &pose);
+    let condition = equations.condition(&shown);
+    if !determined(condition, error) {
+        return tally.open("drawn pose");
+    }
+    if off > 8.0 * error {
+        let text = format!("home is {home}, drawn at {drawn}");
+        return tally.fail("drawn input", text, None);
+    }
+    let allowed = 8.0 * error * condition.pose.max(1.0) * equations.size();
+    for (point, at) in subject.draft.points.iter().zip(&shown.points) {
+        let off = (point.at.coords - at[0]).norm();
+        if off.is_nan() || off > allowed {
+            let text = format!("{} off by {off:e}, allowed {allowed:e}", point.name);
+            return tally.fail("drawn row", text, None);
+        }
+    }
+}
+
+/// Rows fulfil the equations.
+fn equations(subject: &Subject, tally: &mut Tally) {
+    let motion = &subject.motion;
+    let Ok(home) = motion.pose::<3>(motion.home()) else {
+        return tally.open("derivatives at home");
+    };
+    let home = Shown::of(motion.mechanism(), &home);
+    for Known { input, shown, .. } in &subject.poses {
+        let found = subject.equations.residuals(*input, shown, &home);
+        for (of, orders) in ["links", "slides", "gears", "driver"].iter().zip(found) {
+            for (order, off) in orders.into_iter().enumerate() {
+                if off.is_nan() || off > RESIDUAL {
+                    let kind = match *of {
+                        "links" => "residual of links",
+                        "slides" => "residual of slides",
+                        "gears" => "residual of gears",
+                        _ => "residual of the driver",
+                    };
+                    let text = format!("at {input}: order {order} leaves {off:e}");
+                    return tally.fail(kind, text, None);
+                }
+            }
+        }
+    }
+}
+
+/// A motion ends where something is singular, and has a pose there.
+fn ends(subject: &Subject, tally: &mut Tally) {
+    let motion = &subject.motion;
+    for dead in motion.dead_points() {
+        let Ok(pose) = motion.pose::<1>(dead.input) else {
+            return tally.fail("no pose at an end", format!("{dead:?}"), None);
+        };
+        if dead.kind == DeadPointKind::Range {
+            continue;
+        }
+        let shown = Shown::of(motion.mechanism(), &pose);
+        let condition = subject.equations.condition(&shown);
+        if condition.pose < SINGULAR {
+            let text = format!("{dead:?}: errors grow by {} only", condition.pose);
+            return tally.fail("false dead point", text, None);
+        }
+    }
+}
+
+/// A row with five derivatives.
+struct Row {
+    input: f64,
+    values: Vec<[f64; 6]>,
+    /// The inverse of a radius of convergence, by the derivatives.
+    rate: f64,
+    shown: Shown,
+}
+
+impl Row {
+    fn at(subject: &Subject, input: f64) -> Option<Self> {
+        let motion = &subject.motion;
+        let mechanism = motion.mechanism();
+        let pose: Pose<6> = motion.pose(input).ok()?;
+        let shown = Shown::of(mechanism, &pose);
+        let [reach, ..] = shown.scales(subject.equations.size());
+        let points = mechanism.point_ids().flat_map(|point| {
+            let at = mechanism.place(&pose, point);
+            [at.x, at.y]
+        });
+        let orders = [0, 1, 2, 3, 4, 5];
+        let points = points.map(|jet| orders.map(|order| jet.derivative(order)));
+        // Angles as arcs of the size.
+        let angles = mechanism.link_ids().map(|link| {
+            let angle = mechanism.angle(&pose, link);
+            orders.map(|order| angle.derivative(order) * reach)
+        });
+        let values: Vec<[f64; 6]> = points.chain(angles).collect();
+        let mut rate = 0.0_f64;
+        for value in &values {
+            let mut factorial = 1.0;
+            for (order, derivative) in value.iter().enumerate().skip(1) {
+                factorial *= order as f64;
+                let radius = (derivative.abs() / factorial / reach).powf(1.0 / order as f64);
+                rate = rate.max(radius);
+            }
+        }
+        rate.is_finite().then_some(Self {
+            input,
+            values,
+            rate,
+            shown,
+        })
+    }
+}
+
+/// From one end to the other each row follows from the one before by the formula of Hermite of fifth
+/// order, and no group passes a singular pose but at the change points that are told.
+fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
+    let motion = &subject.motion;
+    let [from, to] = motion.cycle().arcs()[0];
+    let margin = MARGIN * (to - from);
+    let mut start = from + margin;
+    // Of a motion of many turns a part.
+    if to - from > 13.0 {
+        start += random.within(0.0, to - from - 13.0);
+    }
+    let change = |a: f64, b: f64| {
+        let mut change_points = motion.change_points().iter();
+        change_points.find(|at| (a - 1e3 * margin..=b + 1e3 * margin).contains(*at))
+    };
+    let mut here = Row::at(subject, start);
+    let mut sign = None;
+    for step in 0..STEPS {
+        let Some(row) = &here else {
+            return tally.fail("no row", format!("after {start}"), None);
+        };
+        if step % LOOKS == 0 {
+            let now = subject.equations.condition(&row.shown).sign;
+            if sign.is_some_and(|(before, at)| before != now && change(at, row.input).is_none()) {
+                let text = format!("before {}", row.input);
+                return tally.fail("passed a singular pose", text, None);
+            }
+            sign = Some((now, row.input));
+        }
+        let mut width = (STEP / row.rate).min((to - from) / 36.0);
+        let next = loop {
+            if row.input + width > to - margin {
+                return;
+            }
+            if let Some(at) = change(row.input, row.input + width) {
+                // Beyond it.
+                let beyond = at + 2e3 * margin;
+                if beyond > to - margin {
+                    return;
+                }
+                break Row::at(subject, beyond);
+            }
+            let next = Row::at(subject, row.input + width);
+            if let Some(next) = &next
+                && next.rate * width < 2.0 * STEP
+            {
+                if let Some(off) = leap(row, next, subject.equations.size()) {
+                    let text = format!("from {} to {}: {off}", row.input, next.input);
+                    return tally.fail("rows do not follow", text, None);
+                }
+                break Row::at(subject, next.input);
+            }
+            width *= 0.5;
+            if width < 1e-3 * margin {
+                let text = format!("beyond {} of {from} to {to}", row.input);
+                return tally.fail("rows do not reach", text, None);
+            }
+        };
+        start = row.input;
+        here = next;
+    }
+}
+
+/// What does not follow, and by how much.
+fn leap(a: &Row, b: &Row, size: f64) -> Option<String> {
+    let width = b.input - a.input;
+    let [reach, ..] = b.shown.scales(size);
+    let mut fifth = 0.0_f64;
+    for value in a.values.iter().chain(&b.values) {
+        fifth = fifth.max(value[5].abs());
+    }
+    // The remainder of the formula, with room for the change of the fifth derivative in a step of
+    // a fifth of the radius of convergence; and rounding.
+    let most = width.abs();
+    let allowed = 16.0 * fifth * width.powi(5).abs() / 720.0 + 1e-11 * reach * most.max(1.0);
+    for (k, (p, q)) in a.values.iter().zip(&b.values).enumerate() {
+        let promised = p[0]
+            + 0.5 * width * (p[1] + q[1])
+            + width * width / 12.0 * (p[2] - q[2]);
+        // Angles of reaches that differ are told in other arcs.
+        let is_angle = k >= 2 * a.shown.points.len();
+        let off = if is_angle {
+            let link = k - 2 * a.shown.points.len();
+            let [p, q] = [&a.shown.angles[link], &b.shown.angles[link]];
+            let promised =
+                p[0] + 0.5 * width * (p[1] + q[1]) + width * width / 12.0 * (p[2] - q[2]);
+            (q[0] - promised).abs() * reach
+        } else {
+            (q[0] - promised).abs()
+        };
+        if off.is_nan() || off > allowed {
+            return Some(format!("value {k} off by {off:e}, allowed {allowed:e}"));
+        }
+    }
+    None
+}
