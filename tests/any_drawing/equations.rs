@@ -155,7 +155,9 @@ impl Equations {
             };
             let axis = own.get(1).map_or(Vector::x(), |at| at - own[0]);
             let axis = axis.y.atan2(axis.x);
-            let drawn = points.get(1).map_or(0.0, |second| angle(points[0], *second));
+            let drawn = points
+                .get(1)
+                .map_or(0.0, |second| angle(points[0], *second));
             let own = own.iter().map(|at| turned(at - own[0], -axis));
             let base = link.fixed_to.as_ref();
             let base = base.and_then(|base| draft.links.iter().position(|l| l.name == *base));
@@ -202,7 +204,9 @@ impl Equations {
             }
         });
         let driver = match &draft.drivers[0] {
-            DraftDriver::Crank { link: name, base, .. } => {
+            DraftDriver::Crank {
+                link: name, base, ..
+            } => {
                 assert_eq!(base, FRAME);
                 Driver::Crank(link(name).unwrap())
             }
@@ -242,11 +246,6 @@ impl Equations {
                 ..
             } => (self.places[point] - self.places[start]).dot(&direction),
         }
-    }
-
-    /// Whether a link shows its angle: of others there is only a convention.
-    pub(crate) fn shows_angle(&self, link: usize) -> bool {
-        self.bodies[link].points.len() > 1
     }
 
     /// The shortest distance from the first to the second point of a link, relative to the size: by
@@ -327,7 +326,10 @@ impl Equations {
                     .sum()
             };
             // Of angles of many turns so many digits fewer are told.
-            let all = gear.terms.iter().map(|(link, _)| pose.angles[*link][0].abs());
+            let all = gear
+                .terms
+                .iter()
+                .map(|(link, _)| pose.angles[*link][0].abs());
             let many = all.fold(1.0, f64::max);
             meet(2, 0, (sum(pose, 0) - sum(home, 0)).abs() / many);
             meet(2, 1, sum(pose, 1).abs() / turns[1]);
@@ -336,12 +338,19 @@ impl Equations {
         match &self.driver {
             Driver::Crank(link) => {
                 let own = pose.angles[*link];
-                meet(3, 0, modulo_turn(own[0] - input).abs() / input.abs().max(1.0));
+                meet(
+                    3,
+                    0,
+                    modulo_turn(own[0] - input).abs() / input.abs().max(1.0),
+                );
                 meet(3, 1, (own[1] - 1.0).abs() / turns[1]);
                 meet(3, 2, own[2].abs() / turns[2]);
             }
             Driver::Slide {
-                point, direction, start, ..
+                point,
+                direction,
+                start,
+                ..
             } => {
                 let way = pose.points[*point].map(|order| order.dot(direction));
                 let from = self.places[*start].dot(direction);
@@ -368,7 +377,11 @@ impl Equations {
             let links = (0..self.bodies.len()).filter(|link| has(&self.bodies[*link]));
             let links: Vec<usize> = links.collect();
             let first = links.first().copied();
-            let base = if self.frame.contains(&point) { None } else { first };
+            let base = if self.frame.contains(&point) {
+                None
+            } else {
+                first
+            };
             for link in links {
                 if Some(link) != base {
                     rows.hinge(Some(link), base, at(point), &origin);
@@ -398,9 +411,19 @@ impl Equations {
                 point,
                 direction,
                 ..
-            } => rows.line((*link, at(*point)), None, Vector::zeros(), -across(*direction), &origin),
+            } => rows.line(
+                (*link, at(*point)),
+                None,
+                Vector::zeros(),
+                -across(*direction),
+                &origin,
+            ),
         }
-        assert_eq!(rows.matrix.len(), unknowns * unknowns, "equations for unknowns");
+        assert_eq!(
+            rows.matrix.len(),
+            unknowns * unknowns,
+            "equations for unknowns"
+        );
         let matrix = DMatrix::from_row_slice(unknowns, unknowns, &rows.matrix);
         Condition::of(matrix, &self.driver, self.size)
     }
@@ -496,10 +519,13 @@ impl Condition {
             return Self { pose, input, sign };
         };
         let rate = inverse.column(last).norm();
-        let (pose, unit) = (inverse.norm(), match driver {
-            Driver::Crank(_) => 1.0,
-            Driver::Slide { .. } => size,
-        });
+        let (pose, unit) = (
+            inverse.norm(),
+            match driver {
+                Driver::Crank(_) => 1.0,
+                Driver::Slide { .. } => size,
+            },
+        );
         let input = unit * pose / rate;
         Self { pose, input, sign }
     }

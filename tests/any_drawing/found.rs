@@ -12,7 +12,7 @@ use crate::subject::Subject;
 /// Something that does not hold of a linkage.
 pub(crate) struct Failure {
     /// What differs, in a word or two.
-    pub(crate) kind: &'static str,
+    pub(crate) kind: String,
     /// With numbers.
     pub(crate) text: String,
     /// The drawing it was met with, if it is another than the linkage's own.
@@ -33,8 +33,8 @@ impl Tally {
         *self.open.entry(what).or_default() += 1;
     }
 
-    pub(crate) fn fail(&mut self, kind: &'static str, text: String, drawn: Option<&Draft>) {
-        let drawn = drawn.cloned();
+    pub(crate) fn fail(&mut self, kind: &str, text: String, drawn: Option<&Draft>) {
+        let (kind, drawn) = (kind.to_owned(), drawn.cloned());
         self.failures.push(Failure { kind, text, drawn });
     }
 }
@@ -52,9 +52,9 @@ pub(crate) struct Found {
     none: u64,
     held: u64,
     open: BTreeMap<&'static str, u64>,
-    failed: BTreeMap<&'static str, u64>,
-    seeds: BTreeMap<&'static str, Vec<u64>>,
-    smallest: BTreeMap<&'static str, Smallest>,
+    failed: BTreeMap<String, u64>,
+    seeds: BTreeMap<String, Vec<u64>>,
+    smallest: BTreeMap<String, Smallest>,
 }
 
 impl Found {
@@ -69,6 +69,16 @@ impl Found {
             let subject = Subject::new(seed, parts)?;
             let mut tally = Tally::default();
             holds(&subject, &mut tally);
+            // Other equations, other faults: by the class, and whether whole turns count.
+            let class = subject.motion.mechanism().structure().class();
+            let geared = if subject.draft.gears.is_empty() {
+                ""
+            } else {
+                ", geared"
+            };
+            for failure in &mut tally.failures {
+                failure.kind += &format!(", class {class}{geared}");
+            }
             Some((subject.draft, tally))
         };
         let Some((draft, tally)) = look(parts) else {
@@ -83,13 +93,13 @@ impl Found {
         if tally.failures.is_empty() {
             return;
         }
-        let mut kinds: Vec<&'static str> = tally.failures.iter().map(|one| one.kind).collect();
-        for kind in &kinds {
-            *self.failed.entry(kind).or_default() += 1;
-        }
-        kinds.dedup();
-        for kind in kinds {
-            self.seeds.entry(kind).or_default().push(seed);
+        for failure in &tally.failures {
+            let kind = failure.kind.clone();
+            *self.failed.entry(kind.clone()).or_default() += 1;
+            let seeds = self.seeds.entry(kind).or_default();
+            if seeds.last() != Some(&seed) {
+                seeds.push(seed);
+            }
         }
         self.keep(seed, draft, tally.failures);
         for fewer in 0..parts {
@@ -102,9 +112,9 @@ impl Found {
     fn keep(&mut self, seed: u64, draft: Draft, failures: Vec<Failure>) {
         for failure in failures {
             let smaller = |kept: &Smallest| kept.draft.links.len() > draft.links.len();
-            if self.smallest.get(failure.kind).is_none_or(smaller) {
+            if self.smallest.get(&failure.kind).is_none_or(smaller) {
                 let draft = draft.clone();
-                let kind = failure.kind;
+                let kind = failure.kind.clone();
                 let smallest = Smallest {
                     seed,
                     draft,
@@ -135,9 +145,12 @@ impl Found {
                 draft,
                 failure,
             } = smallest;
-            let name = format!("{what}-{}-{seed}", kind.replace(' ', "-"));
+            let name = format!(
+                "{what}-{}-{seed}",
+                kind.replace(", ", "-").replace(' ', "-")
+            );
             fs::create_dir_all(&folder).unwrap();
-            let mut write = |draft: &Draft, name: &str| {
+            let write = |draft: &Draft, name: &str| {
                 let text = serde_json::to_string(&LinkageDocument::new(draft)).unwrap();
                 fs::write(folder.join(format!("{name}.json")), text).unwrap();
             };
@@ -155,9 +168,17 @@ impl Found {
                 failure.text
             );
         }
-        assert!(said.is_empty(), "{what}: files in {}\n{said}", folder.display());
+        assert!(
+            said.is_empty(),
+            "{what}: files in {}\n{said}",
+            folder.display()
+        );
         let open: u64 = self.open.values().sum();
-        assert!(self.held > 4 * open, "{} hold, {open} are left open", self.held);
+        assert!(
+            self.held > 4 * open,
+            "{} hold, {open} are left open",
+            self.held
+        );
         assert!(self.linkages > 2 * self.none, "{} are none", self.none);
     }
 }

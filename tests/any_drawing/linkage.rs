@@ -121,10 +121,9 @@ impl Linkage {
         let block = self.point(a + along);
         let (a, b) = (self.point(a), self.point(b));
         self.draft.frame.extend([a.clone(), b.clone()]);
-        self.draft =
-            std::mem::take(&mut self.draft)
-                .bar("block", &[&block])
-                .slide("block", &block, FRAME, [&a, &b]);
+        self.draft = std::mem::take(&mut self.draft)
+            .bar("block", &[&block])
+            .slide("block", &block, FRAME, [&a, &b]);
         let reach = self.random.within(0.1, 0.5);
         let range = [1.0 - reach, 1.0 + reach].map(|part| part * along.norm());
         let (slide, rate) = (0, 1.0);

@@ -5,16 +5,15 @@
 mod equations;
 mod found;
 mod linkage;
-mod redrawn;
 #[path = "../properties/random.rs"]
 mod random;
+mod redrawn;
 mod rows;
 mod same;
 mod subject;
 
 use found::Found;
 use linkage::Linkage;
-use subject::Subject;
 
 /// How many drawings are compared.
 fn drawings() -> u64 {

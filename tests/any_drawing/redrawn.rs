@@ -107,7 +107,11 @@ impl Redrawn {
 
     /// A direction and length, as they are here.
     pub(crate) fn vector(&self, v: Vector) -> Vector {
-        let v = if self.mirrored { Vector::new(v.x, -v.y) } else { v };
+        let v = if self.mirrored {
+            Vector::new(v.x, -v.y)
+        } else {
+            v
+        };
         let (sin, cos) = self.angle.sin_cos();
         Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y) * self.scale
     }
@@ -177,7 +181,10 @@ impl Redrawn {
         draft.gears.reverse();
         draft.slides.reverse();
         let slides = draft.slides.len();
-        draft.points.iter_mut().for_each(|point| name(&mut point.name));
+        draft
+            .points
+            .iter_mut()
+            .for_each(|point| name(&mut point.name));
         draft.frame.iter_mut().for_each(name);
         for link in &mut draft.links {
             name(&mut link.name);
@@ -191,7 +198,9 @@ impl Redrawn {
             }
         }
         for slide in &mut draft.slides {
-            [&mut slide.link, &mut slide.point, &mut slide.on].map(name);
+            name(&mut slide.link);
+            name(&mut slide.point);
+            name(&mut slide.on);
             slide.line.iter_mut().for_each(name);
         }
         for gear in &mut draft.gears {
@@ -203,7 +212,8 @@ impl Redrawn {
         for driver in &mut draft.drivers {
             match driver {
                 DraftDriver::Crank { link, base, .. } => {
-                    [link, base].map(name);
+                    name(link);
+                    name(base);
                 }
                 DraftDriver::Slide { slide, .. } => *slide = slides - 1 - *slide,
             }

@@ -233,9 +233,7 @@ fn leap(a: &Row, b: &Row, size: f64) -> Option<String> {
     let most = width.abs();
     let allowed = 16.0 * fifth * width.powi(5).abs() / 720.0 + 1e-11 * reach * most.max(1.0);
     for (k, (p, q)) in a.values.iter().zip(&b.values).enumerate() {
-        let promised = p[0]
-            + 0.5 * width * (p[1] + q[1])
-            + width * width / 12.0 * (p[2] - q[2]);
+        let promised = p[0] + 0.5 * width * (p[1] + q[1]) + width * width / 12.0 * (p[2] - q[2]);
         // Angles of reaches that differ are told in other arcs.
         let is_angle = k >= 2 * a.shown.points.len();
         let off = if is_angle {

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-use assur::mechanism::Mechanism;
+use assur::mechanism::{Defect, Mechanism};
 use assur::motion::{DeadPoint, Motion};
 
 use crate::equations::{Equations, Shown, modulo_turn};
@@ -60,7 +60,7 @@ impl Comparison<'_> {
         uncertainty(self.far, self.subject.equations.shortest(), reach)
     }
 
-    fn fail(&mut self, kind: &'static str, text: String) {
+    fn fail(&mut self, kind: &str, text: String) {
         let text = format!("{}: {text}", self.what);
         self.tally.fail(kind, text, Some(&self.redrawn.draft));
     }
@@ -72,7 +72,14 @@ impl Comparison<'_> {
         }
         let mechanism = match Mechanism::new(&self.redrawn.draft) {
             Ok(mechanism) => mechanism,
-            Err(defects) => return self.fail("refused", format!("{defects:?}")),
+            Err(defects) => {
+                let kind = match &defects[..] {
+                    [Defect::Open { .. }] => "refused as open",
+                    [Defect::Misdrawn { .. }] => "refused as misdrawn",
+                    _ => "refused",
+                };
+                return self.fail(kind, format!("{defects:?}"));
+            }
         };
         let motion = Motion::new(mechanism);
         let home = self.redrawn.angle(self.drawn_at.input);
@@ -125,7 +132,11 @@ impl Comparison<'_> {
         }
         for side in [0, 1] {
             let dead = self.end(&self.subject.motion, own[side]);
-            let theirs = if self.redrawn.input_rate() < 0.0 { 1 - side } else { side };
+            let theirs = if self.redrawn.input_rate() < 0.0 {
+                1 - side
+            } else {
+                side
+            };
             let end = motion.cycle().arcs()[0][theirs];
             let met = self.end(motion, end);
             let allowed = self.allowed_at(own[side], other[side]);
@@ -168,18 +179,16 @@ impl Comparison<'_> {
         let mut links = self.subject.draft.links.iter();
         let link = links.position(|link| link.name == *name);
         link.map_or(name.to_owned(), |link| {
-            self.redrawn.draft.links[self.redrawn.links[link]].name.clone()
+            self.redrawn.draft.links[self.redrawn.links[link]]
+                .name
+                .clone()
         })
     }
 
     fn end(&self, motion: &Motion, input: f64) -> Option<DeadPoint> {
         let dead = motion.dead_points().iter();
-        dead.min_by(|a, b| {
-            (a.input - input)
-                .abs()
-                .total_cmp(&(b.input - input).abs())
-        })
-        .copied()
+        dead.min_by(|a, b| (a.input - input).abs().total_cmp(&(b.input - input).abs()))
+            .copied()
     }
 
     /// How far two inputs of an end may differ: as far as rounding of the equations moves it, and as
@@ -291,7 +300,9 @@ impl Comparison<'_> {
                     0 => modulo_turn(there - self.redrawn.angle(own[0])).abs(),
                     _ => (there * rates[order] - self.redrawn.sense() * own[order]).abs(),
                 };
-                meet(off, &|| format!("angle of {}", self.subject.draft.links[k].name));
+                meet(off, &|| {
+                    format!("angle of {}", self.subject.draft.links[k].name)
+                });
             }
             if worst.0 > allowed[order] {
                 let kind = ["places", "first derivatives", "second derivatives"][order];
