@@ -87,6 +87,7 @@ struct Slide {
     line: f64,
     turned: f64,
     off: f64,
+    length: f64,
 }
 
 /// Wheels with what counts of each: `Σ weight · θ` is constant; the frame does not turn.
@@ -185,6 +186,7 @@ impl Equations {
                 line: line - base,
                 turned: bodies[body].drawn - base,
                 off: cross(along(line), places[p] - places[a]),
+                length: (places[b] - places[a]).norm(),
             }
         });
         let slides: Vec<Slide> = slides.collect();
@@ -248,12 +250,13 @@ impl Equations {
         }
     }
 
-    /// The shortest distance from the first to the second point of a link, relative to the size: by
-    /// it rounding of a drawing becomes that of an angle.
+    /// The shortest distance of two points that tell an angle, those of a link or of a guide, relative to
+    /// the size: by it rounding of a drawing becomes that of an angle.
     pub(crate) fn shortest(&self) -> f64 {
-        let lengths = self.bodies.iter().filter_map(|body| body.points.get(1));
-        let least = lengths.fold(self.size, |least: f64, (_, at)| least.min(at.norm()));
-        least / self.size
+        let links = self.bodies.iter().filter_map(|body| body.points.get(1));
+        let lengths = links.map(|(_, at)| at.norm());
+        let guides = self.slides.iter().map(|slide| slide.length);
+        lengths.chain(guides).fold(self.size, f64::min) / self.size
     }
 
     /// What a pose leaves of all equations, relative to the scale of each order, greatest first of

@@ -46,7 +46,7 @@ fn a_motion_is_the_same_however_it_is_drawn() {
 #[test]
 fn rows_are_the_linkage_and_each_other() {
     let mut found = Found::default();
-    for seed in first()..first() + drawings() / 20 {
+    for seed in first()..first() + drawings() / 5 {
         let parts = Linkage::parts_of(seed);
         found.linkage(seed, parts, |subject, tally| {
             rows::hold(subject, seed, tally)

@@ -200,19 +200,20 @@ fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
                 break Row::at(subject, beyond);
             }
             let next = Row::at(subject, row.input + width);
-            if let Some(next) = &next
+            let mut met = "no row that is smooth".to_owned();
+            if let Some(next) = next
                 && next.rate * width < 2.0 * STEP
             {
-                if let Some(off) = leap(row, next, subject.equations.size()) {
-                    let text = format!("from {} to {}: {off}", row.input, next.input);
-                    return tally.fail("rows do not follow", text, None);
+                match leap(row, &next, subject.equations.size()) {
+                    None => break Some(next),
+                    Some(off) => met = off,
                 }
-                break Row::at(subject, next.input);
             }
+            // Two branches that nearly meet look smooth until one is close: then shorter steps follow.
             width *= 0.5;
             if width < 1e-3 * margin {
-                let text = format!("beyond {} of {from} to {to}", row.input);
-                return tally.fail("rows do not reach", text, None);
+                let text = format!("beyond {} of {from} to {to}: {met}", row.input);
+                return tally.fail("rows do not follow", text, None);
             }
         };
         start = row.input;

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Defect, Mechanism};
 use assur::motion::{DeadPoint, Motion};
 
-use crate::equations::{Equations, Shown, modulo_turn};
+use crate::equations::{Condition, Equations, Shown, modulo_turn};
 use crate::found::Tally;
 use crate::random::Random;
 use crate::redrawn::{CHANGES, Redrawn};
@@ -41,6 +41,67 @@ pub(crate) fn holds(subject: &Subject, seed: u64, tally: &mut Tally) {
         comparison.compare();
         tally.held += u64::from(tally.failures.len() == before);
     }
+}
+
+/// So far beyond the end of the shorter of two motions the longer one is looked at.
+const BEYOND: f64 = 0.05;
+/// At a simple dead point errors grow as one over the root of the distance, by 1e8 within rounding;
+/// where they grow so much two groups come to theirs.
+const TWO_GROUPS: f64 = 1e11;
+
+/// What is met on a way along a motion.
+struct Way {
+    /// A pose that its data do not determine.
+    open: bool,
+    /// A change of the sign of the determinant.
+    passed: bool,
+}
+
+/// Follows how poses are determined, in steps in which that does not change much.
+fn way(at: impl Fn(f64) -> Option<Condition>, [from, to]: [f64; 2], error: f64) -> Way {
+    let mut found = Way {
+        open: false,
+        passed: false,
+    };
+    let Some(mut here) = at(from) else {
+        return found;
+    };
+    let (mut input, sense, mut width) = (from, (to - from).signum(), 0.01);
+    for _ in 0..4_000 {
+        let next = input + sense * width;
+        if (to - next) * sense < 0.0 {
+            break;
+        }
+        let there = at(next);
+        let changes = there.map_or(f64::INFINITY, |there| {
+            (there.pose / here.pose).max(here.pose / there.pose)
+        });
+        if changes.is_nan() || changes > 1.5 {
+            if width > 1e-11 {
+                width *= 0.5;
+                continue;
+            }
+            if there.is_none() {
+                break;
+            }
+        }
+        if let Some(there) = there {
+            found.open |= !determined(there, error);
+            found.passed |= there.sign != here.sign;
+            here = there;
+        }
+        input = next;
+        if changes < 1.2 {
+            width = (1.5 * width).min(0.05);
+        }
+    }
+    found
+}
+
+/// How a pose of a motion is determined, if there is one at the input.
+fn condition(motion: &Motion, equations: &Equations, input: f64) -> Option<Condition> {
+    let pose = motion.pose::<1>(input).ok()?;
+    Some(equations.condition(&Shown::of(motion.mechanism(), &pose)))
 }
 
 struct Comparison<'a> {
@@ -163,6 +224,12 @@ impl Comparison<'_> {
             let ours: BTreeSet<String> = ours.iter().map(|name| self.name_here(name)).collect();
             let theirs = links(motion, &met);
             if dead.kind != met.kind || ours != theirs {
+                let equations = &self.subject.equations;
+                let grown = condition(&self.subject.motion, equations, dead.input);
+                if grown.is_none_or(|grown| !(grown.pose < TWO_GROUPS)) {
+                    self.tally.open("dead point of two groups");
+                    return true;
+                }
                 let text = format!(
                     "at {}: {:?} of {ours:?} against {:?} of {theirs:?}",
                     own[side], dead.kind, met.kind
@@ -209,48 +276,33 @@ impl Comparison<'_> {
         ADDED * moved + told
     }
 
-    /// Whether the data do not say which of two different motions is the linkage's: there is a pose
-    /// close to singular where they part, and no group passes through it.
+    /// Whether the data do not say which of two different motions is the linkage's: on the way from
+    /// the drawn pose to where they part there is a pose too close to singular, and no group
+    /// passes a singular one without a word. Without ends the way is a whole period.
     fn is_open(&mut self, motion: &Motion, ends: Option<[f64; 2]>) -> bool {
-        let Some([own, other]) = ends else {
-            return false;
-        };
-        // The drawn pose lies between the ends: the longer motion has the end of the shorter.
         let here = self.drawn_at.input;
-        let (end, in_own) = if (own - here).abs() < (other - here).abs() {
-            (own, false)
+        let own = &self.subject.motion;
+        let periods = [own, motion].map(|motion| motion.cycle().period().unwrap_or(TAU));
+        let [ours, theirs] = ends.unwrap_or([here + periods[0].max(periods[1]); 2]);
+        // The longer motion has the end of the shorter.
+        let longer = (ours - here).abs() >= (theirs - here).abs();
+        let beyond = if longer { theirs } else { ours };
+        let beyond = beyond + BEYOND * (beyond - here).signum();
+        let error = self.error(&self.drawn_at.shown);
+        let way = if longer {
+            let at = |input: f64| condition(own, &self.subject.equations, input);
+            way(at, [here, beyond], error)
         } else {
-            (other, true)
+            let equations = Equations::new(&self.redrawn.draft);
+            let at = |input: f64| condition(motion, &equations, self.input(motion, input));
+            way(at, [here, beyond], error)
         };
-        let equations = Equations::new(&self.redrawn.draft);
-        let mut signs = vec![];
-        let mut open = false;
-        for power in 0..48 {
-            for side in [-1.0, 1.0] {
-                let at = end + side * 10.0_f64.powf(-1.0 - 0.25 * f64::from(power)) * 0.1;
-                let shown = if in_own {
-                    let longer = &self.subject.motion;
-                    let pose = longer.pose::<1>(at).ok();
-                    pose.map(|pose| Shown::of(longer.mechanism(), &pose))
-                } else {
-                    let pose = motion.pose::<1>(self.input(motion, at)).ok();
-                    pose.map(|pose| Shown::of(motion.mechanism(), &pose))
-                };
-                let Some(shown) = shown else { continue };
-                let condition = if in_own {
-                    self.subject.equations.condition(&shown)
-                } else {
-                    equations.condition(&shown)
-                };
-                open |= !determined(condition, self.error(&self.drawn_at.shown));
-                signs.push(condition.sign);
-            }
-        }
-        let passed = signs.iter().any(|sign| *sign != signs[0]);
-        if open && !passed {
+        let told = if longer { own } else { motion };
+        let open = way.open && (!way.passed || !told.change_points().is_empty());
+        if open {
             self.tally.open("end");
         }
-        open && !passed
+        open
     }
 
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
