@@ -1,112 +1,52 @@
 //! The equations of a linkage, of its draft alone, with a body of three coordinates for each link:
-//! what a pose leaves of them, with two derivatives, and how far it is determined by them.
+//! what a pose leaves of them, with two derivatives.
 
 use std::f64::consts::TAU;
 
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftDriver, FRAME, Mechanism, Pose};
-use assur::motion::Placed;
+use assur::mechanism::{Draft, DraftDriver, FRAME};
 use assur::{Point, Vector};
-use nalgebra::DMatrix;
 
-/// What is read off a pose: of each point its place, of each link its angle, with two
-/// derivatives; those that the pose does not carry are zero.
-#[derive(Clone, Debug)]
-pub(crate) struct Shown {
-    pub(crate) points: Vec<[Vector; 3]>,
-    pub(crate) angles: Vec<[f64; 3]>,
-}
-
-impl Shown {
-    pub(crate) fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Self
-    where
-        Pose<N>: Placed,
-    {
-        let orders = [0, 1, 2];
-        let points = mechanism.point_ids().map(|point| {
-            let at = mechanism.place(pose, point);
-            orders.map(|order| {
-                if order < N {
-                    at.derivative(order)
-                } else {
-                    Vector::zeros()
-                }
-            })
-        });
-        let angles = mechanism.link_ids().map(|link| {
-            let angle = mechanism.angle(pose, link);
-            orders.map(|order| {
-                if order < N {
-                    angle.derivative(order)
-                } else {
-                    0.0
-                }
-            })
-        });
-        Self {
-            points: points.collect(),
-            angles: angles.collect(),
-        }
-    }
-
-    /// The greatest place, first and second derivative of anything, as lengths; places from that
-    /// of the first point.
-    pub(crate) fn scales(&self, size: f64) -> [f64; 3] {
-        let origin = self.points[0][0];
-        let far = |order: usize| {
-            let points = self.points.iter().map(move |point| point[order]);
-            let from = if order == 0 { origin } else { Vector::zeros() };
-            points.fold(0.0, |most: f64, at| most.max((at - from).norm()))
-        };
-        let reach = far(0).max(size);
-        let turning = |order: usize| {
-            let angles = self.angles.iter().map(|angle| angle[order].abs());
-            reach * angles.fold(0.0, f64::max)
-        };
-        let rate = turning(1).max(far(1));
-        let bent = (rate / reach).powi(2) * reach;
-        [reach, rate, bent.max(turning(2)).max(far(2))]
-    }
-}
+use crate::shown::Shown;
 
 /// A link as a body: its points with their places on it, from its first point, the axis
 /// towards its second.
-struct Body {
-    points: Vec<(usize, Vector)>,
-    drawn: f64,
-    base: Option<usize>,
+pub(crate) struct Body {
+    pub(crate) points: Vec<(usize, Vector)>,
+    pub(crate) drawn: f64,
+    pub(crate) base: Option<usize>,
 }
 
 /// A slide: the link, its point, the other link (none: the frame), the line's first point and
 /// angle on that, and the angle of the link against it.
-struct Slide {
-    link: usize,
-    point: usize,
-    on: Option<usize>,
-    start: usize,
-    line: f64,
-    turned: f64,
-    off: f64,
-    length: f64,
+pub(crate) struct Slide {
+    pub(crate) link: usize,
+    pub(crate) point: usize,
+    pub(crate) on: Option<usize>,
+    pub(crate) start: usize,
+    pub(crate) line: f64,
+    pub(crate) turned: f64,
+    pub(crate) off: f64,
+    pub(crate) length: f64,
 }
 
 /// Wheels with what counts of each: `Σ weight · θ` is constant; the frame does not turn.
-struct Gear {
-    terms: Vec<(usize, f64)>,
+pub(crate) struct Gear {
+    pub(crate) terms: Vec<(usize, f64)>,
 }
 
 /// The equations of a draft.
 pub(crate) struct Equations {
-    places: Vec<Vector>,
-    frame: Vec<usize>,
-    bodies: Vec<Body>,
-    slides: Vec<Slide>,
-    gears: Vec<Gear>,
-    driver: Driver,
-    size: f64,
+    pub(crate) places: Vec<Vector>,
+    pub(crate) frame: Vec<usize>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) slides: Vec<Slide>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) driver: Driver,
+    pub(crate) size: f64,
 }
 
-enum Driver {
+pub(crate) enum Driver {
     Crank(usize),
     /// The slide's link's point, the first point of the line and the line's direction.
     Slide {
@@ -118,12 +58,12 @@ enum Driver {
 }
 
 /// The direction of an angle.
-fn along(angle: f64) -> Vector {
+pub(crate) fn along(angle: f64) -> Vector {
     Vector::new(angle.cos(), angle.sin())
 }
 
 /// A quarter turn further.
-fn across(v: Vector) -> Vector {
+pub(crate) fn across(v: Vector) -> Vector {
     Vector::new(-v.y, v.x)
 }
 
@@ -363,174 +303,6 @@ impl Equations {
             }
         }
         found
-    }
-
-    /// How far a pose is determined by the equations.
-    pub(crate) fn condition(&self, pose: &Shown) -> Condition {
-        let unknowns = 3 * self.bodies.len();
-        let mut rows = Rows {
-            size: self.size,
-            unknowns,
-            matrix: vec![],
-        };
-        let at = |point: usize| pose.points[point][0];
-        let origin = |link: usize| at(self.bodies[link].points[0].0);
-        for point in 0..self.places.len() {
-            let has = |body: &Body| body.points.iter().any(|(other, _)| *other == point);
-            let links = (0..self.bodies.len()).filter(|link| has(&self.bodies[*link]));
-            let links: Vec<usize> = links.collect();
-            let first = links.first().copied();
-            let base = if self.frame.contains(&point) {
-                None
-            } else {
-                first
-            };
-            for link in links {
-                if Some(link) != base {
-                    rows.hinge(Some(link), base, at(point), &origin);
-                }
-            }
-        }
-        for (link, body) in self.bodies.iter().enumerate() {
-            if body.base.is_some() {
-                rows.hinge(Some(link), body.base, origin(link), &origin);
-                rows.turning(&[(link, 1.0)], body.base);
-            }
-        }
-        for slide in &self.slides {
-            rows.turning(&[(slide.link, 1.0)], slide.on);
-            let base = slide.on.map_or(0.0, |on| pose.angles[on][0]);
-            let u = along(base + slide.line);
-            let [p, start] = [slide.point, slide.start].map(at);
-            rows.line((slide.link, p), slide.on, start, u, &origin);
-        }
-        for gear in &self.gears {
-            rows.turning(&gear.terms, None);
-        }
-        match &self.driver {
-            Driver::Crank(link) => rows.turning(&[(*link, 1.0)], None),
-            Driver::Slide {
-                link,
-                point,
-                direction,
-                ..
-            } => rows.line(
-                (*link, at(*point)),
-                None,
-                Vector::zeros(),
-                -across(*direction),
-                &origin,
-            ),
-        }
-        assert_eq!(
-            rows.matrix.len(),
-            unknowns * unknowns,
-            "equations for unknowns"
-        );
-        let matrix = DMatrix::from_row_slice(unknowns, unknowns, &rows.matrix);
-        Condition::of(matrix, &self.driver, self.size)
-    }
-}
-
-/// Rows of the Jacobian, lengths relative to the size.
-struct Rows {
-    size: f64,
-    unknowns: usize,
-    matrix: Vec<f64>,
-}
-
-impl Rows {
-    fn row(&mut self, entries: &[(usize, f64)]) {
-        let start = self.matrix.len();
-        self.matrix.resize(start + self.unknowns, 0.0);
-        for (unknown, value) in entries {
-            self.matrix[start + unknown] += value;
-        }
-    }
-
-    /// A point is the same on two links; none is the frame.
-    fn hinge(
-        &mut self,
-        a: Option<usize>,
-        b: Option<usize>,
-        at: Vector,
-        origin: &impl Fn(usize) -> Vector,
-    ) {
-        for axis in 0..2 {
-            let mut entries = vec![];
-            for (link, sign) in [(a, 1.0), (b, -1.0)] {
-                let Some(link) = link else { continue };
-                let arm = across(at - origin(link)) / self.size;
-                entries.extend([(3 * link + axis, sign), (3 * link + 2, sign * arm[axis])]);
-            }
-            self.row(&entries);
-        }
-    }
-
-    /// Angles in a constant sum, less that of another link.
-    fn turning(&mut self, terms: &[(usize, f64)], base: Option<usize>) {
-        let terms = terms.iter().map(|(link, weight)| (3 * link + 2, *weight));
-        let base = base.map(|base| (3 * base + 2, -1.0));
-        self.row(&terms.chain(base).collect::<Vec<_>>());
-    }
-
-    /// A point of a link stays on a line of another, of this direction.
-    fn line(
-        &mut self,
-        (link, p): (usize, Vector),
-        on: Option<usize>,
-        start: Vector,
-        u: Vector,
-        origin: &impl Fn(usize) -> Vector,
-    ) {
-        let n = across(u);
-        let arm = across(p - origin(link)) / self.size;
-        let mut entries = vec![
-            (3 * link, n.x),
-            (3 * link + 1, n.y),
-            (3 * link + 2, n.dot(&arm)),
-        ];
-        if let Some(on) = on {
-            let arm = across(start - origin(on)) / self.size;
-            let turns = -n.dot(&arm) - u.dot(&(p - start)) / self.size;
-            entries.extend([(3 * on, -n.x), (3 * on + 1, -n.y), (3 * on + 2, turns)]);
-        }
-        self.row(&entries);
-    }
-}
-
-/// How far a pose is determined by its equations, to first order.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Condition {
-    /// By how much a small error of any equation, relative to the size or in radians, may grow in
-    /// the coordinates of the links: ‖J⁻¹‖, infinite where it is singular.
-    pub(crate) pose: f64,
-    /// By how much it may grow in the input at which something comes to pass, such as a dead
-    /// point: what it does to the pose over what the input does.
-    pub(crate) input: f64,
-    /// The sign of the determinant.
-    pub(crate) sign: f64,
-}
-
-impl Condition {
-    fn of(matrix: DMatrix<f64>, driver: &Driver, size: f64) -> Self {
-        let last = matrix.nrows() - 1;
-        let lu = matrix.lu();
-        let sign = lu.determinant().signum();
-        let Some(inverse) = lu.try_inverse() else {
-            let (pose, input) = (f64::INFINITY, f64::INFINITY);
-            return Self { pose, input, sign };
-        };
-        let rate = inverse.column(last).norm();
-        let (pose, unit) = (
-            inverse.norm(),
-            match driver {
-                Driver::Crank(_) => 1.0,
-                Driver::Slide { .. } => size,
-            },
-        );
-        let input = unit * pose / rate;
-        Self { pose, input, sign }
     }
 }
 

@@ -1,17 +1,12 @@
 //! Random linkages of every class, joined at random to what is there already, and drawn near
 //! degenerate on purpose.
 
-use std::f64::consts::TAU;
-
+use assur::Point;
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, DraftDriver, DraftGear, DraftPoint, FRAME};
-use assur::{Point, Vector};
 
+use crate::places::Places;
 use crate::random::Random;
-
-/// Half the width of what points are drawn in: the largest drawing that is scaled by 1e9 is not
-/// beyond what is taken.
-const HALF: f64 = 0.3;
 
 /// What a linkage is built of.
 const PARTS: [Part; 14] = [
@@ -47,21 +42,6 @@ enum Part {
     Fixed,
 }
 
-/// How places are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Places {
-    /// Anywhere, but not upon others.
-    Ordinary,
-    /// On a lattice: equal lengths, collinear points, parallel guides, change points.
-    Lattice,
-    /// Beside the lattice: nearly all that.
-    NextToLattice,
-    /// Now and then close to another point: short links.
-    Short,
-    /// Now and then nearly in line with two others: dead points.
-    InLine,
-}
-
 /// A linkage that grows part by part.
 pub(crate) struct Linkage {
     pub(crate) draft: Draft,
@@ -77,17 +57,10 @@ impl Linkage {
     /// same without its last part.
     pub(crate) fn new(seed: u64, parts: usize) -> Self {
         let mut random = Random::new(77_000_000 + seed);
-        let places = match random.below(8) {
-            0 => Places::Lattice,
-            1 => Places::NextToLattice,
-            2 => Places::Short,
-            3 => Places::InLine,
-            _ => Places::Ordinary,
-        };
         let mut linkage = Self {
             draft: Draft::default(),
+            places: Places::any(&mut random),
             random,
-            places,
             named: 0,
             turning: vec![],
         };
@@ -371,6 +344,11 @@ impl Linkage {
         }
     }
 
+    fn place(&mut self) -> Point {
+        let drawn: Vec<Point> = self.draft.points.iter().map(|point| point.at).collect();
+        self.places.another(&drawn, &mut self.random)
+    }
+
     fn new_point(&mut self) -> String {
         let at = self.place();
         self.point(at)
@@ -383,44 +361,5 @@ impl Linkage {
             at,
         });
         name
-    }
-
-    /// A place that no other point has.
-    fn place(&mut self) -> Point {
-        let count = self.draft.points.len();
-        let close = self.random.below(4) == 0;
-        let mut clear = 0.1 * HALF;
-        loop {
-            let mut at = Point::from([0; 2].map(|_| self.random.within(-HALF, HALF)));
-            if matches!(self.places, Places::Lattice | Places::NextToLattice) {
-                let unit = HALF / 3.0;
-                at = at.map(|x| (x / unit).round() * unit);
-                if self.places == Places::NextToLattice {
-                    let off = 10.0_f64.powf(self.random.within(-12.0, -3.0)) * HALF;
-                    at += self.direction() * off;
-                }
-            } else if self.places == Places::Short && close && count > 0 {
-                let near = self.draft.points[self.random.below(count)].at;
-                let off = 10.0_f64.powf(self.random.within(-5.0, -1.0)) * HALF;
-                return near + self.direction() * off;
-            } else if self.places == Places::InLine && close && count > 1 {
-                let [a, b] = [0, 1].map(|k| self.draft.points[count - 1 - k].at);
-                let off = 10.0_f64.powf(self.random.within(-9.0, -2.0)) * HALF;
-                at = a + (a - b) * self.random.within(0.5, 1.5) + self.direction() * off;
-                if at.coords.amax() > 2.0 * HALF {
-                    at = a + (b - a) * self.random.within(0.2, 0.8) + self.direction() * off;
-                }
-            }
-            let mut points = self.draft.points.iter();
-            if points.all(|point| (point.at - at).norm() > clear) {
-                return at;
-            }
-            clear *= 0.9;
-        }
-    }
-
-    fn direction(&mut self) -> Vector {
-        let angle = self.random.within(0.0, TAU);
-        Vector::new(angle.cos(), angle.sin())
     }
 }

@@ -2,14 +2,17 @@
 //! which `ASSUR_DRAWINGS` says how many are compared (10,000 without it).
 #![cfg(not(target_family = "wasm"))]
 
+mod condition;
 mod equations;
 mod found;
 mod linkage;
+mod places;
 #[path = "../properties/random.rs"]
 mod random;
 mod redrawn;
 mod rows;
 mod same;
+mod shown;
 mod subject;
 
 use found::Found;

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Draft, DraftDriver};
 use assur::{Point, Vector};
 
-use crate::equations::Shown;
 use crate::random::Random;
+use crate::shown::Shown;
 
 /// A drawing of `size` is moved by no more than so many sizes.
 const FARTHEST: f64 = 6.0;
@@ -100,8 +100,8 @@ impl Redrawn {
         if is(Change::Renamed) {
             redrawn.rename(random);
         }
-        let points = redrawn.draft.points.iter();
-        let bounded = points.fold(true, |all, point| all && point.at.coords.amax() <= BOUND);
+        let mut points = redrawn.draft.points.iter();
+        let bounded = points.all(|point| point.at.coords.amax() <= BOUND);
         bounded.then_some(redrawn)
     }
 

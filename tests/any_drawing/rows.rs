@@ -4,9 +4,10 @@
 use assur::mechanism::Pose;
 use assur::motion::DeadPointKind;
 
-use crate::equations::{Shown, modulo_turn};
+use crate::equations::modulo_turn;
 use crate::found::Tally;
 use crate::random::Random;
+use crate::shown::Shown;
 use crate::subject::{Known, Subject, determined, uncertainty};
 
 /// What links, slides and gears may leave of their equations, relative to the size, and of their

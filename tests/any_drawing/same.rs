@@ -7,10 +7,12 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Defect, Mechanism};
 use assur::motion::{DeadPoint, Motion};
 
-use crate::equations::{Condition, Equations, Shown, modulo_turn};
+use crate::condition::Condition;
+use crate::equations::{Equations, modulo_turn};
 use crate::found::Tally;
 use crate::random::Random;
 use crate::redrawn::{CHANGES, Redrawn};
+use crate::shown::Shown;
 use crate::subject::{Known, Subject, determined, uncertainty};
 
 /// So many drawings of each linkage are compared.
@@ -226,7 +228,7 @@ impl Comparison<'_> {
             if dead.kind != met.kind || ours != theirs {
                 let equations = &self.subject.equations;
                 let grown = condition(&self.subject.motion, equations, dead.input);
-                if grown.is_none_or(|grown| !(grown.pose < TWO_GROUPS)) {
+                if grown.is_none_or(|grown| grown.pose >= TWO_GROUPS) {
                     self.tally.open("dead point of two groups");
                     return true;
                 }

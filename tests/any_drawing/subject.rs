@@ -3,10 +3,12 @@
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
 
-use crate::equations::{Condition, Equations, Shown};
+use crate::condition::Condition;
+use crate::equations::Equations;
 use crate::linkage::Linkage;
 use crate::random::Random;
 use crate::redrawn::with_shapes;
+use crate::shown::Shown;
 
 /// So many poses of each motion are compared.
 pub(crate) const POSES: usize = 12;
