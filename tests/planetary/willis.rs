@@ -49,7 +49,9 @@ fn all_combinations_over_several_turns() {
                 let third = 3 - one - two;
                 let grown = free(numbers, [(one, 1.0), (two, rate)]);
                 let what = format!("{shafts:?} {satellite:?} {one} {two} {rate}");
-                let period = motion.cycle().period().unwrap();
+                let period = motion.cycle().period().unwrap_or_else(|| {
+                    panic!("{what} {:?} {:?}", motion.cycle(), motion.dead_points())
+                });
                 for k in 0..40 {
                     let input = period * f64::from(k) / 40.0;
                     // It begins where it is drawn; the cycle is told from zero on.

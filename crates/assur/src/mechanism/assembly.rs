@@ -56,8 +56,11 @@ impl Mechanism {
             // The try that counts, last: the state is that of the drawn pose.
             let solved = self.try_step(step, sign, &mut state);
             solved.map_err(|cause| vec![self.open(step, Some(cause))])?;
-            if let Step::Group(group) = &mut self.steps[step] {
-                group.plan_as(&state);
+            match &mut self.steps[step] {
+                Step::Group(group) => group.plan_as(&state),
+                // Wheels are mounted by the angles that are drawn.
+                Step::Closed(closed) => closed.count_turns_from(&self.orientations, &mut state),
+                _ => {}
             }
             if let Some((point, by)) = self.misdrawn(&state, step)
                 && by > MISDRAWN * self.size
@@ -81,6 +84,26 @@ impl Mechanism {
             }
         }
         Ok(())
+    }
+
+    /// Tells the drawn input by other whole turns: the angles of a four-bar in closed form, which may be others there,
+    /// are told as they are drawn, by which wheels are mounted.
+    pub(crate) fn tell_by_turns(&mut self, home: f64) {
+        let mut state: State<1> = self.blank_state();
+        for step in self.steps.ids() {
+            let given = Given {
+                step,
+                input: Jet::constant(home),
+                sign: self.signs[step],
+                near: self.drawn(),
+            };
+            if self.steps[step].put(&mut state, &given).is_err() {
+                return;
+            }
+            if let Step::Closed(closed) = &mut self.steps[step] {
+                closed.count_turns_from(&self.orientations, &mut state);
+            }
+        }
     }
 
     /// The way to join a step's links that puts its points closest to where they are
@@ -118,7 +141,7 @@ impl Mechanism {
             for (point, local) in &self.bodies[body] {
                 let local = *local;
                 let at = state.place(Anchor { body, local }).value();
-                let by = (at - self.draft.points[point.index()].at.coords).norm();
+                let by = (at + self.origin - self.draft.points[point.index()].at.coords).norm();
                 if farthest.is_none_or(|(_, most)| by > most) {
                     farthest = Some((*point, by));
                 }
@@ -208,7 +231,7 @@ impl Mechanism {
     pub(super) fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
         let mut draft = self.draft.clone();
         for (drawn, anchor) in draft.points.iter_mut().zip(self.points.iter()) {
-            drawn.at = Point::from(state.place(*anchor).value());
+            drawn.at = Point::from(state.place(*anchor).value() + self.origin);
         }
         draft
     }

@@ -208,8 +208,9 @@ impl Mechanism {
         order: usize,
     ) -> Sides {
         let between = |p: PointId, q: PointId| {
-            let [p, q] = [p, q].map(|point| self.place(pose, point));
-            [p.x - q.x, p.y - q.y]
+            let [p, q] = [p, q].map(|point| pose.state.place(self.points[point]));
+            let way = p - q;
+            [way.x(), way.y()]
         };
         let angle =
             |link: LinkOrFrame| link.map_or(Jet::constant(0.0), |link| self.angle(pose, link));

@@ -60,6 +60,8 @@ use resolved::Resolved;
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     draft: Draft,
+    /// From where places are told while it is solved.
+    origin: Vector,
     points: List<PointId, Anchor>,
     links: List<LinkId, Part>,
     /// Of each body the link that it is made for, none for the frame, and its points
@@ -162,6 +164,7 @@ impl Mechanism {
         let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, size);
         let mut mechanism = Self {
             draft: resolved.draft.clone(),
+            origin: resolved.origin,
             points: points.collect(),
             links: links.collect(),
             made_for: resolved.bodies.clone(),

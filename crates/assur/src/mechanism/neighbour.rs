@@ -130,6 +130,7 @@ impl Mechanism {
     ) -> Result<Self, Apart> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
+            let hinge = hinge.map(|(point, at)| (point, at - resolved.origin));
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
             let structure = self.structure.clone();

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::Mechanism;
 use crate::index::{LinkId, PointId, StepId};
-use crate::position::{Anchor, Cause, State};
+use crate::position::{Anchor, Cause, Complex, State};
 use crate::{Jet, JetPoint};
 
 /// Why a mechanism has no pose at an input.
@@ -61,7 +61,7 @@ impl Mechanism {
     /// Where a point is in a pose.
     #[inline]
     pub fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> JetPoint<N> {
-        pose.state.place(self.points[point]).into()
+        (pose.state.place(self.points[point]) + Complex::constant(self.origin)).into()
     }
 
     /// Where a link carries one of its points in a pose: the same as
@@ -82,6 +82,7 @@ impl Mechanism {
         });
         // A tracer is among the points of one body only.
         let own = Some(self.points[point]).filter(|anchor| anchor.body == body);
-        Some(pose.state.place(joint.or(own)?).into())
+        let place = pose.state.place(joint.or(own)?);
+        Some((place + Complex::constant(self.origin)).into())
     }
 }

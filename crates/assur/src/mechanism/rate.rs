@@ -73,8 +73,9 @@ fn denominator(ratio: f64) -> Option<usize> {
     let mut denominators = [0.0, 1.0];
     while denominators[1] < NEVER as f64 {
         let turned = ratio * denominators[1];
-        // As exact as a product of a few ratios.
-        if (turned - turned.round()).abs() <= 16.0 * f64::EPSILON * turned.abs().max(1.0) {
+        // As exact as a sum of products of a few ratios.
+        let exact = 64.0 * f64::EPSILON * (1.0 + ratio.abs()) * denominators[1];
+        if (turned - turned.round()).abs() <= exact {
             return Some(denominators[1] as usize);
         }
         rest = (rest - rest.floor()).recip();

@@ -11,6 +11,9 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(super) struct Resolved<'a> {
     pub(super) draft: &'a Draft,
+    /// The place from which all others are told while a mechanism is solved: far from the origin of the drawing
+    /// they would lose digits.
+    pub(super) origin: Vector,
     /// Where points are drawn.
     pub(super) places: List<PointId, Vector>,
     pub(super) frame: Vec<PointId>,
@@ -116,9 +119,13 @@ impl<'a> Resolved<'a> {
         let drivers = draft.drivers.iter().map(|driver| names.driver(driver));
         let tracers = draft.tracers.iter();
         let tracers = tracers.map(|tracer| Ok((names.link(&tracer.link)?, tracer)));
+        let hinge = draft.frame.first().and_then(|name| draft.place(name));
+        let origin = hinge.map_or(Vector::zeros(), |hinge| hinge.coords);
+        let places = draft.points.iter().map(|point| point.at.coords - origin);
         Ok(Self {
             draft,
-            places: draft.points.iter().map(|point| point.at.coords).collect(),
+            origin,
+            places: places.collect(),
             frame: names.points(&draft.frame)?,
             links: links.collect::<Result<_, Defect>>()?,
             slides: slides.collect::<Result<_, Defect>>()?,

@@ -97,7 +97,7 @@ pub(super) fn anchored<'a>(
     draft.tracers.iter().map(move |(link, tracer)| match *link {
         None => Anchor {
             body: BodyId::FRAME,
-            local: tracer.at,
+            local: tracer.at - draft.origin,
         },
         Some(link) => {
             let Placement { body, lead } = placements[link];

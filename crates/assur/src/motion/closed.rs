@@ -12,7 +12,7 @@ use crate::{Assembly, Cycle};
 impl Motion {
     /// The motion where the closed form of a four-bar is all there is: of a crank that
     /// cannot turn fully, over the arc that is drawn.
-    pub(super) fn in_closed_form(mechanism: Mechanism) -> Self {
+    pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
         let closed = mechanism.closed_steps().next();
         let arc = closed.and_then(|closed| closed.arc(mechanism.home()));
         let (cycle, dead_points, turned) = match (arc, closed) {
@@ -29,6 +29,9 @@ impl Motion {
             }
         };
         let home = cycle.wrap(mechanism.home() - turned);
+        if turned != 0.0 {
+            mechanism.tell_by_turns(home);
+        }
         let (signs, orientations) = mechanism.as_drawn();
         let knots = Knots::alone(home, signs, orientations);
         Self::of(mechanism, cycle, knots, dead_points, home)

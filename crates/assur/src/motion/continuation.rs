@@ -18,8 +18,10 @@ use crate::{Jet, Vector};
 const GRID: usize = 360;
 /// A body turns by less than this in a step, radians, so that its whole turns are counted.
 const MOST_TURNED: f64 = 1.0;
-/// No step is halved more often.
+/// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 const HALVINGS: i32 = 24;
+/// … or for a group, which may be drawn close to a singular pose and leave it.
+const MOST_HALVINGS: i32 = 40;
 /// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
 /// through; as far beyond the motion is taken up again: there their margins have left zero.
 const PASSED: f64 = 1e-5;
@@ -55,6 +57,8 @@ pub(super) struct Continuation<'a> {
     pub(super) change_points: Vec<f64>,
     /// What may still be tried.
     work: usize,
+    /// For whose sake steps were halved last.
+    doubtful: Option<StepId>,
 }
 
 /// A pose that is expected.
@@ -96,6 +100,7 @@ impl<'a> Continuation<'a> {
             winding: mechanism.bodies().filter(winds).collect(),
             change_points: Vec::new(),
             work: MOST_WORK,
+            doubtful: None,
         }
     }
 
@@ -139,7 +144,11 @@ impl<'a> Continuation<'a> {
             };
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(bodies) else {
-                return Some(self.ends(StepId::FIRST, DeadPointKind::Unfollowed));
+                // Small steps are what it was spent on, or many turns.
+                return Some(match self.doubtful {
+                    Some(step) => self.ends(step, DeadPointKind::NearSingular),
+                    None => self.ends(StepId::FIRST, DeadPointKind::Unfollowed),
+                });
             };
             self.work = work;
             let Err(step) = self.step_to(next) else {
@@ -147,20 +156,31 @@ impl<'a> Continuation<'a> {
                 std::mem::swap(&mut self.here, &mut self.there);
                 knots.push(self.input, &self.signs, &self.here);
                 halved = (halved - 1).max(0);
+                if halved == 0 {
+                    self.doubtful = None;
+                }
                 continue;
             };
+            let is_group = self.is_group(step);
+            let most = if is_group { MOST_HALVINGS } else { HALVINGS };
             if let Some(passing) = self.passes(step, sense * width) {
                 if !self.pass(step, &passing, sense, knots) {
                     return Some(self.ends(step, DeadPointKind::NearSingular));
                 }
                 halved = 0;
-            } else if self.is_group(step) && width < EXTRAPOLATED * self.mechanism.span() {
-                return Some(self.singular(step, sense, knots));
-            } else if halved < HALVINGS && next != self.input {
+            } else if is_group
+                && width < EXTRAPOLATED * self.mechanism.span()
+                && let Some(dead) = self.singular(sense, knots)
+            {
+                return Some(dead);
+            } else if halved < most && next != self.input {
                 halved += 1;
+            } else if is_group {
+                return Some(self.ends(step, DeadPointKind::NearSingular));
             } else {
                 return Some(self.stopped(step, sense));
             }
+            self.doubtful = (halved > 0).then_some(step);
         }
         None
     }
@@ -320,21 +340,17 @@ impl<'a> Continuation<'a> {
         true
     }
 
-    /// The singular pose of a group that lies just ahead; where none is known, the pose of the step that goes no
-    /// further. One group's fold lets those that hang on it move ever faster, so that it may be theirs that is met.
-    fn singular(&self, step: StepId, sense: f64, knots: &Knots) -> DeadPoint {
+    /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on it move ever faster, so that it may be theirs that is met.
+    fn singular(&self, sense: f64, knots: &Knots) -> Option<DeadPoint> {
         let groups = self.mechanism.steps().ids();
         let groups = groups.filter(|other| self.is_group(*other));
         let folds = groups.filter_map(|step| Some((step, self.fold(step, sense, knots)?)));
         let nearest = folds.min_by(|(_, a), (_, b)| (a * sense).total_cmp(&(b * sense)));
-        match nearest {
-            Some((step, input)) => DeadPoint {
-                input,
-                kind: DeadPointKind::Singular,
-                step,
-            },
-            None => self.ends(step, DeadPointKind::NearSingular),
-        }
+        nearest.map(|(step, input)| DeadPoint {
+            input,
+            kind: DeadPointKind::Singular,
+            step,
+        })
     }
 
     /// Where just ahead two assemblies of a group meet: the square of its determinant goes to zero in proportion to

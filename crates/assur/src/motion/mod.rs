@@ -69,7 +69,7 @@ impl Motion {
         }
     }
 
-    fn followed(mechanism: Mechanism) -> Self {
+    fn followed(mut mechanism: Mechanism) -> Self {
         let mut forth = Continuation::new(&mechanism);
         let mut knots = Knots::default();
         let mut turned = 0.0;
@@ -106,6 +106,9 @@ impl Motion {
         };
         let passed = forth.change_points;
         let home = cycle.wrap(mechanism.home() - turned);
+        if turned != 0.0 {
+            mechanism.tell_by_turns(home);
+        }
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
         let passed = passed.into_iter();
         let passed: Vec<f64> = passed.map(|at| motion.cycle.wrap(at - turned)).collect();
