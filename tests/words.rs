@@ -489,6 +489,9 @@ fn every_problem_has_words() {
         "undetermined",
         "dead_point",
         "bad_state",
+        "unknown_format",
+        "key_twice",
+        "not_json",
         "trapped",
         "not_settings",
     ];
@@ -556,7 +559,6 @@ fn every_problem_has_words() {
         "tracers.x",
         "tracers.y",
         "assembly",
-        "format",
         "phi_deg",
         "direction",
         "speed",

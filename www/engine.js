@@ -129,6 +129,11 @@ export class Engine {
     return this.ask(() => module.readState(value));
   }
 
+  /** @param {string} text of JSON, in which no key may stand twice: the browser takes the last one */
+  checkKeys(text) {
+    this.ask(() => module.checkKeys(text));
+  }
+
   /**
    * @param {State} state another than the one that is set, which stays
    * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array }} its drawing as it is drawn in the document

@@ -53,7 +53,12 @@ export async function takeAddress(address, engine, habits) {
  * @returns {Promise<Taken>}
  */
 export async function takeFile(text, name, engine, habits) {
-  const { state, failure } = await take("file", () => fromFile(text), engine, habits);
+  const unwrap = () => {
+    const value = fromFile(text);
+    engine.checkKeys(text);
+    return value;
+  };
+  const { state, failure } = await take("file", unwrap, engine, habits);
   return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
 }
 

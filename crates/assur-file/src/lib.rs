@@ -6,6 +6,7 @@ mod catalogue;
 mod kinds;
 mod problem;
 mod state;
+mod text;
 #[cfg(test)]
 mod types;
 mod view;
@@ -31,4 +32,5 @@ pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, Synth
 pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};
+pub use text::keys_once;
 pub use view::{Axes, OpenLesson, SpeedUnit, View};

@@ -52,6 +52,12 @@ pub enum Problem {
     DeadPoint { phi: f64 },
     /// The text or object has not the form of a state.
     BadState { path: String, detail: String },
+    /// A version of the saved form that is not known.
+    UnknownFormat { format: f64 },
+    /// A key that stands twice in one object.
+    KeyTwice { path: String },
+    /// The text is no JSON.
+    NotJson { detail: String },
     /// What is wrong with a linkage.
     #[serde(untagged)]
     Linkage(LinkageProblem),

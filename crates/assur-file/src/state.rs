@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::kinds::{Document, Moved};
+use crate::text::json;
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, Problem};
 
@@ -69,9 +70,7 @@ impl State {
             });
         }
         if format != FIRST_FORMAT {
-            return Err(Problem::UnknownChoice {
-                field: "format".into(),
-            });
+            return Err(Problem::UnknownFormat { format });
         }
         let FirstKind { lesson: kind } = part(value)?;
         let mut document = Document::read("lesson", &kind, value)?;
@@ -127,9 +126,8 @@ impl State {
     /// # Errors
     /// Every problem at once, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
-        let format = (self.format != FORMAT).then(|| Problem::UnknownChoice {
-            field: "format".into(),
-        });
+        let Self { format, .. } = *self;
+        let format = (format != FORMAT).then_some(Problem::UnknownFormat { format });
         let view = self.view.check().err().into_iter().flatten();
         let problems: Vec<Problem> = format.into_iter().chain(view).collect();
         if problems.is_empty() {
@@ -160,14 +158,6 @@ pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<O
             detail,
         },
         other => other,
-    })
-}
-
-/// Any JSON.
-pub(crate) fn json(text: &str) -> Result<Value, Problem> {
-    serde_json::from_str(text).map_err(|error| Problem::BadState {
-        path: ".".to_owned(),
-        detail: error.to_string(),
     })
 }
 

@@ -358,7 +358,7 @@ fn damaged_linkages_are_refused_or_move() {
             refused += 1;
             assert!(!problems.is_empty());
             for problem in said(&problems) {
-                let named = ["path", "field", "name", "link", "links", "point"];
+                let named = ["path", "field", "name", "link", "links", "point", "format"];
                 let named = named.iter().any(|key| problem.get(key).is_some());
                 assert!(
                     named || problem["code"] == "no_driver",

@@ -23,4 +23,4 @@ mod thin;
 mod types;
 
 pub use design::Design;
-pub use simulator::{Simulator, catalogue, read_state, role_names, shelves, task};
+pub use simulator::{Simulator, catalogue, check_keys, read_state, role_names, shelves, task};

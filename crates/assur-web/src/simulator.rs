@@ -320,3 +320,12 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     open(&state).map_err(thrown)?;
     Ok(to_js(&state))
 }
+
+/// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.
+///
+/// # Errors
+/// The key that does, with its path.
+#[wasm_bindgen(js_name = checkKeys)]
+pub fn check_keys(text: &str) -> Result<(), JsValue> {
+    assur_file::keys_once(text).map_err(|problem| thrown([problem]))
+}

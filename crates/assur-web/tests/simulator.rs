@@ -7,7 +7,7 @@
     reason = "that is how a test fails"
 )]
 
-use assur_web::{Simulator, catalogue};
+use assur_web::{Simulator, catalogue, check_keys};
 use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -284,6 +284,14 @@ fn an_assembly_is_chosen_by_its_number() {
         let problems = thrown(simulator.assemble(none).unwrap_err());
         assert_eq!(problems[0].0, "bad_state");
     }
+}
+
+#[wasm_bindgen_test]
+fn keys_that_stand_twice_are_refused_with_a_path() {
+    assert!(check_keys(r#"{"document": {"l1": 1, "l2": 1}}"#).is_ok());
+    let twice = check_keys(r#"{"document": {"l1": 1, "l1": 1}}"#).unwrap_err();
+    assert_eq!(thrown(twice.clone())[0].0, "key_twice");
+    assert_eq!(get(&twice, "0.path").as_string().unwrap(), "document.l1");
 }
 
 #[wasm_bindgen_test]

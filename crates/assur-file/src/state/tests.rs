@@ -187,9 +187,7 @@ fn a_lesson_has_the_name_of_a_folder() {
 
 #[test]
 fn an_unknown_version_is_said_first() {
-    let format = Problem::UnknownChoice {
-        field: "format".into(),
-    };
+    let format = Problem::UnknownFormat { format: 3.0 };
     let text = r#"{"format": 3, "kind": "mixer", "document": 7}"#;
     assert_eq!(State::parse(text), Err(format));
 }
@@ -281,9 +279,7 @@ fn bad_numbers_name_their_fields() {
     (bad.format, bad.view.direction, bad.view.speed) = (3.0, 0.5, f64::NAN);
     bad.view.phi_deg = f64::INFINITY;
     let fields = [
-        Problem::UnknownChoice {
-            field: "format".into(),
-        },
+        Problem::UnknownFormat { format: 3.0 },
         Problem::NotANumber {
             field: "phi_deg".into(),
         },
