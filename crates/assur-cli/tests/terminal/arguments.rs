@@ -1,0 +1,46 @@
+//! Help, and arguments that are none.
+
+use crate::run::{assur, refused, said};
+
+#[test]
+fn help_and_list() {
+    for arguments in [
+        &["--help"][..],
+        &["sweep", "--help"],
+        &["structure", "--help"],
+        &["plot", "--help"],
+        &["list", "--help"],
+    ] {
+        assert!(said(arguments).contains("Usage: assur"), "{arguments:?}");
+    }
+    let names = said(&["list"]);
+    assert!(names.starts_with("mixer-a\nmixer-b\nmixer-c\n"), "{names}");
+}
+
+#[test]
+fn arguments_that_are_none() {
+    for (arguments, status, part) in [
+        (
+            &["sweep", "no-such-mixer"][..],
+            2,
+            "no-such-mixer: no such name",
+        ),
+        (
+            &["sweep", "./no-such-file.json"],
+            1,
+            "./no-such-file.json: ",
+        ),
+        (&["sweep", "mixer-a", "--step", "0"], 2, "--step 0"),
+        (&["sweep", "mixer-a", "--step", "NaN"], 2, "--step NaN"),
+        (&["sweep", "mixer-a", "--step", "1e-9"], 2, "--step"),
+        (&["sweep", "mixer-a", "--assembly", "3"], 2, "only 1 to 2"),
+        (&["sweep", "mixer-a", "--assembly", "0"], 2, "only 1 to 2"),
+        (&["sweep"], 2, "Usage"),
+        (&["fly"], 2, "fly"),
+        (&["plot", "mixer-a"], 2, "--svg"),
+    ] {
+        let (found, said) = refused(arguments);
+        assert_eq!(found, status, "{arguments:?}: {said}");
+        assert!(said.contains(part), "{arguments:?}: {said}");
+    }
+}

@@ -1,0 +1,50 @@
+//! Drawings.
+
+use crate::run::{Scratch, data, refused, said};
+
+#[test]
+fn drawings() {
+    let file = Scratch::new("drawing.svg");
+    assert_eq!(said(&["plot", "mixer-a", "--svg", file.path()]), "");
+    let text = std::fs::read_to_string(&file.0).unwrap();
+    for part in [
+        "<svg ",
+        "rocker.angle″",
+        "wheel5.angle",
+        ">E5</text>",
+        "360°</text>",
+        "</svg>\n",
+    ] {
+        assert!(text.contains(part), "{part}");
+    }
+    for name in [
+        "hinges",
+        "slide",
+        "moving-slide",
+        "gears",
+        "driven-slide",
+        "linkage-state",
+    ] {
+        let text = said(&[
+            "plot",
+            &data(&format!("linkages/{name}.json")),
+            "--svg",
+            "-",
+        ]);
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
+        // Whole: every element is closed.
+        assert_eq!(
+            text.matches('<').count(),
+            text.matches('>').count(),
+            "{name}"
+        );
+        assert_eq!(
+            text.matches("<g ").count(),
+            text.matches("</g>").count(),
+            "{name}"
+        );
+    }
+    let (status, said) = refused(&["plot", "mixer-a", "--svg", "/no/such/folder/a.svg"]);
+    assert_eq!(status, 1);
+    assert!(said.contains("/no/such/folder/a.svg"), "{said}");
+}

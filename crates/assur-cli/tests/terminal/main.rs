@@ -1,0 +1,14 @@
+//! The terminal program as it is run: exit status, tables, structures, drawings.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+mod arguments;
+mod drawings;
+mod golden;
+mod linkages;
+mod run;
+mod structure;
+mod sweep;
