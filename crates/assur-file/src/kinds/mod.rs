@@ -137,6 +137,14 @@ impl Document {
         self.kind().linkage()
     }
 
+    /// The motion of what it describes; a mixer's over every arc of its crank.
+    ///
+    /// # Errors
+    /// Every problem for which it does not move.
+    pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.kind().motion()
+    }
+
     /// Its motion, with the quantities that a choice of the page names.
     ///
     /// # Errors

@@ -117,7 +117,7 @@ pub enum KindDocument {
 /// A place, of a planar scheme in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(untagged)]
+#[serde(untagged, expecting = "neither [x, y] nor [x, y, z]")]
 #[expect(missing_docs, reason = "x and y, x, y and z")]
 pub enum PlaceDocument {
     Plane([f64; 2]),

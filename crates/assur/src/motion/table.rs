@@ -1,6 +1,6 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::Motion;
+use super::{Input, Motion};
 use crate::mechanism::{Mechanism, Pose, Quantity, Unsolved};
 
 /// A column: a quantity or one of its derivatives.
@@ -8,7 +8,7 @@ use crate::mechanism::{Mechanism, Pose, Quantity, Unsolved};
 pub struct Column {
     /// Of what.
     pub quantity: Quantity,
-    /// 0: the value; 1, 2: its derivatives by the input.
+    /// 0: the value; 1, 2: its derivatives by the input, or by time.
     pub order: usize,
 }
 
@@ -34,6 +34,19 @@ impl Column {
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.quantity.name(mechanism, self.order)
     }
+
+    /// Its name where its derivatives are by time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
+    pub fn name_by_time(self, mechanism: &Mechanism) -> String {
+        let (of, rates) = match self.quantity {
+            Quantity::Angle(link) => (mechanism.link_name(link), ["omega", "epsilon"]),
+            Quantity::X(point) => (mechanism.point_name(point), ["vx", "ax"]),
+            Quantity::Y(point) => (mechanism.point_name(point), ["vy", "ay"]),
+        };
+        match self.order.checked_sub(1).and_then(|rate| rates.get(rate)) {
+            Some(rate) => format!("{of}.{rate}"),
+            None => self.name(mechanism),
+        }
+    }
 }
 
 /// A row of a table.
@@ -49,18 +62,26 @@ pub struct Row {
 }
 
 impl Motion {
-    /// The row of these columns at an input.
+    /// The row of these columns at an input, derivatives by the input.
     pub fn row(&self, columns: &[Column], input: f64) -> Row {
-        let (values, reason) = match self.pose::<3>(input) {
-            Ok(pose) => (self.values(columns, &pose), None),
+        self.row_by_time(columns, input, Input::ANALOGUES)
+    }
+
+    /// The row of these columns at an input, derivatives by time while the input goes as `driven` says.
+    ///
+    /// Past the period of a driver that turns fully angles go on: they are never folded.
+    pub fn row_by_time(&self, columns: &[Column], input: f64, driven: Input) -> Row {
+        let (mut values, reason) = match self.pose::<3>(input) {
+            Ok(pose) => (self.values(columns, &pose, driven), None),
             Err(reason) => {
                 let place = self.pose::<1>(input);
                 let values = place.map_or(vec![None; columns.len()], |pose| {
-                    self.values(columns, &pose)
+                    self.values(columns, &pose, driven)
                 });
                 (values, Some(reason))
             }
         };
+        self.unfold(columns, input, &mut values);
         Row {
             input,
             values,
@@ -68,11 +89,39 @@ impl Motion {
         }
     }
 
-    fn values<const N: usize>(&self, columns: &[Column], pose: &Pose<N>) -> Vec<Option<f64>> {
+    fn values<const N: usize>(
+        &self,
+        columns: &[Column],
+        pose: &Pose<N>,
+        driven: Input,
+    ) -> Vec<Option<f64>> {
         let value = |column: &Column| {
             let jet = column.quantity.of(self.mechanism(), pose);
-            (column.order < N).then(|| jet.derivative(column.order))
+            (column.order < N).then(|| driven.rate(&jet, column.order))
         };
         columns.iter().map(value).collect()
+    }
+
+    /// Adds to angles what they have grown by in the periods between the input and where it has been
+    /// brought in.
+    fn unfold(&self, columns: &[Column], input: f64, values: &mut [Option<f64>]) {
+        let Some(period) = self.cycle.period().filter(|_| self.cycle.is_full()) else {
+            return;
+        };
+        let periods = ((input - self.cycle.wrap(input)) / period).round();
+        if periods == 0.0 {
+            return;
+        }
+        let ends = self.cycle.axis().map(|end| self.pose::<1>(end));
+        let [Ok(first), Ok(last)] = ends else {
+            return;
+        };
+        for (column, value) in columns.iter().zip(values) {
+            if column.order == 0 && column.quantity.is_angle() {
+                let [from, to] =
+                    [&first, &last].map(|pose| column.quantity.of(&self.mechanism, pose).value());
+                *value = value.map(|angle| angle + periods * (to - from));
+            }
+        }
     }
 }
