@@ -1,7 +1,7 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::{Input, Motion};
-use crate::mechanism::{Mechanism, Pose, Quantity, Unsolved};
+use super::{DeadPointKind, Input, Motion};
+use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
 /// A column: a quantity or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,16 @@ impl Motion {
     ///
     /// Past the period of a driver that turns fully angles go on: they are never folded.
     pub fn row_by_time(&self, columns: &[Column], input: f64, driven: Input) -> Row {
-        let (mut values, reason) = match self.pose::<3>(input) {
+        // A higher group comes so near to its dead point that there seem to be derivatives.
+        let at = self.cycle.wrap(input);
+        let dead = self.dead_points.iter().find(|dead| dead.input == at);
+        let dead = dead.filter(|dead| dead.kind != DeadPointKind::Range);
+        let dead = dead.map(|dead| Unsolved {
+            input,
+            step: dead.step,
+            cause: Cause::DeadPoint,
+        });
+        let (mut values, reason) = match dead.map_or_else(|| self.pose::<3>(input), Err) {
             Ok(pose) => (self.values(columns, &pose, driven), None),
             Err(reason) => {
                 let place = self.pose::<1>(input);
