@@ -6,7 +6,42 @@ use assur_file::Problem;
 use serde::Deserialize;
 use serde_json::{Error, Map, Value};
 
-/// The English tables: what all kinds have, and what schemes and differentials have of their own.
+/// What is said of files in place of what the page says of its settings.
+const OF_FILES: [(&str, &str); 2] = [
+    ("problem.bad_state", "{path} has the wrong form: {detail}."),
+    ("problem.not_json", "This is not JSON: {detail}."),
+];
+
+/// What serde calls faults, by how it begins, in the words of JSON.
+const FAULTS: [(&str, &str); 5] = [
+    ("invalid type: ", ""),
+    ("invalid value: ", ""),
+    ("missing field ", "missing key "),
+    ("unknown field ", "unknown key "),
+    ("unknown variant ", "unknown choice "),
+];
+
+/// What serde calls types in Rust, by how it begins, in the words of JSON.
+const TYPES: [(&str, &str); 16] = [
+    ("struct ", "an object"),
+    ("internally tagged enum ", "an object"),
+    ("map", "an object"),
+    ("sequence", "a list"),
+    ("a sequence", "a list"),
+    ("tuple ", "a list"),
+    ("enum ", "a text"),
+    ("string or map", "a text"),
+    ("f64", "a number"),
+    ("i64", "a whole number"),
+    ("u64", "a whole number"),
+    ("usize", "a whole number from 0 on"),
+    ("u32", "a whole number from 0 on"),
+    ("u8", "a whole number from 0 to 255"),
+    ("a map", "an object"),
+    ("unit", "null"),
+];
+
+/// The English tables: what all kinds have, and what some have of their own.
 pub(crate) struct Words(BTreeMap<String, String>);
 
 /// A problem as it is written for programs.
@@ -25,12 +60,14 @@ impl Words {
             include_str!("../../../lang/en.json"),
             include_str!("../../../www/kinds/scheme/words.en.json"),
             include_str!("../../../www/kinds/gear-train/words.en.json"),
+            include_str!("../../../www/kinds/synthesis/words.en.json"),
         ];
         let tables = tables
             .into_iter()
             .map(serde_json::from_str::<BTreeMap<_, _>>);
         let tables = tables.collect::<Result<Vec<_>, _>>()?;
-        Ok(Self(tables.into_iter().flatten().collect()))
+        let of_files = OF_FILES.map(|(key, text)| (key.to_owned(), text.to_owned()));
+        Ok(Self(tables.into_iter().flatten().chain(of_files).collect()))
     }
 
     /// The sentence of a problem, or its code where there is none.
@@ -50,41 +87,58 @@ impl Words {
         {
             sentence += before;
             sentence += &match parameters.get(place) {
-                Some(value) => self.filled(place, value),
+                Some(value) => filled(place, value),
                 None => format!("{{{place}}}"),
             };
             rest = after;
         }
         sentence += rest;
-        if let Some(Value::String(detail)) = parameters.get("detail") {
-            sentence += &format!(" ({detail})");
-        }
         Ok(sentence)
     }
+}
 
-    /// What stands in a place of a sentence.
-    fn filled(&self, place: &str, value: &Value) -> String {
-        match value {
-            Value::String(path) if place == "path" && path == "." => self.name("state"),
-            Value::String(field) if place == "field" => self.name(field),
-            Value::String(text) => text.clone(),
-            Value::Array(all) => {
-                let all: Vec<String> = all.iter().map(|one| self.filled(place, one)).collect();
-                all.join(", ")
-            }
-            other => match other.as_f64() {
-                Some(phi) if place == "phi" => format!("{}°", short(phi.to_degrees())),
-                Some(number) => short(number),
-                None => other.to_string(),
-            },
+/// What stands in a place of a sentence.
+fn filled(place: &str, value: &Value) -> String {
+    match value {
+        // The path of what is nowhere in particular.
+        Value::String(path) if place == "path" && [".", "?"].contains(&path.as_str()) => {
+            "The file".to_owned()
         }
+        Value::String(detail) if place == "detail" => plain(detail),
+        Value::String(text) => text.clone(),
+        Value::Array(all) => {
+            let all: Vec<String> = all.iter().map(|one| filled(place, one)).collect();
+            all.join(", ")
+        }
+        other => match other.as_f64() {
+            Some(phi) if place == "phi" => format!("{}°", short(phi.to_degrees())),
+            Some(number) => short(number),
+            None => other.to_string(),
+        },
     }
+}
 
-    /// What a field is called; a dimension of a linkage as it is saved.
-    fn name(&self, field: &str) -> String {
-        let name = self.0.get(&format!("field.{field}"));
-        name.map_or(field, String::as_str).to_owned()
-    }
+/// What serde says of a value, in the words of JSON.
+fn plain(detail: &str) -> String {
+    let replaced = |text: &str, words: &[(&str, &str)]| {
+        let mut words = words.iter();
+        let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
+        found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
+    };
+    // A type is all that is said of what is expected or found.
+    let typed = |text: &str| {
+        let named = replaced(text, &TYPES);
+        named.map_or_else(|| text.to_owned(), |(said, _)| said)
+    };
+    let (found, expected) = match detail.rsplit_once(", expected ") {
+        Some((found, expected)) => (found, format!(", expected {}", typed(expected))),
+        None => (detail, String::new()),
+    };
+    let found = match replaced(found, &FAULTS) {
+        Some((said, rest)) => said + &typed(&rest),
+        None => found.to_owned(),
+    };
+    found + &expected
 }
 
 /// A number with four digits that count.
@@ -119,8 +173,79 @@ mod tests {
         };
         assert_eq!(
             words.sentence(&form).unwrap(),
-            "These settings cannot be read: the whole record has the wrong format. (no {code} here)"
+            "The file has the wrong form: no {code} here."
         );
+    }
+
+    /// Values of every type, in every place of every file of the catalogue.
+    #[test]
+    fn no_sentence_has_the_name_of_a_type_of_ours() {
+        fn places(value: &Value, at: &str, all: &mut Vec<String>) {
+            all.push(at.to_owned());
+            for (key, inner) in value.as_object().into_iter().flatten() {
+                places(inner, &format!("{at}/{key}"), all);
+            }
+            // Of a list the first ones tell all.
+            for (k, inner) in value.as_array().into_iter().flatten().take(2).enumerate() {
+                places(inner, &format!("{at}/{k}"), all);
+            }
+        }
+        let words = Words::english().unwrap();
+        let mut said = std::collections::BTreeSet::new();
+        let folder =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../assur-file/catalogue");
+        for file in std::fs::read_dir(folder).unwrap() {
+            let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+            let bare: Value = serde_json::from_str(&text).unwrap();
+            let kind = match (&bare["pairs"], &bare["drives"]) {
+                (Value::Null, Value::Null) => "linkage",
+                (_, Value::Null) => "scheme",
+                _ => "gear-train",
+            };
+            let state =
+                serde_json::json!({"format": 2, "kind": kind, "document": bare, "view": {}});
+            for whole in [bare, state] {
+                let mut all = Vec::new();
+                places(&whole, "", &mut all);
+                for place in all {
+                    for bad in [
+                        "null",
+                        "true",
+                        "7",
+                        "-7.5",
+                        "300",
+                        "\"x\"",
+                        "[]",
+                        "[[1]]",
+                        "{}",
+                        "{\"x\": 1}",
+                    ] {
+                        let mut whole = whole.clone();
+                        *whole.pointer_mut(&place).unwrap() = serde_json::from_str(bad).unwrap();
+                        let read = assur_file::document_of(&whole.to_string());
+                        let problems = read.err().into_iter().flatten();
+                        said.extend(problems.map(|problem| words.sentence(&problem).unwrap()));
+                    }
+                }
+            }
+        }
+        assert!(said.len() > 300, "{}", said.len());
+        let rust = [
+            "struct", "enum", "tuple", "variant", "field", "unit", "map", "sequence", "settings",
+        ];
+        let rust = |word: &str| {
+            let numbered = word.starts_with(['f', 'i', 'u']) && word.ends_with(['8', '2', '4']);
+            let chars = word.chars().zip(word.chars().skip(1));
+            let camel = chars
+                .into_iter()
+                .any(|(a, b)| a.is_lowercase() && b.is_uppercase());
+            rust.contains(&word) || word == "usize" || numbered || camel
+        };
+        let rusty = said.iter().filter(|sentence| {
+            let mut words = sentence.split(|c: char| !c.is_alphanumeric());
+            words.any(rust) || sentence.contains('?')
+        });
+        assert_eq!(rusty.collect::<Vec<_>>(), Vec::<&String>::new());
     }
 
     #[test]

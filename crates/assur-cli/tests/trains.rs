@@ -53,11 +53,11 @@ fn files_that_move_by_time() {
         ),
         (
             format!(r#"{{"z1": "twenty", "z2": 10, "z4": 43, {drives}}}"#),
-            "These settings cannot be read: z1",
+            "z1 has the wrong form: string \"twenty\", expected a number.",
         ),
         (
             format!(r#"{{"z1": 20, "z2": 10, "z4": 43, "plates": 1, {drives}}}"#),
-            "These settings cannot be read: plates",
+            "plates has the wrong form: unknown key `plates`, expected one of ",
         ),
     ]
     .iter()
