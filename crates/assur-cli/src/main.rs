@@ -36,24 +36,20 @@ enum Command {
     List,
     /// Writes the motion as a table (CSV).
     ///
-    /// One row for each input: a crank from 0° to 360° in steps, 360° included
-    /// where the grid meets it (first column `phi_deg`), a driven slide from the
-    /// least to the greatest of its range (first column `s`). Then for each link
-    /// LINK.angle, LINK.dangle, LINK.ddangle, radians, never folded; for each point
-    /// P.x, P.y, P.dx, P.dy, P.ddx, P.ddy; derivatives are by the input. The last
-    /// column is the reason where there is no pose, or none of its derivatives.
-    Sweep {
-        /// Catalogue name or file.
-        name: String,
-        /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of
-        /// the range]
-        #[arg(long, value_name = "DEG")]
-        step: Option<f64>,
-        /// Which assembly, from 1 [default: the one that is drawn]
-        #[arg(long, value_name = "N")]
-        assembly: Option<usize>,
-    },
-    /// Shows mobility, class, formula, passive wheels and the Assur groups in their order.
+    /// One row for each input, ascending, over the motion's own range (see `assur structure`). A crank that turns
+    /// fully has rows from 0° to 360°, or to as many turns as the motion takes to repeat, the last one where the
+    /// steps meet it. A driver that turns back has rows at the multiples of the step between its dead points, and at
+    /// the dead points themselves; a driven slide from the least to the greatest of its range. An angle that is asked
+    /// for outside the range is brought into it by whole turns.
+    ///
+    /// The first column is the input: `phi_deg`, degrees of a crank, or `s`, the length of a driven slide. Then for
+    /// each link LINK.angle (radians, never folded), LINK.dangle, LINK.ddangle; for each point P.x, P.y, P.dx, P.dy,
+    /// P.ddx, P.ddy, in the unit of the file's lengths. Derivatives are by the input, by radians of a crank. With
+    /// --omega they are by time, in seconds: LINK.omega, LINK.epsilon, P.vx, P.vy, P.ax, P.ay. The last column,
+    /// `reason`, says why there is no pose, or none of its derivatives.
+    Sweep(sweep::Asked),
+    /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
+    /// with its dead points and change points.
     Structure {
         /// Catalogue name or file.
         name: String,
@@ -109,11 +105,16 @@ pub(crate) enum Failure {
     Io(String),
     /// The input is bad: exit status 2.
     Input(String),
+    /// Nobody reads on, as after `| head`: done, exit status 0.
+    Unread,
 }
 
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
-        Self::Io(error.to_string())
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Unread,
+            _ => Self::Io(error.to_string()),
+        }
     }
 }
 
@@ -127,7 +128,7 @@ fn main() -> ExitCode {
     // clap answers --help with 0 and arguments it does not know with 2 by itself.
     let arguments = Arguments::parse();
     let (said, status) = match run(arguments.command) {
-        Ok(()) => return ExitCode::SUCCESS,
+        Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
         Err(Failure::Io(said)) => (said, 1),
         Err(Failure::Input(said)) => (said, 2),
     };
@@ -144,11 +145,7 @@ fn run(command: Command) -> Result<(), Failure> {
                 writeln!(out, "{name}")?;
             }
         }
-        Command::Sweep {
-            name,
-            step,
-            assembly,
-        } => sweep::write(&mut out, &source::moved(&name, assembly)?.motion, step)?,
+        Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
         Command::Structure { name, json } => {
             structure::write(&mut out, &source::moved(&name, None)?.motion, json)?;
         }

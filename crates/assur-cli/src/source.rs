@@ -1,6 +1,7 @@
 //! The mechanism that a name stands for.
 
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 
 use assur::mobility::{Cut, Scheme, SchemeDraft};
 use assur::motion::Motion;
@@ -24,9 +25,10 @@ pub(crate) struct Moved {
 /// # Errors
 /// No such name or file; every reason why it is no mechanism; no such assembly.
 pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failure> {
-    let mut document = document(name)?;
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    if let Some(number) = assembly {
+    let whole = any(name)?;
+    let mut document = whole.linkage().map_err(refuse)?;
+    let motion = if let Some(number) = assembly {
         // Counted from the drawing, whichever the document names.
         document.assembly = None;
         let count = document.mechanism().map_err(refuse)?.assemblies();
@@ -35,8 +37,10 @@ pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failur
             return Err(Failure::Input(said));
         }
         document.assembly = Some(number);
-    }
-    let motion = document.motion().map_err(refuse)?;
+        document.motion().map_err(refuse)?
+    } else {
+        whole.motion().map_err(refuse)?
+    };
     Ok(Moved { document, motion })
 }
 
@@ -68,11 +72,6 @@ pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
     Ok(Schemed { scheme, cuts })
 }
 
-fn document(name: &str) -> Result<LinkageDocument, Failure> {
-    let linkage = any(name)?.linkage();
-    linkage.map_err(|problems| refused(name, &problems))
-}
-
 /// What a name stands for, of any kind.
 fn any(name: &str) -> Result<Document, Failure> {
     let found = match assur_file::document(name) {
@@ -92,13 +91,17 @@ fn text(name: &str) -> Result<String, Failure> {
             Failure::Io(format!("{name}: {error}"))
         }
     };
-    let size = std::fs::metadata(name).map_err(unread)?.len();
-    if size > LARGEST {
+    // Not by its size: devices and pipes have none.
+    let mut bytes = Vec::new();
+    let file = File::open(name).map_err(unread)?;
+    file.take(LARGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unread)?;
+    if bytes.len() as u64 > LARGEST {
         return Err(Failure::Input(format!(
             "{name}: too large to be a mechanism"
         )));
     }
-    let bytes = std::fs::read(name).map_err(unread)?;
     String::from_utf8(bytes).map_err(|_| Failure::Input(format!("{name}: this is no text")))
 }
 

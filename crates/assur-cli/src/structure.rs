@@ -1,5 +1,6 @@
-//! What a mechanism is made of: drivers and Assur groups.
+//! What a mechanism is made of, drivers and Assur groups, and over which inputs it moves.
 
+use std::f64::consts::TAU;
 use std::io::Write;
 
 use assur::mechanism::Mechanism;
@@ -13,7 +14,7 @@ use crate::Failure;
 ///
 /// # Errors
 /// What cannot be written.
-pub(crate) fn write(out: &mut impl Write, motion: &Motion, as_json: bool) -> Result<(), Failure> {
+pub(crate) fn write<W: Write>(out: &mut W, motion: &Motion, as_json: bool) -> Result<(), Failure> {
     let described = described(motion);
     if as_json {
         writeln!(out, "{described:#}")?;
@@ -28,13 +29,13 @@ pub(crate) fn write(out: &mut impl Write, motion: &Motion, as_json: bool) -> Res
         other => other.to_string(),
     };
     for key in ["links", "mobility", "class", "formula", "assemblies"] {
-        writeln!(out, "{key:<11} {}", word(&described[key]))?;
+        writeln!(out, "{key:<12} {}", word(&described[key]))?;
     }
     if described["passive"]
         .as_array()
         .is_some_and(|passive| !passive.is_empty())
     {
-        writeln!(out, "{:<11} {}", "passive", word(&described["passive"]))?;
+        writeln!(out, "{:<12} {}", "passive", word(&described["passive"]))?;
     }
     for (k, step) in described["steps"]
         .as_array()
@@ -44,20 +45,35 @@ pub(crate) fn write(out: &mut impl Write, motion: &Motion, as_json: bool) -> Res
     {
         let dyad = step["dyad"].as_str().unwrap_or_default();
         let said = format!("{} {dyad}", word(&step["symbol"]));
-        writeln!(out, "{:<11} {said:<8} {}", k + 1, word(&step["links"]))?;
+        writeln!(out, "{:<12} {said:<8} {}", k + 1, word(&step["links"]))?;
     }
-    for end in described["dead_points"].as_array().into_iter().flatten() {
-        let at = end["phi_deg"].as_f64().map(|at| format!("{at:.6}°"));
-        let at = at.unwrap_or_else(|| end["s"].to_string());
-        writeln!(
-            out,
-            "{:<11} {at} {}: {}",
-            "dead point",
-            word(&end["kind"]),
-            word(&end["links"])
-        )?;
+    let list = |key: &str| described[key].as_array().into_iter().flatten();
+    let line = |out: &mut W, key: &str, said: &str| writeln!(out, "{key:<12} {said}");
+    let repeats = match &described["turns"] {
+        Value::Null => String::new(),
+        turns if *turns == json!(1) => ", repeats after 1 turn".to_owned(),
+        turns => format!(", repeats after {turns} turns"),
+    };
+    for arc in list("range") {
+        let [from, to] = ["from", "to"].map(|end| at(&arc[end]));
+        line(out, "range", &format!("{from} to {to}{repeats}"))?;
+    }
+    for end in list("dead_points") {
+        let [kind, links] = ["kind", "links"].map(|key| word(&end[key]));
+        line(out, "dead point", &format!("{} {kind}: {links}", at(end)))?;
+    }
+    for change in list("change_points") {
+        line(out, "change point", &at(change))?;
     }
     Ok(())
+}
+
+/// An input for people.
+fn at(input: &Value) -> String {
+    match input["phi_deg"].as_f64() {
+        Some(degrees) => format!("{}°", (degrees * 1e6).round() / 1e6 + 0.0),
+        None => input["s"].to_string(),
+    }
 }
 
 fn described(motion: &Motion) -> Value {
@@ -84,19 +100,31 @@ fn described(motion: &Motion) -> Value {
             "links": names(&group.links()),
         }),
     });
-    let key = if mechanism.turns() { "phi_deg" } else { "s" };
+    let at = |input: f64| {
+        if mechanism.turns() {
+            ("phi_deg", input.to_degrees())
+        } else {
+            ("s", input)
+        }
+    };
+    let placed = |input: f64| {
+        let (key, at) = at(input);
+        json!({key: at})
+    };
+    let cycle = motion.cycle();
+    let range = cycle.arcs().iter();
+    let range = range.map(|[from, to]| json!({"from": placed(*from), "to": placed(*to)}));
+    let turns = cycle.period().filter(|_| cycle.is_full());
+    let turns = turns.map(|period| (period / TAU).round() as u64);
     let ends = motion.dead_points().iter();
     let ends = ends
         .filter(|end| end.kind != DeadPointKind::Range)
         .map(|end| {
-            let at = if mechanism.turns() {
-                end.input.to_degrees()
-            } else {
-                end.input
-            };
+            let (key, at) = at(end.input);
             let links: Vec<&str> = motion.links_at(end).collect();
             json!({key: at, "kind": end.kind.code(), "links": links})
         });
+    let change_points = motion.change_points().iter().copied().map(placed);
     let passive = mechanism.passive_wheels();
     let passive = passive.map(|wheel| mechanism.link_name(wheel));
     json!({
@@ -111,8 +139,12 @@ fn described(motion: &Motion) -> Value {
         "assemblies": mechanism.assemblies(),
         "drawn_assembly": mechanism.drawn_assembly() + 1,
         "steps": steps.collect::<Vec<_>>(),
-        "turns_fully": motion.cycle().is_full() && mechanism.turns(),
+        "turns_fully": cycle.is_full() && mechanism.turns(),
+        "range": range.collect::<Vec<_>>(),
+        // After so many the motion repeats, where it does not turn back.
+        "turns": turns,
         "dead_points": ends.collect::<Vec<_>>(),
+        "change_points": change_points.collect::<Vec<_>>(),
     })
 }
 

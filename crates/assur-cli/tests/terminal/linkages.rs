@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::run::{Scratch, assur, refused, said};
+use crate::run::{Scratch, refused};
 
 /// What is no mechanism is refused with the names of what is at fault.
 #[test]
@@ -125,14 +125,18 @@ fn bad_linkages_are_refused() {
         (
             "version",
             json!({"format": 3, "kind": "linkage", "document": four_bar()}),
-            "Format: there is no such choice",
+            "There is no format 3; 1 and 2 can be read.",
         ),
         (
             "lesson",
             json!({"format": 1, "lesson": "clock", "document": {}}),
             "lesson",
         ),
-        ("text", json!("[1, 2"), "the whole"),
+        (
+            "text",
+            json!("[1, 2"),
+            "string \"[1, 2\", expected an object",
+        ),
     ];
     are_refused(&cases);
 }

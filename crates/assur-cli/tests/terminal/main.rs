@@ -7,8 +7,10 @@
 
 mod arguments;
 mod drawings;
+mod files;
 mod golden;
 mod linkages;
+mod options;
 mod run;
 mod structure;
 mod sweep;

@@ -1,8 +1,8 @@
 //! Which rows and columns a table has.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
-use crate::run::{Scratch, Table, said};
+use crate::run::{Scratch, Table, data, said};
 
 #[test]
 fn the_header_and_the_grid() {
@@ -51,7 +51,9 @@ fn rows_without_a_pose_say_why() {
         "drivers": [{"crank": "crank"}],
     });
     let file = Scratch::with("dead.json", &linkage.to_string());
-    let text = said(&["sweep", file.path(), "--step", "30"]);
+    // The crank swings from −90° to 90°; a whole turn has to be asked for.
+    let whole = ["--from", "0", "--to", "360"];
+    let text = said(&[&["sweep", file.path(), "--step", "30"][..], &whole].concat());
     let lines: Vec<&str> = text.lines().collect();
     assert!(
         lines[0].contains(",\"rocker, long.angle\",\"rocker, long.dangle\","),
@@ -71,4 +73,95 @@ fn rows_without_a_pose_say_why() {
     let none = lines[7];
     assert!(none.starts_with("180,,,"), "{none}");
     assert!(none.ends_with("by 2.\""), "{none}");
+}
+
+/// Each pose of a motion over more than a turn once, in order.
+#[test]
+fn a_motion_over_more_than_a_turn() {
+    let file = data("linkages/over-a-turn.json");
+    let table = Table::of(&said(&["sweep", &file]));
+    // The dead points, and 76° to 486°.
+    assert_eq!(table.rows.len(), 2 + 411);
+    let inputs = |row| table.number(row, "phi_deg");
+    assert!((inputs(0) - 75.7958315).abs() < 1e-7, "{}", inputs(0));
+    assert!((inputs(412) - 486.5403809).abs() < 1e-7, "{}", inputs(412));
+    assert_eq!([inputs(1), inputs(2), inputs(411)], [76.0, 77.0, 486.0]);
+    for row in 0..table.rows.len() {
+        let dead = [0, 412].contains(&row);
+        let reason = "Dead point: BP, platform, GQ, HR";
+        assert_eq!(table.rows[row].join(",").contains(reason), dead);
+        assert_eq!(table.cell(row, "HR.dangle").is_empty(), dead);
+        let crank = table.number(row, "crank.angle").to_degrees();
+        assert!((crank - inputs(row)).abs() < 1e-11, "{crank}");
+    }
+    // Away from the dead points rows follow each other, by Hermite's formula of fifth order: no part is told
+    // elsewhere.
+    let table = Table::of(&said(&["sweep", &file, "--step", "0.25"]));
+    for row in 40..1600 {
+        for [value, first, second] in [
+            ["HR.angle", "HR.dangle", "HR.ddangle"],
+            ["Q.y", "Q.dy", "Q.ddy"],
+        ] {
+            let both = |name| [row, row + 1].map(|row| table.number(row, name));
+            let [from, to] = both("phi_deg").map(f64::to_radians);
+            let step = to - from;
+            let [[value0, value1], [first0, first1], [second0, second1]] =
+                [value, first, second].map(both);
+            let grown = step / 2.0 * (first0 + first1) + step * step / 12.0 * (second0 - second1);
+            let off = value1 - value0 - grown;
+            assert!(off.abs() < 1e-7, "{value} in row {row}: {off:e}");
+        }
+    }
+}
+
+/// A motion that takes several turns to repeat is told whole.
+#[test]
+fn several_turns() {
+    let table = Table::of(&said(&["sweep", "planetary", "--step", "90"]));
+    assert_eq!(table.rows.len(), 17);
+    assert_eq!(table.cell(16, "phi_deg"), "1440");
+    for row in 0..17 {
+        let sun = table.number(row, "sun.angle").to_degrees();
+        assert!((sun - 90.0 * row as f64).abs() < 1e-9, "{sun}");
+    }
+    let planet = |row| table.number(row, "planet.angle");
+    let rate = table.number(3, "planet.dangle");
+    let grown = planet(16) - planet(0);
+    assert!(
+        (grown - 1440.0_f64.to_radians() * rate).abs() < 1e-9,
+        "{grown}"
+    );
+}
+
+/// A mixer's crank that cannot turn fully swings on either of two arcs: both, and no more.
+#[test]
+fn several_arcs() {
+    let state = std::fs::read_to_string(data("linkages/mixer-state.json")).unwrap();
+    let mut state: Value = serde_json::from_str(&state).unwrap();
+    for (key, length) in [("l1", 3.0), ("l2", 2.5), ("l3", 4.0), ("l4", 4.0)] {
+        state["document"][key] = json!(length);
+    }
+    let file = Scratch::with("arcs.json", &state.to_string());
+    let text = said(&["structure", file.path()]);
+    assert_eq!(text.matches("\nrange ").count(), 2, "{text}");
+    let table = Table::of(&said(&["sweep", file.path(), "--columns", "crank.angle"]));
+    let inputs: Vec<f64> = (0..table.rows.len())
+        .map(|row| table.number(row, "phi_deg"))
+        .collect();
+    assert!(inputs.is_sorted_by(|a, b| a < b), "{inputs:?}");
+    let ends: Vec<usize> = (0..inputs.len())
+        .filter(|row| table.rows[*row].join(",").contains("Dead point"))
+        .collect();
+    let last = inputs.len() - 1;
+    let [0, low, high, end] = ends[..] else {
+        panic!("{ends:?}");
+    };
+    assert_eq!([high, end], [low + 1, last]);
+    // Nothing between the arcs, everything within.
+    assert!(inputs[high] - inputs[low] > 1.0, "{inputs:?}");
+    assert!(inputs[1..low].windows(2).all(|two| two[1] - two[0] == 1.0));
+    // Mirror images of each other.
+    for (from, to) in [(0, last), (low, high)] {
+        assert!((inputs[from] + inputs[to] - 360.0).abs() < 1e-9);
+    }
 }

@@ -1,0 +1,123 @@
+//! The columns of a table: which there are, what they are called, in which units they are.
+
+use assur::mechanism::{Mechanism, Quantity};
+use assur::motion::Column;
+
+use crate::Failure;
+
+/// How the columns of a mechanism are called.
+#[derive(Clone, Copy)]
+pub(super) struct Names<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    /// Derivatives are by time, not by the input.
+    pub(super) by_time: bool,
+    /// With units.
+    pub(super) units: bool,
+}
+
+impl Names<'_> {
+    /// What stands above the inputs.
+    pub(super) fn input(self) -> &'static str {
+        match (self.mechanism.turns(), self.units) {
+            (true, _) => "phi_deg",
+            (false, false) => "s",
+            (false, true) => "s_length",
+        }
+    }
+
+    /// What stands above a column.
+    pub(super) fn header(self, column: Column) -> String {
+        let name = self.name(column);
+        if self.units {
+            format!("{name}_{}", self.unit(column))
+        } else {
+            name
+        }
+    }
+
+    fn name(self, column: Column) -> String {
+        if self.by_time {
+            column.name_by_time(self.mechanism)
+        } else {
+            column.name(self.mechanism)
+        }
+    }
+
+    /// Lengths are in any one unit, which only the reader knows.
+    fn unit(self, column: Column) -> String {
+        let unit = |turns: bool| if turns { "rad" } else { "length" };
+        let of = unit(column.quantity.is_angle());
+        let by = if self.by_time {
+            "s"
+        } else {
+            unit(self.mechanism.turns())
+        };
+        match column.order {
+            0 => of.to_owned(),
+            1 => format!("{of}_per_{by}"),
+            order => format!("{of}_per_{by}{order}"),
+        }
+    }
+
+    /// The columns of these names, with a comma between two; a name may have commas itself.
+    ///
+    /// # Errors
+    /// A name that no column has, with what there is.
+    pub(super) fn chosen(self, names: &str) -> Result<Vec<Column>, Failure> {
+        let all: Vec<(String, Column)> = Column::all(self.mechanism)
+            .into_iter()
+            .map(|column| (self.name(column), column))
+            .collect();
+        let mut chosen = Vec::new();
+        let mut rest = names;
+        while !rest.is_empty() {
+            let first = all.iter().filter_map(|(name, column)| {
+                let after = rest.strip_prefix(name.as_str())?;
+                let after = if after.is_empty() {
+                    after
+                } else {
+                    after.strip_prefix(',')?
+                };
+                Some((name.len(), *column, after))
+            });
+            let Some((_, column, after)) = first.max_by_key(|(length, ..)| *length) else {
+                return Err(self.unknown(rest.split(',').next().unwrap_or(rest)));
+            };
+            chosen.push(column);
+            rest = after;
+        }
+        Ok(chosen)
+    }
+
+    fn unknown(self, name: &str) -> Failure {
+        let mechanism = self.mechanism;
+        let ends = |quantities: &[Quantity]| {
+            let orders = [0, 1, 2].into_iter();
+            let columns = orders.flat_map(|order| {
+                let quantities = quantities.iter();
+                quantities.map(move |quantity| Column {
+                    quantity: *quantity,
+                    order,
+                })
+            });
+            let names = columns.map(|column| self.name(column));
+            let ends = names.filter_map(|name| Some(format!(".{}", name.rsplit_once('.')?.1)));
+            ends.collect::<Vec<_>>().join(", ")
+        };
+        let list = |names: Vec<&str>| names.join(", ");
+        let mut there = Vec::new();
+        if let Some(link) = mechanism.link_ids().next() {
+            let links = mechanism.link_ids().map(|link| mechanism.link_name(link));
+            let ends = ends(&[Quantity::Angle(link)]);
+            there.push(format!("{ends} of {}", list(links.collect())));
+        }
+        if let Some(point) = mechanism.point_ids().next() {
+            let points = mechanism.point_ids();
+            let points = points.map(|point| mechanism.point_name(point));
+            let ends = ends(&[Quantity::X(point), Quantity::Y(point)]);
+            there.push(format!("{ends} of {}", list(points.collect())));
+        }
+        let there = there.join("; ");
+        Failure::Input(format!("--columns: there is no {name}; there are {there}"))
+    }
+}

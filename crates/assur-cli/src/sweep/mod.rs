@@ -1,0 +1,106 @@
+//! The table of a motion as CSV.
+
+mod columns;
+mod csv;
+mod grid;
+
+use std::io::Write;
+
+use assur::motion::{Column, Input, Motion};
+use assur_file::LinkageProblem;
+use clap::Args;
+
+use crate::words::Words;
+use crate::{Failure, source};
+use columns::Names;
+use csv::Csv;
+
+/// What is asked for.
+#[derive(Args)]
+pub(crate) struct Asked {
+    /// Catalogue name or file.
+    name: String,
+    /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of the range]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    step: Option<f64>,
+    /// Where rows begin, and steps are counted from: degrees, of a driven slide a length [default: where the motion
+    /// begins, with steps counted from 0°]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// Where rows end: degrees, of a driven slide a length [default: where the motion ends]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    to: Option<f64>,
+    /// Rows at these inputs only: degrees, of a driven slide lengths
+    #[arg(
+        long,
+        value_name = "X,X",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        conflicts_with_all = ["step", "from", "to"]
+    )]
+    at: Vec<f64>,
+    /// These columns only, in this order, by their names in the header without units
+    #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
+    columns: Option<String>,
+    /// Rates by time in place of derivatives, while the driver has this speed: rad/s, of a slide lengths/s
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    omega: Option<f64>,
+    /// With the driver's acceleration, rad/s², of a slide lengths/s² [default: 0]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, requires = "omega")]
+    epsilon: Option<f64>,
+    /// Names of columns end in their units, as in rocker.angle_rad or C.vx_length_per_s
+    #[arg(long)]
+    header_units: bool,
+    /// 0,5 for 0.5, and a semicolon between cells
+    #[arg(long)]
+    decimal_comma: bool,
+    /// Which assembly, from 1 [default: the one that is drawn]
+    #[arg(long, value_name = "N")]
+    assembly: Option<usize>,
+}
+
+/// Writes the table.
+///
+/// # Errors
+/// What is no mechanism; a number, step or column that is none; what cannot be written.
+pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
+    let motion: Motion = source::moved(&asked.name, asked.assembly)?.motion;
+    let mechanism = motion.mechanism();
+    let names = Names {
+        mechanism,
+        by_time: asked.omega.is_some(),
+        units: asked.header_units,
+    };
+    let columns = match &asked.columns {
+        Some(chosen) => names.chosen(chosen)?,
+        None => Column::all(mechanism),
+    };
+    let driven = match asked.omega {
+        Some(omega) => Input {
+            speed: grid::sound("--omega", omega)?,
+            acceleration: grid::sound("--epsilon", asked.epsilon.unwrap_or(0.0))?,
+        },
+        None => Input::ANALOGUES,
+    };
+    let inputs = grid::inputs(&motion, asked)?;
+
+    let csv = Csv {
+        decimal_comma: asked.decimal_comma,
+    };
+    let headers = columns.iter().map(|column| names.header(*column));
+    let first = [names.input().to_owned()].into_iter();
+    csv.line(out, first.chain(headers).chain(["reason".to_owned()]))?;
+    let words = Words::english()?;
+    for at in inputs {
+        let row = motion.row_by_time(&columns, at.input, driven);
+        let values = row.values.iter();
+        let values = values.map(|value| value.map(|one| csv.number(one)).unwrap_or_default());
+        let reason = row
+            .reason
+            .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into()));
+        let first = [csv.number(at.written)].into_iter();
+        let last = [reason.transpose()?.unwrap_or_default()];
+        csv.line(out, first.chain(values).chain(last))?;
+    }
+    Ok(())
+}
