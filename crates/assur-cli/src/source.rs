@@ -25,8 +25,11 @@ pub(crate) struct Moved {
 /// # Errors
 /// No such name or file; every reason why it is no mechanism; no such assembly.
 pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failure> {
+    moving(name, &any(name)?, assembly)
+}
+
+fn moving(name: &str, whole: &Document, assembly: Option<usize>) -> Result<Moved, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    let whole = any(name)?;
     let mut document = whole.linkage().map_err(refuse)?;
     let motion = if let Some(number) = assembly {
         // Counted from the drawing, whichever the document names.
@@ -56,12 +59,14 @@ pub(crate) struct Schemed {
 /// No such name or file; every reason why it is no scheme.
 pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    if let Document::Scheme(document) = any(name)? {
+    // Read once: a pipe has nothing more to give.
+    let whole = any(name)?;
+    if let Document::Scheme(document) = whole {
         let scheme = document.scheme().map_err(refuse)?;
         let cuts = document.cuts(&scheme).map_err(refuse)?;
         return Ok(Schemed { scheme, cuts });
     }
-    let motion = moved(name, None)?.motion;
+    let motion = moving(name, &whole, None)?.motion;
     let mechanism = motion.mechanism();
     let pose = motion
         .pose::<1>(motion.home())

@@ -92,9 +92,9 @@ fn closed_output_is_silent() {
 #[cfg(unix)]
 #[test]
 fn pipes_and_devices_are_bounded() {
-    let piped = |text: &[u8]| {
+    let piped = |command: &str, text: &[u8]| {
         let mut running = Command::new(env!("CARGO_BIN_EXE_assur"))
-            .args(["structure", "/dev/stdin"])
+            .args([command, "/dev/stdin"])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -103,15 +103,17 @@ fn pipes_and_devices_are_bounded() {
         let written = running.stdin.take().unwrap().write_all(text);
         (written, running.wait_with_output().unwrap())
     };
-    let (written, output) = piped(SLIDE.as_bytes());
-    written.unwrap();
-    assert_eq!(output.status.code(), Some(0));
-    assert_eq!(
-        String::from_utf8(output.stdout).unwrap(),
-        said(&["structure", &data("linkages/slide.json")])
-    );
+    for command in ["structure", "mobility"] {
+        let (written, output) = piped(command, SLIDE.as_bytes());
+        written.unwrap();
+        assert_eq!(output.status.code(), Some(0));
+        assert_eq!(
+            String::from_utf8(output.stdout).unwrap(),
+            said(&[command, &data("linkages/slide.json")])
+        );
+    }
     // It has gone before all is written.
-    let (written, output) = piped(&vec![b' '; 8 << 20]);
+    let (written, output) = piped("structure", &vec![b' '; 8 << 20]);
     assert!(written.is_err());
     assert_eq!(output.status.code(), Some(2));
     let (status, said) = refused(&["structure", "/dev/zero"]);
