@@ -142,7 +142,7 @@ fn plain(detail: &str) -> String {
 }
 
 /// A number with four digits that count.
-fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         format!("{}", rounded + 0.0)

@@ -4,6 +4,7 @@ use assur::motion::Motion;
 
 use super::Asked;
 use crate::Failure;
+use crate::words::short;
 
 /// No more rows are written.
 const MOST_ROWS: f64 = 1e7;
@@ -11,8 +12,11 @@ const MOST_ROWS: f64 = 1e7;
 const STEPS: f64 = 360.0;
 /// Inputs nearer to each other, in steps, are one.
 const NEAR: f64 = 1e-9;
-/// No number that is asked for is greater: of an angle so large too few digits are left.
-const GREATEST: f64 = 1e9;
+/// No input that is asked for is greater: of an angle so large too few digits are left.
+const GREATEST_ANGLE: f64 = 1e9;
+const GREATEST_LENGTH: f64 = 1e30;
+/// No speed or acceleration is greater.
+const GREATEST_RATE: f64 = 1e9;
 
 /// The input of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +31,15 @@ impl At {
     fn written(written: f64, turns: bool) -> Self {
         let input = if turns { written.to_radians() } else { written };
         Self { written, input }
+    }
+
+    fn asked(option: &str, value: f64, turns: bool) -> Result<Self, Failure> {
+        let greatest = if turns {
+            GREATEST_ANGLE
+        } else {
+            GREATEST_LENGTH
+        };
+        Ok(Self::written(within(option, value, greatest)?, turns))
     }
 
     fn of(input: f64, turns: bool) -> Self {
@@ -51,7 +64,7 @@ pub(super) fn inputs(
     let turns = motion.mechanism().turns();
     if !asked.at.is_empty() {
         let all = asked.at.iter();
-        let all = all.map(|at| Ok(At::written(sound("--at", *at)?, turns)));
+        let all = all.map(|at| At::asked("--at", *at, turns));
         let all = all.collect::<Result<Vec<_>, Failure>>()?;
         return Ok(Box::new(all.into_iter()));
     }
@@ -72,7 +85,8 @@ pub(super) fn inputs(
     }
     if whole / step > MOST_ROWS {
         return refuse(format!(
-            "--step {step}: so small a step makes more than {MOST_ROWS} rows"
+            "--step {}: that makes more than {MOST_ROWS} rows",
+            short(step)
         ));
     }
     // Round numbers, unless it is said where to begin; a slide's range has none of its own.
@@ -103,8 +117,8 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<Stretch>, Failure> {
         return Ok(arcs);
     };
     let given = |option: &str, value: Option<f64>| {
-        let value = value.map(|value| sound(option, value)).transpose()?;
-        Ok::<_, Failure>(value.map(|value| At::written(value, turns)))
+        let at = value.map(|value| At::asked(option, value, turns));
+        at.transpose()
     };
     let [from, to] = [given("--from", asked.from)?, given("--to", asked.to)?];
     if from.is_none() && to.is_none() {
@@ -180,13 +194,21 @@ fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item =
     })
 }
 
-/// A number that is asked for.
-pub(super) fn sound(option: &str, value: f64) -> Result<f64, Failure> {
-    if value.abs() <= GREATEST {
+/// A speed or an acceleration that is asked for.
+///
+/// # Errors
+/// No number, or one too great.
+pub(super) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
+    within(option, value, GREATEST_RATE)
+}
+
+fn within(option: &str, value: f64, greatest: f64) -> Result<f64, Failure> {
+    if value.abs() <= greatest {
         Ok(value)
     } else {
         refuse(format!(
-            "{option} {value}: give a number from -{GREATEST:e} to {GREATEST:e}"
+            "{option} {}: give a number from -{greatest:e} to {greatest:e}",
+            short(value)
         ))
     }
 }

@@ -77,8 +77,8 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     };
     let driven = match asked.omega {
         Some(omega) => Input {
-            speed: grid::sound("--omega", omega)?,
-            acceleration: grid::sound("--epsilon", asked.epsilon.unwrap_or(0.0))?,
+            speed: grid::rate("--omega", omega)?,
+            acceleration: grid::rate("--epsilon", asked.epsilon.unwrap_or(0.0))?,
         },
         None => Input::ANALOGUES,
     };

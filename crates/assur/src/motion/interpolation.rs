@@ -154,8 +154,9 @@ impl Knots {
         if let [first, .., last] = &self.list[..] {
             let cells = (self.list.len() - 1) as f64;
             let at = (input - first.input) / (last.input - first.input) * cells;
+            // However far from them all the input is.
             let at = at as usize;
-            if let Some([a, b]) = self.list.get(at..at + 2)
+            if let Some([a, b]) = self.list.get(at..at.saturating_add(2))
                 && (a.input..b.input).contains(&input)
             {
                 return at;
