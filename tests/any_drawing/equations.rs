@@ -177,6 +177,17 @@ impl Equations {
         self.size
     }
 
+    /// The pose that is drawn.
+    pub(crate) fn drawn(&self) -> Shown {
+        let none = Vector::zeros();
+        let points = self.places.iter().map(|at| [*at, none, none]);
+        let angles = self.bodies.iter().map(|body| [body.drawn, 0.0, 0.0]);
+        Shown {
+            points: points.collect(),
+            angles: angles.collect(),
+        }
+    }
+
     /// The drawn input.
     pub(crate) fn drawn_input(&self) -> f64 {
         match self.driver {

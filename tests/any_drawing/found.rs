@@ -66,8 +66,16 @@ impl Found {
         holds: impl Fn(&Subject, &mut Tally),
     ) {
         let look = |parts: usize| {
-            let subject = Subject::new(seed, parts)?;
             let mut tally = Tally::default();
+            let subject = match Subject::new(seed, parts) {
+                Ok(subject) => subject,
+                Err(refused) if refused.sound => {
+                    let text = format!("{:?}", refused.defects);
+                    tally.fail("sound drawing refused", text, None);
+                    return Some((refused.draft, tally));
+                }
+                Err(_) => return None,
+            };
             holds(&subject, &mut tally);
             // Other equations, other faults: by the class, and whether whole turns count.
             let class = subject.motion.mechanism().structure().class();

@@ -144,16 +144,14 @@ impl Linkage {
                 self.slide(&arm, &p, &cross, [&u, &v]);
             }
             Part::Triad | Part::TriadWithSlide => {
-                let [p, q, r] = [self.new_point(), self.new_point(), self.new_point()];
-                let platform = [Some(p.clone()), Some(q.clone()), Some(r.clone())];
-                self.bar(platform);
-                let [g, h] = self.two_hinges();
+                let ([g, h], k) = (self.two_hinges(), self.hinge());
+                let [p, q, r] = [(); 3].map(|()| self.new_point());
+                self.bar([Some(p.clone()), Some(q.clone()), Some(r.clone())]);
                 self.bar([Some(g), Some(p), None]);
                 self.bar([Some(h), Some(q), None]);
                 if part == Part::TriadWithSlide {
                     self.block(&r);
                 } else {
-                    let k = self.hinge();
                     self.bar([Some(k), Some(r), None]);
                 }
             }

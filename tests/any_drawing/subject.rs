@@ -1,6 +1,6 @@
 //! A random linkage that moves, with poses of its motion to compare others with.
 
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{Defect, Draft, Mechanism};
 use assur::motion::Motion;
 
 use crate::condition::Condition;
@@ -33,16 +33,39 @@ pub(crate) struct Subject {
     pub(crate) poses: Vec<Known>,
 }
 
-impl Subject {
-    /// Of a seed with so many parts; none where that can be no mechanism, as with guides that
-    /// happen to be parallel.
-    pub(crate) fn new(seed: u64, parts: usize) -> Option<Self> {
-        Self::of(&Linkage::new(seed, parts).draft, seed)
-    }
+/// Why a drawing makes no subject.
+pub(crate) struct Refused {
+    pub(crate) draft: Draft,
+    pub(crate) defects: Vec<Defect>,
+    /// Whether it is a pose in which everything is joined and well determined.
+    pub(crate) sound: bool,
+}
 
-    pub(crate) fn of(drawn: &Draft, seed: u64) -> Option<Self> {
-        let draft = with_shapes(drawn);
-        let mechanism = Mechanism::new(&draft).ok()?;
+impl Subject {
+    /// Of a seed with so many parts.
+    ///
+    /// # Errors
+    /// Where that is no mechanism, as with guides that happen to be parallel.
+    pub(crate) fn new(seed: u64, parts: usize) -> Result<Self, Box<Refused>> {
+        let draft = with_shapes(&Linkage::new(seed, parts).draft);
+        let refused = |draft: Draft, defects: Vec<Defect>| {
+            let joined =
+                |defect: &Defect| matches!(defect, Defect::Open { .. } | Defect::Misdrawn { .. });
+            let sound = defects.iter().any(joined) && {
+                let equations = Equations::new(&draft);
+                let condition = equations.condition(&equations.drawn());
+                determined(condition, uncertainty(1.0, equations.shortest(), 1.0))
+            };
+            Box::new(Refused {
+                draft,
+                defects,
+                sound,
+            })
+        };
+        let mechanism = match Mechanism::new(&draft) {
+            Ok(mechanism) => mechanism,
+            Err(defects) => return Err(refused(draft, defects)),
+        };
         let motion = Motion::new(mechanism);
         let equations = Equations::new(&draft);
         let mut random = Random::new(80_000_000 + seed);
@@ -72,7 +95,10 @@ impl Subject {
                 break;
             }
         }
-        (poses.len() > 1).then_some(Self {
+        if poses.len() < 2 {
+            return Err(refused(draft, vec![]));
+        }
+        Ok(Self {
             draft,
             motion,
             equations,
