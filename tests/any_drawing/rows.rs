@@ -32,6 +32,7 @@ pub(crate) fn hold(subject: &Subject, seed: u64, tally: &mut Tally) {
     drawn(subject, tally);
     equations(subject, tally);
     ends(subject, tally);
+    repeats(subject, tally);
     joined(subject, &mut random, tally);
     tally.held += u64::from(tally.failures.len() == before);
 }
@@ -47,14 +48,14 @@ fn drawn(subject: &Subject, tally: &mut Tally) {
     };
     let error = uncertainty(1.0, equations.shortest(), 1.0);
     // Of a drawing in a singular pose the engine may take another one.
+    if !determined(equations.condition(&equations.drawn()), error) {
+        return tally.open("drawn pose");
+    }
     let Ok(pose) = motion.pose::<1>(home) else {
         return tally.fail("drawn pose", format!("none at home {home}"), None);
     };
     let shown = Shown::of(motion.mechanism(), &pose);
     let condition = equations.condition(&shown);
-    if !determined(condition, error) {
-        return tally.open("drawn pose");
-    }
     if off > 8.0 * error {
         let text = format!("home is {home}, drawn at {drawn}");
         return tally.fail("drawn input", text, None);
@@ -111,6 +112,35 @@ fn ends(subject: &Subject, tally: &mut Tally) {
             let text = format!("{dead:?}: errors grow by {} only", condition.pose);
             return tally.fail("false dead point", text, None);
         }
+    }
+}
+
+/// A motion that repeats is after its period where it was at its beginning, all wheels included.
+fn repeats(subject: &Subject, tally: &mut Tally) {
+    let (motion, equations) = (&subject.motion, &subject.equations);
+    let cycle = motion.cycle();
+    if !cycle.is_full() {
+        return;
+    }
+    let poses = cycle.arcs()[0].map(|end| motion.pose::<1>(end));
+    let [Ok(start), Ok(end)] = poses else {
+        return tally.open("where it repeats");
+    };
+    let [start, end] = [start, end].map(|pose| Shown::of(motion.mechanism(), &pose));
+    let condition = equations.condition(&start);
+    let turns = cycle.arcs()[0][1];
+    let error = uncertainty(1.0, equations.shortest(), 1.0) * turns.max(1.0);
+    if !determined(condition, error) {
+        return tally.open("where it repeats");
+    }
+    let moved = start.points.iter().zip(&end.points);
+    let moved = moved.map(|(a, b)| (a[0] - b[0]).norm() / equations.size());
+    let turned = start.angles.iter().zip(&end.angles);
+    let turned = turned.map(|(a, b)| modulo_turn(a[0] - b[0]).abs());
+    let off = moved.chain(turned).fold(0.0, f64::max);
+    if off > 8.0 * error * condition.pose.max(1.0) {
+        let text = format!("after {turns} all is {off:e} elsewhere");
+        tally.fail("does not repeat", text, None);
     }
 }
 
