@@ -106,6 +106,10 @@ fn ends(subject: &Subject, tally: &mut Tally) {
         if dead.kind == DeadPointKind::Range {
             continue;
         }
+        if !dead.kind.is_dead_point() {
+            tally.open(dead.kind.code());
+            continue;
+        }
         let shown = Shown::of(motion.mechanism(), &pose);
         let condition = subject.equations.condition(&shown);
         if condition.pose < SINGULAR {

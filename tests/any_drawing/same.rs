@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use assur::mechanism::{Defect, Mechanism};
-use assur::motion::{DeadPoint, Motion};
+use assur::motion::{DeadPoint, DeadPointKind, Motion};
 
 use crate::condition::Condition;
 use crate::equations::{Equations, modulo_turn};
@@ -202,6 +202,13 @@ impl Comparison<'_> {
             };
             let end = motion.cycle().arcs()[0][theirs];
             let met = self.end(motion, end);
+            // How far a motion is followed that is followed no further depends on where it begins.
+            let mut known = [dead, met].into_iter().flatten().map(|end| end.kind);
+            let unknown = known.find(|kind| !kind.is_dead_point() && *kind != DeadPointKind::Range);
+            if let Some(kind) = unknown {
+                self.tally.open(kind.code());
+                return false;
+            }
             let allowed = self.allowed_at(own[side], other[side]);
             let off = (own[side] - other[side]).abs();
             if off.is_nan() || off > allowed {

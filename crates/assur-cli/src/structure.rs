@@ -62,6 +62,14 @@ pub(crate) fn write<W: Write>(out: &mut W, motion: &Motion, as_json: bool) -> Re
         let [kind, links] = ["kind", "links"].map(|key| word(&end[key]));
         line(out, "dead point", &format!("{} {kind}: {links}", at(end)))?;
     }
+    for end in list("followed_to") {
+        let [kind, links] = ["kind", "links"].map(|key| word(&end[key]));
+        let why = match kind.as_str() {
+            "near_singular" => format!("too near to a singular pose to follow: {links}"),
+            _ => "it goes on for longer than it is followed".to_owned(),
+        };
+        line(out, "ends", &format!("{} {why}", at(end)))?;
+    }
     for change in list("change_points") {
         line(out, "change point", &at(change))?;
     }
@@ -116,14 +124,16 @@ fn described(motion: &Motion) -> Value {
     let range = range.map(|[from, to]| json!({"from": placed(*from), "to": placed(*to)}));
     let turns = cycle.period().filter(|_| cycle.is_full());
     let turns = turns.map(|period| (period / TAU).round() as u64);
-    let ends = motion.dead_points().iter();
-    let ends = ends
-        .filter(|end| end.kind != DeadPointKind::Range)
-        .map(|end| {
+    let ends = |of: fn(DeadPointKind) -> bool| -> Vec<Value> {
+        let ends = motion.dead_points().iter().filter(|end| of(end.kind));
+        let told = ends.map(|end| {
             let (key, at) = at(end.input);
             let links: Vec<&str> = motion.links_at(end).collect();
             json!({key: at, "kind": end.kind.code(), "links": links})
         });
+        told.collect()
+    };
+    let unfollowed = |kind: DeadPointKind| !kind.is_dead_point() && kind != DeadPointKind::Range;
     let change_points = motion.change_points().iter().copied().map(placed);
     let passive = mechanism.passive_wheels();
     let passive = passive.map(|wheel| mechanism.link_name(wheel));
@@ -143,7 +153,9 @@ fn described(motion: &Motion) -> Value {
         "range": range.collect::<Vec<_>>(),
         // After so many the motion repeats, where it does not turn back.
         "turns": turns,
-        "dead_points": ends.collect::<Vec<_>>(),
+        "dead_points": ends(DeadPointKind::is_dead_point),
+        // Where the motion goes on, but is followed no further.
+        "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     })
 }

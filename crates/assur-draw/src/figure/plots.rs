@@ -58,7 +58,7 @@ impl Figure {
     fn ends(&self) -> Vec<Clear> {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = motion.dead_points().iter();
-        let ends = ends.filter(|end| end.kind != DeadPointKind::Range);
+        let ends = ends.filter(|end| end.kind.is_dead_point());
         let dyads = mechanism.rrr_dyads();
         let clear = |end: &DeadPoint| {
             let [from, to] = self.arc(end.input);

@@ -181,16 +181,30 @@ impl Plan<'_> {
     }
 
     fn follows(&self, body: BodyId) -> Option<Follows> {
-        let mut known = self.bodies.of(body).iter().copied();
-        let mut known = || known.find(|(point, _)| self.points.contains_key(point));
-        let first = known()?;
+        let points = self.bodies.of(body).iter().copied();
+        let known = points.filter(|(point, _)| self.points.contains_key(point));
+        let known: Vec<(PointId, Vector)> = known.collect();
+        let first = *known.first()?;
         match self.guided(body) {
             Some((slide, other)) => Some(Follows::Slide {
                 point: first,
                 slide,
                 other,
             }),
-            None => Some(Follows::Points([first, known()?])),
+            // Two points close to each other tell little of the direction. Of equals the first.
+            None => {
+                let pairs = known.iter().enumerate();
+                let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
+                let length = |[a, b]: &[(PointId, Vector); 2]| (b.1 - a.1).norm();
+                let longest = pairs.reduce(|best, pair| {
+                    if length(&pair) > length(&best) {
+                        pair
+                    } else {
+                        best
+                    }
+                });
+                longest.map(Follows::Points)
+            }
         }
     }
 

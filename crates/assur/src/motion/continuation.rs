@@ -20,8 +20,10 @@ const GRID: usize = 360;
 const MOST_TURNED: f64 = 1.0;
 /// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 const HALVINGS: i32 = 24;
-/// … or for a group, which may be drawn close to a singular pose and leave it.
+/// … nor for a group, which may be drawn close to a singular pose and leave it.
 const MOST_HALVINGS: i32 = 40;
+/// After so many that were short enough a longer one is tried.
+const BEFORE_LONGER: usize = 4;
 /// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
 /// through; as far beyond the motion is taken up again: there their margins have left zero.
 const PASSED: f64 = 1e-5;
@@ -57,8 +59,6 @@ pub(super) struct Continuation<'a> {
     pub(super) change_points: Vec<f64>,
     /// What may still be tried.
     work: usize,
-    /// For whose sake steps were halved last.
-    doubtful: Option<StepId>,
 }
 
 /// A pose that is expected.
@@ -100,7 +100,6 @@ impl<'a> Continuation<'a> {
             winding: mechanism.bodies().filter(winds).collect(),
             change_points: Vec::new(),
             work: MOST_WORK,
-            doubtful: None,
         }
     }
 
@@ -134,6 +133,7 @@ impl<'a> Continuation<'a> {
         let sense = (target - self.input).signum();
         let whole = self.mechanism.span() / GRID as f64;
         let mut halved = 0;
+        let mut taken = 0;
         while (target - self.input) * sense > 0.0 {
             let left = (target - self.input).abs();
             let width = left.min(whole * 0.5_f64.powi(halved));
@@ -144,20 +144,17 @@ impl<'a> Continuation<'a> {
             };
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(bodies) else {
-                // Small steps are what it was spent on, or many turns.
-                return Some(match self.doubtful {
-                    Some(step) => self.ends(step, DeadPointKind::NearSingular),
-                    None => self.ends(StepId::FIRST, DeadPointKind::Unfollowed),
-                });
+                return Some(self.ends(StepId::FIRST, DeadPointKind::Unfollowed));
             };
             self.work = work;
             let Err(step) = self.step_to(next) else {
                 self.input = next;
                 std::mem::swap(&mut self.here, &mut self.there);
                 knots.push(self.input, &self.signs, &self.here);
-                halved = (halved - 1).max(0);
-                if halved == 0 {
-                    self.doubtful = None;
+                // Where one step was too long the next ones will be.
+                taken += 1;
+                if taken % BEFORE_LONGER == 0 {
+                    halved = (halved - 1).max(0);
                 }
                 continue;
             };
@@ -180,7 +177,7 @@ impl<'a> Continuation<'a> {
             } else {
                 return Some(self.stopped(step, sense));
             }
-            self.doubtful = (halved > 0).then_some(step);
+            taken = 0;
         }
         None
     }

@@ -22,11 +22,17 @@ pub enum DeadPointKind {
     /// A pose so near to a singular one, or to another branch of the motion, that it cannot be told how the motion
     /// goes on: no dead point that is known.
     NearSingular,
-    /// The motion goes on for longer than it is followed: no dead point.
+    /// The motion goes on for longer, or needs smaller steps, than it is followed: no dead point.
     Unfollowed,
 }
 
 impl DeadPointKind {
+    /// Whether links of the linkage stand in the driver's way there: not where its range ends, or it is followed no
+    /// further.
+    pub fn is_dead_point(self) -> bool {
+        !matches!(self, Self::Range | Self::NearSingular | Self::Unfollowed)
+    }
+
     /// Its name in what programs read.
     pub fn code(self) -> &'static str {
         match self {

@@ -74,7 +74,7 @@ impl Motion {
         // A higher group comes so near to its dead point that there seem to be derivatives.
         let at = self.cycle.wrap(input);
         let dead = self.dead_points.iter().find(|dead| dead.input == at);
-        let dead = dead.filter(|dead| dead.kind != DeadPointKind::Range);
+        let dead = dead.filter(|dead| dead.kind.is_dead_point());
         let dead = dead.map(|dead| Unsolved {
             input,
             step: dead.step,
