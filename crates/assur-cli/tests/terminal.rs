@@ -521,7 +521,7 @@ fn bad_linkages_are_refused() {
         (
             "coincident",
             changed("/points/1/at", json!([0, 0])),
-            "Link crank: its points A, B are at one place, its length is zero",
+            "Link crank: its points A, B are given at one place: nothing tells its direction",
         ),
         (
             "zero",

@@ -6,7 +6,8 @@ use crate::index::{BodyId, LinkId, List, PointId, SlideId};
 use crate::position::{Anchor, Orientation, Side, Track, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
-use super::draft::Defect;
+use super::check::CLOSEST;
+use super::draft::{Defect, extent};
 use super::resolved::{Driver, Resolved};
 use super::willis;
 
@@ -63,7 +64,8 @@ impl Bodies {
     /// elsewhere than it is drawn: the links, their guides and wheels stay as drawn.
     ///
     /// # Errors
-    /// A slide by a point that its link has not.
+    /// A link that nothing tells the turn of; a slide by a point that its link has not, or along two points that
+    /// are one on theirs.
     pub(super) fn new(
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
@@ -81,7 +83,7 @@ impl Bodies {
             passive: Vec::new(),
         };
         for link in draft.bodies.iter().flatten() {
-            bodies.make(draft, *link);
+            bodies.make(draft, *link)?;
         }
         let placements = draft.links.iter().map(|link| Placement {
             body: link.body,
@@ -113,30 +115,38 @@ impl Bodies {
 
     /// The body of a link of its own: the first point is its origin, and from there
     /// its axis goes to the second one or, without a second, along its guide.
-    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) {
+    ///
+    /// # Errors
+    /// A link with a shape of which no two points are drawn apart: nothing tells how it is turned.
+    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &draft.links[id];
         let origin = draft.places[link.first];
-        let heading =
-            |[from, to]: [PointId; 2]| (draft.places[to] - draft.places[from]).normalize();
+        let way = |from: PointId, to: PointId| draft.places[to] - draft.places[from];
+        let shape = draft.shape(id).map(|shape| {
+            let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
+            in_own_axes(&shape)
+        });
         let turn = match link.points.get(1) {
-            Some(second) => heading([link.first, *second]),
+            Some(second) => {
+                let ways = link.points.iter().map(|point| way(link.first, *point));
+                let ways: Vec<Vector> = ways.collect();
+                let turn = drawn_turn(&ways, shape.as_deref(), draft.draft.size());
+                turn.ok_or_else(|| draft.coincident(Some(id), [link.first, *second]))?
+            }
             None => {
                 let mut slides = draft.slides.iter();
                 let guide = slides.find(|slide| slide.link == Some(id));
-                guide.map_or(Vector::x(), |slide| heading(slide.line))
+                guide.map_or(Vector::x(), |slide| {
+                    way(slide.line[0], slide.line[1]).normalize()
+                })
             }
         };
-        let drawn = |point: &PointId| product(draft.places[*point] - origin, conjugate(turn));
-        let locals: Vec<Vector> = match draft.shape(id) {
-            Some(shape) => {
-                let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
-                in_own_axes(&shape)
-            }
-            None => link.points.iter().map(drawn).collect(),
-        };
+        let drawn = |point: &PointId| product(way(link.first, *point), conjugate(turn));
+        let locals = shape.unwrap_or_else(|| link.points.iter().map(drawn).collect());
         self.points
             .push(link.points.iter().copied().zip(locals).collect());
         self.drawn.push((origin, turn));
+        Ok(())
     }
 
     /// Adds the points of a link that is fixed to a body; the angle of the link on it.
@@ -167,6 +177,10 @@ impl Bodies {
         let [from, to] = slide.line;
         let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, to)?];
         let point = on_link(slide.link, slide.point)?;
+        let places = self.of(draft.body(slide.on)).iter();
+        if (to - start).norm() <= CLOSEST * extent(places.map(|(_, local)| *local)) {
+            return Err(draft.coincident(slide.on, slide.line));
+        }
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| draft.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
@@ -373,6 +387,30 @@ impl Track {
         let off = self.off + product(point - self.point, conjugate(self.direction)).y;
         Self { point, off, ..self }
     }
+}
+
+/// How a link is turned whose points are drawn these ways from its first one: towards the second or, where that is
+/// drawn at the same place, by the first two points that are apart both there and in the link's shape. None where
+/// there are no such two.
+fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
+    // However small a link is drawn, of two places that rounding does not blur the direction is known.
+    let direction = |way: Vector, size: f64| {
+        let length = way.norm();
+        (length > f64::EPSILON * size).then(|| way / length)
+    };
+    let first = ways.get(1).and_then(|way| direction(*way, size));
+    first.or_else(|| {
+        let shape = shape?;
+        let own = extent(shape.iter().copied());
+        let pairs = (0..shape.len()).flat_map(|k| (k + 1..shape.len()).map(move |l| [k, l]));
+        pairs.into_iter().find_map(|[k, l]| {
+            let drawn = direction(ways[l] - ways[k], size)?;
+            Some(product(
+                drawn,
+                conjugate(direction(shape[l] - shape[k], own)?),
+            ))
+        })
+    })
 }
 
 /// The places of a shape with the first one moved to the origin and the second one
