@@ -41,6 +41,8 @@ pub(super) struct Slide {
     point: Vector,
     direction: Vector,
     off: f64,
+    /// How far along the line the point is drawn.
+    way: f64,
 }
 
 /// A gear coupling between bodies.
@@ -186,7 +188,7 @@ impl Bodies {
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
         let along = product(heading, on_turn);
         let off = draft.places[slide.point] - draft.places[from];
-        let off = product(off, conjugate(along)).y;
+        let [way, off] = product(off, conjugate(along)).into();
         Ok(Slide {
             bodies,
             start,
@@ -200,6 +202,7 @@ impl Bodies {
             } else {
                 off
             },
+            way,
         })
     }
 
@@ -303,20 +306,6 @@ impl Bodies {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)
     }
-
-    /// How far along a line of the frame a sliding body is drawn.
-    pub(super) fn drawn_way(&self, track: &Track) -> f64 {
-        let (origin, turn) = self.drawn[track.body];
-        let at = origin + product(turn, track.point);
-        (at - track.line.local).dot(&track.heading)
-    }
-
-    /// Where a body hinged on the frame has that hinge: on the frame and on itself.
-    pub(super) fn crank_hinge(&self, body: BodyId) -> Option<(Vector, Vector)> {
-        self.of(body)
-            .iter()
-            .find_map(|(point, hinge)| Some((self.local(BodyId::FRAME, *point)?, *hinge)))
-    }
 }
 
 impl Gear {
@@ -339,6 +328,11 @@ impl Slide {
     /// The point of the body that slides.
     pub(super) fn point(&self) -> Vector {
         self.point
+    }
+
+    /// The way of the point along the line in the drawing.
+    pub(super) fn drawn_way(&self) -> f64 {
+        self.way
     }
 
     /// How far apart the two points are that give the line.

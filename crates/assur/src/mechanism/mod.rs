@@ -12,6 +12,7 @@ mod constraint;
 mod counts;
 mod dimension;
 mod draft;
+mod driver;
 mod dyads;
 mod multiple;
 mod natural;

@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
 use crate::position::{
-    Anchor, Equation, Form, Group, Input, Mesh, Orientation, conjugate, quotient,
+    Anchor, Drive, Equation, Form, Group, Input, Mesh, Orientation, conjugate, quotient,
 };
 
 use super::body::{Bodies, Gear, Slide};
+use super::driver::{DrivenPair, PairKind};
 use super::plan::Placed;
 use super::willis;
 
@@ -18,6 +19,7 @@ use super::willis;
 pub(super) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
+    driven: &[DrivenPair],
     offset: usize,
     drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
@@ -63,6 +65,9 @@ pub(super) fn group(
     for gear in placed.couplings(members) {
         plan.mesh(gear);
     }
+    for pair in driven {
+        plan.drive(pair)?;
+    }
     plan.finished(offset)
 }
 
@@ -83,6 +88,12 @@ enum Condition {
     /// A direction of length 1, and the length of the link along it.
     Unit(Form, f64),
     Zero(Form),
+    /// The way along a direction of length 1; and which of the meshes says how far.
+    Along {
+        direction: Form,
+        way: Form,
+        mesh: usize,
+    },
     /// The turns of bodies, with what their angles are multiplied by; and which of the
     /// meshes says what they add up to.
     Mesh(Vec<(Form, f64)>, usize),
@@ -335,7 +346,50 @@ impl Plan<'_> {
             turning: turns.into_iter().map(|(body, _)| body).collect(),
             known,
             constant,
+            drive: None,
         });
+    }
+
+    /// The condition of a driven pair.
+    fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
+        let mesh = self.meshes.len();
+        let course = pair.course;
+        let mut given = Mesh {
+            turning: Vec::new(),
+            known: Vec::new(),
+            constant: 0.0,
+            drive: Some(Drive {
+                course,
+                range: None,
+            }),
+        };
+        let condition = match pair.kind {
+            PairKind::Hinge { bodies, lead } => {
+                let [link, base] = bodies.map(|body| self.placed.get(&body));
+                let turns = vec![(link?[1].clone(), 1.0), (base?[1].clone(), -1.0)];
+                given.turning = bodies.to_vec();
+                given.constant = -lead;
+                Condition::Mesh(turns, mesh)
+            }
+            PairKind::Slide { slide, range } => {
+                let slide = &self.bodies.slides[slide];
+                given.drive = Some(Drive {
+                    course,
+                    range: Some(range),
+                });
+                let [on, moving] = slide.bodies;
+                let (start, heading) = slide.line_on(on);
+                let point = self.place_on(moving, slide.point());
+                Condition::Along {
+                    direction: self.direction(on, heading),
+                    way: point.minus(&self.place_on(on, start)),
+                    mesh,
+                }
+            }
+        };
+        self.conditions.push(condition);
+        self.meshes.push(given);
+        Some(())
     }
 
     /// The group; none where the equations are not as many as the unknowns.
@@ -363,6 +417,19 @@ impl Plan<'_> {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
                     equations.push((Equation::Mesh { turns, mesh }, 0.0));
+                }
+                Condition::Along {
+                    direction,
+                    way,
+                    mesh,
+                } => {
+                    let [direction, way] = [direction, way].map(&mut index);
+                    let along = Equation::Along {
+                        direction,
+                        way,
+                        mesh,
+                    };
+                    equations.push((along, 1.0));
                 }
                 Condition::Line {
                     direction,

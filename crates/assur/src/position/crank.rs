@@ -4,14 +4,14 @@ use super::{Anchor, Cause, Course, Given, Solvable, State};
 use crate::Vector;
 use crate::index::BodyId;
 
-/// A body hinged on the frame and turned by the input, or in proportion to it.
+/// A body hinged on the frame, or on a body that moves, and turned against it by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
-    /// The hinge, on the frame and on the body.
+    /// The hinge, on the base and on the body.
     pub(crate) at: Anchor,
     pub(crate) hinge: Vector,
-    /// What the angle of the driven link has more than its body's.
+    /// What the driven angle has more than the body's against its base: links may lie turned on their bodies.
     pub(crate) lead: f64,
     pub(crate) course: Course,
 }
@@ -23,7 +23,8 @@ impl Solvable for Crank {
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
         let angle = self.course.at(given.input) + -self.lead;
-        state.pin(self.body, angle, self.at, self.hinge);
+        let base = state.angle(self.at.body);
+        state.pin(self.body, base + angle, self.at, self.hinge);
         Ok(())
     }
 
