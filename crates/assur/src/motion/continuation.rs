@@ -341,7 +341,8 @@ impl<'a> Continuation<'a> {
     /// The dead point between here and an input without a pose; a change point
     /// may be there as well, within rounding.
     fn blocked(&mut self, bad: f64, step: StepId, cause: Cause, beyond: bool) -> Outcome {
-        if self.is_group(step) {
+        // The end of a range is one, of a pair within a group as well.
+        if self.is_group(step) && cause != Cause::Input {
             self.doubtful = step;
             return Outcome::Doubt;
         }
@@ -372,8 +373,8 @@ impl<'a> Continuation<'a> {
         let [p, q] = probe.margins[step].map(|margin| margin.value());
         let placing = &self.mechanism.steps()[step];
         let kind = match (cause, placing.stretches_and_folds()) {
-            _ if self.is_group(step) => DeadPointKind::Singular,
             (Cause::Input, _) => DeadPointKind::Range,
+            _ if self.is_group(step) => DeadPointKind::Singular,
             (Cause::Parallel, _) => DeadPointKind::Parallel,
             (_, false) => DeadPointKind::Perpendicular,
             (_, true) if p < q => DeadPointKind::Stretched,
