@@ -174,7 +174,9 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     }
     for driver in &draft.drivers {
         match driver {
-            DraftDriver::Crank { link, base, .. } if link == base => {
+            DraftDriver::Crank { link, base, .. }
+                if root_of(draft, link) == root_of(draft, base) =>
+            {
                 found.push(Defect::WithItself(link.clone()));
             }
             DraftDriver::Crank { link, base, .. } if !hinged(draft, [link, base]) => {

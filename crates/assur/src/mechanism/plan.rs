@@ -5,11 +5,12 @@ use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
 use crate::position::{Anchor, Arm, Closed, Course, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step};
 use crate::structure::{self, Structure};
 
-use super::body::{Bodies, Placement, Slide};
+use super::body::{Bodies, Placement};
 use super::draft::Defect;
 use super::driver::DrivenPair;
 use super::natural;
 use super::resolved::{Driver, Resolved};
+use super::slide::Slide;
 use super::train::Singular;
 
 /// The plan of a mechanism.
