@@ -276,7 +276,7 @@ fn the_examples_of_the_document_move() {
         .map(|rest| rest.split("```").next().unwrap());
     // The first one is the outline.
     let examples: Vec<&str> = blocks.skip(1).collect();
-    assert_eq!(examples.len(), 6);
+    assert_eq!(examples.len(), 7);
     for example in examples {
         let document = from_text(example).unwrap();
         let mechanism = document

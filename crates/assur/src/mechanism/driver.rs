@@ -40,6 +40,14 @@ impl DrivenPair {
         };
         Self { kind, course }
     }
+
+    /// Whether it turns a body against another one.
+    pub(super) fn turns(&self, body: BodyId) -> bool {
+        match &self.kind {
+            PairKind::Hinge { bodies, .. } => bodies.contains(&body),
+            PairKind::Slide { .. } => false,
+        }
+    }
 }
 
 impl Bodies {

@@ -111,10 +111,10 @@ pub(super) fn plan(
             }
             structure::Step::Group(group) => {
                 let links: Vec<BodyId> = group.links().into_iter().map(BodyId::at).collect();
-                if known.is_none() {
-                    placed.mount(&links);
-                }
                 let driven = std::mem::take(&mut within);
+                if known.is_none() {
+                    placed.mount(&links, &driven);
+                }
                 let closed = if driven.is_empty() {
                     let train = placed.train(&links);
                     let train = train.map_err(|Singular| Defect::Undetermined {
