@@ -131,7 +131,10 @@ fn arms_of_a_robot() {
         let turns = [1.0, 1.0 + rates[0], 1.0 + rates[0] + rates[1]];
         let angles = [0, 1, 2].map(|link| drawn[link] + turns[link] * off);
         for ((link, exact), rate) in ["a", "b", "c"].into_iter().zip(angles).zip(turns) {
-            assert!((angle(&motion, link, input)[0] - exact).abs() < 1e-12, "{link} {input}");
+            assert!(
+                (angle(&motion, link, input)[0] - exact).abs() < 1e-12,
+                "{link} {input}"
+            );
             assert_angle(angle(&motion, link, input), [exact, rate, 0.0], 1e-13, link);
         }
         let terms = || lengths.into_iter().zip(angles).zip(turns);
