@@ -606,7 +606,7 @@ fn bad_higher_groups_are_refused() {
         (
             "flat",
             changed(&|linkage| linkage["points"][3]["at"] = linkage["points"][2]["at"].clone()),
-            "Link EGF: its points E, G are at one place",
+            "Link EGF: its points E, G are given at one place",
         ),
         (
             "short",
