@@ -170,6 +170,7 @@ fn a_planet_turned_against_its_carrier() {
     let motion = motion(&turned(draft, "planet", "carrier", 1.0));
     let home = motion.home();
     assert!((home - 0.5 * PI).abs() < 1e-15);
+    assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
     for off in [-9.0, -2.0, 0.0, 1.0, 7.0] {
         let found = angle(&motion, "carrier", home + off);
         assert_angle(found, [0.5 * off, 0.5, 0.0], 1e-12, "carrier");

@@ -1,5 +1,6 @@
 //! Dimensions and drivers that are changed, and drivers that cannot be.
 
+use assur::Point;
 use assur::mechanism::{Defect, Dimension, Draft, Mechanism};
 
 use crate::arms::{arm, drawn_arm};
@@ -18,6 +19,14 @@ fn lengths_change_under_the_drivers() {
     let [angle_at_d, ..] = angle_opposite(reach(3.2, 0.5), 2.0, 4.0_f64.hypot(1.0));
     let [found, ..] = angle(&changed.motion, "lever", 3.2);
     assert!(reduced(found - f64::atan2(1.0, -4.0) + angle_at_d).abs() < 1e-12);
+
+    // So it is where the lever's own hinge is dragged.
+    let (hinge, to) = (lever.mechanism().point("D").unwrap(), Point::new(4.3, -0.8));
+    let changed = lever.hinge_moved(hinge, to, 3.2).unwrap();
+    assert!((changed.input - 3.2).abs() < 1e-12);
+    let [end, ..] = place(&changed.motion, "B", 3.2);
+    assert!((end.norm() - 3.2_f64.hypot(0.5)).abs() < 1e-12);
+    assert!(((end - to.coords).norm() - 1.0_f64.hypot(1.5)).abs() < 1e-12);
 
     let [drawn, _] = drawn_arm();
     let arm = motion(&turned(
