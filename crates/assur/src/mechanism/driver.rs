@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::body::Bodies;
 use super::plan::{Drawn, Placed};
 use super::resolved::{Driver, Resolved};
+use crate::Vector;
 use crate::index::{BodyId, SlideId};
 use crate::position::{Anchor, Course, Crank, Slider, Step};
 
@@ -52,7 +53,7 @@ impl DrivenPair {
 
 impl Bodies {
     /// Where two bodies are hinged on each other: on the first and on the second.
-    pub(super) fn hinge(&self, [base, body]: [BodyId; 2]) -> Option<(Anchor, crate::Vector)> {
+    pub(super) fn hinge(&self, [base, body]: [BodyId; 2]) -> Option<(Anchor, Vector)> {
         self.of(body).iter().find_map(|(point, hinge)| {
             let local = self.local(base, *point)?;
             Some((Anchor { body: base, local }, *hinge))
