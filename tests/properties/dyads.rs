@@ -155,7 +155,7 @@ impl Chain {
     }
 }
 
-fn moving(seed: u64) -> Option<(Draft, Motion)> {
+pub(crate) fn moving(seed: u64) -> Option<(Draft, Motion)> {
     let draft = Chain::new(seed).draft;
     let mechanism = Mechanism::new(&draft).ok()?;
     let motion = Motion::new(mechanism);

@@ -14,14 +14,14 @@ const GROUPS: u64 = 400;
 
 /// Kinds of groups by class and order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+pub(crate) enum Kind {
     Triad,
     FourTwo,
     FourThree,
     Five,
 }
 
-const KINDS: [(Kind, &str); 4] = [
+pub(crate) const KINDS: [(Kind, &str); 4] = [
     (Kind::Triad, "III₃"),
     (Kind::FourTwo, "IV₂"),
     (Kind::FourThree, "IV₃"),
@@ -112,7 +112,7 @@ fn drawn(kind: Kind, seed: u64) -> Draft {
     }
 }
 
-fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
+pub(crate) fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
     let draft = drawn(kind, seed);
     let mechanism = Mechanism::new(&draft).unwrap_or_else(|e| panic!("{kind:?} {seed}: {e:?}"));
     let motion = Motion::new(mechanism);

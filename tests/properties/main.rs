@@ -4,6 +4,7 @@
 
 mod closure;
 mod draw;
+mod drivers;
 mod dyads;
 mod following;
 mod groups;

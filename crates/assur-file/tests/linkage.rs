@@ -276,7 +276,7 @@ fn the_examples_of_the_document_move() {
         .map(|rest| rest.split("```").next().unwrap());
     // The first one is the outline.
     let examples: Vec<&str> = blocks.skip(1).collect();
-    assert_eq!(examples.len(), 6);
+    assert_eq!(examples.len(), 7);
     for example in examples {
         let document = from_text(example).unwrap();
         let mechanism = document
@@ -427,5 +427,56 @@ fn an_assembly_is_chosen() {
         assert!(
             matches!(&problems[..], [Problem::OutOfRange { field, .. }] if field == "assembly")
         );
+    }
+}
+
+/// Two points of a link at one place give it no direction: said, or told by others of its points.
+#[test]
+fn what_is_drawn_at_one_place() {
+    let cases = [
+        (
+            include_str!("../../../tests/data/linkages/undirected-link.json"),
+            json!({"code": "coincident", "link": "rocker", "points": ["D", "C"]}),
+        ),
+        (
+            include_str!("../../../tests/data/linkages/undirected-line.json"),
+            json!({"code": "coincident", "link": "lever", "points": ["D", "F"]}),
+        ),
+    ];
+    for (text, problem) in cases {
+        let document = read(&serde_json::from_str(text).unwrap()).unwrap();
+        assert_eq!(said(&document.mechanism().unwrap_err()), [problem]);
+    }
+
+    // A coupler with its shape given: its second point M may be drawn on the first, B.
+    let coupler = |drawn_at: Value| {
+        let linkage = json!({
+            "points": [
+                {"name": "A", "at": [0, 0]}, {"name": "B", "at": [0.5, 0.5]},
+                {"name": "C", "at": [3, 2]}, {"name": "D", "at": [3, 0]},
+                {"name": "M", "at": drawn_at},
+            ],
+            "frame": ["A", "D"],
+            "links": [
+                {"name": "crank", "points": ["A", "B"]},
+                {"name": "coupler", "points": ["B", "M", "C"], "shape": [[1, 1], [1.2, 1.3], [3.5, 1.5]]},
+                {"name": "rocker", "points": ["D", "C"], "length": 2},
+            ],
+            "drivers": [{"crank": "crank"}],
+        });
+        Motion::new(read(&linkage).unwrap().mechanism().unwrap())
+    };
+    let [good, poor] = [json!([0.6, 0.9]), json!([0.5, 0.5])].map(coupler);
+    for input in [0.2, 0.7, 1.4] {
+        let angles = [&good, &poor].map(|motion| {
+            let pose = motion.pose::<1>(input).unwrap();
+            let links = motion.mechanism().link_ids();
+            links
+                .map(|link| motion.mechanism().angle(&pose, link).value())
+                .collect::<Vec<f64>>()
+        });
+        for (one, other) in angles[0].iter().zip(&angles[1]) {
+            assert!((one - other).abs() < 1e-13, "{input}: {one} {other}");
+        }
     }
 }

@@ -85,7 +85,7 @@ fn bad_linkages_are_refused() {
         (
             "coincident",
             changed("/points/1/at", json!([0, 0])),
-            "Link crank: its points A, B are at one place, its length is zero",
+            "Link crank: its points A, B are given at one place: nothing tells its direction",
         ),
         (
             "zero",
@@ -174,7 +174,7 @@ fn bad_higher_groups_are_refused() {
         (
             "flat",
             changed(&|linkage| linkage["points"][3]["at"] = linkage["points"][2]["at"].clone()),
-            "Link EGF: its points E, G are at one place",
+            "Link EGF: its points E, G are given at one place",
         ),
         (
             "short",

@@ -53,6 +53,11 @@ pub(super) fn guides(
         if low > high {
             return None;
         }
+        // Of a link the rod begins where the link is drawn.
+        let [low, high] = match on {
+            Some(_) => [low.min((end - start).norm()), high.max(0.0)],
+            None => [low, high],
+        };
         let (_, on_angle) = layout::body(mechanism, home, on);
         let (_, angle) = layout::body(mechanism, home, Some(link));
         let at = layout::local(mechanism, home, Some(link), point);

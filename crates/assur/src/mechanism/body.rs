@@ -3,11 +3,12 @@
 use crate::Vector;
 use crate::gears::Mesh;
 use crate::index::{BodyId, LinkId, List, PointId, SlideId};
-use crate::position::{Anchor, Orientation, Side, Track, conjugate, product};
+use crate::position::{Anchor, Orientation, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
-use super::draft::Defect;
+use super::draft::{Defect, extent};
 use super::resolved::{Driver, Resolved};
+use super::slide::Slide;
 use super::willis;
 
 /// Bodies with their points, in local coordinates; those of the frame are those of
@@ -23,23 +24,6 @@ pub(super) struct Bodies {
     pub(super) gears: Vec<Gear>,
     /// Of each gear coupling of the draft whether it is passive.
     pub(super) passive: Vec<bool>,
-}
-
-/// A prismatic pair between two bodies.
-#[derive(Clone, Debug)]
-pub(super) struct Slide {
-    /// The body with the line and the one that slides.
-    pub(super) bodies: [BodyId; 2],
-    /// The line on the first: a point and the direction, of length 1.
-    start: Vector,
-    heading: Vector,
-    /// How far apart the two points are that give the line.
-    length: f64,
-    /// The point on the second, the direction of the line there, and how far the
-    /// point stays to the left of the line.
-    point: Vector,
-    direction: Vector,
-    off: f64,
 }
 
 /// A gear coupling between bodies.
@@ -63,7 +47,8 @@ impl Bodies {
     /// elsewhere than it is drawn: the links, their guides and wheels stay as drawn.
     ///
     /// # Errors
-    /// A slide by a point that its link has not.
+    /// A link that nothing tells the turn of; a slide by a point that its link has not, or along two points that
+    /// are one on theirs.
     pub(super) fn new(
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
@@ -81,7 +66,7 @@ impl Bodies {
             passive: Vec::new(),
         };
         for link in draft.bodies.iter().flatten() {
-            bodies.make(draft, *link);
+            bodies.make(draft, *link)?;
         }
         let placements = draft.links.iter().map(|link| Placement {
             body: link.body,
@@ -113,30 +98,38 @@ impl Bodies {
 
     /// The body of a link of its own: the first point is its origin, and from there
     /// its axis goes to the second one or, without a second, along its guide.
-    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) {
+    ///
+    /// # Errors
+    /// A link with a shape of which no two points are drawn apart: nothing tells how it is turned.
+    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &draft.links[id];
         let origin = draft.places[link.first];
-        let heading =
-            |[from, to]: [PointId; 2]| (draft.places[to] - draft.places[from]).normalize();
+        let way = |from: PointId, to: PointId| draft.places[to] - draft.places[from];
+        let shape = draft.shape(id).map(|shape| {
+            let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
+            in_own_axes(&shape)
+        });
         let turn = match link.points.get(1) {
-            Some(second) => heading([link.first, *second]),
+            Some(second) => {
+                let ways = link.points.iter().map(|point| way(link.first, *point));
+                let ways: Vec<Vector> = ways.collect();
+                let turn = drawn_turn(&ways, shape.as_deref(), draft.draft.size());
+                turn.ok_or_else(|| draft.coincident(Some(id), [link.first, *second]))?
+            }
             None => {
                 let mut slides = draft.slides.iter();
                 let guide = slides.find(|slide| slide.link == Some(id));
-                guide.map_or(Vector::x(), |slide| heading(slide.line))
+                guide.map_or(Vector::x(), |slide| {
+                    way(slide.line[0], slide.line[1]).normalize()
+                })
             }
         };
-        let drawn = |point: &PointId| product(draft.places[*point] - origin, conjugate(turn));
-        let locals: Vec<Vector> = match draft.shape(id) {
-            Some(shape) => {
-                let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
-                in_own_axes(&shape)
-            }
-            None => link.points.iter().map(drawn).collect(),
-        };
+        let drawn = |point: &PointId| product(way(link.first, *point), conjugate(turn));
+        let locals = shape.unwrap_or_else(|| link.points.iter().map(drawn).collect());
         self.points
             .push(link.points.iter().copied().zip(locals).collect());
         self.drawn.push((origin, turn));
+        Ok(())
     }
 
     /// Adds the points of a link that is fixed to a body; the angle of the link on it.
@@ -153,40 +146,6 @@ impl Bodies {
             [first, second] => (second - first).y.atan2((second - first).x),
             _ => 0.0,
         }
-    }
-
-    fn slide(&self, draft: &Resolved<'_>, id: SlideId) -> Result<Slide, Defect> {
-        let slide = &draft.slides[id];
-        let on_link = |link, point| {
-            let local = self.local(draft.body(link), point);
-            local.ok_or_else(|| Defect::NotOnLink {
-                link: draft.link_name(link).to_owned(),
-                point: draft.point_name(point).to_owned(),
-            })
-        };
-        let [from, to] = slide.line;
-        let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, to)?];
-        let point = on_link(slide.link, slide.point)?;
-        let heading = (to - start).normalize();
-        let bodies = [slide.on, slide.link].map(|link| draft.body(link));
-        let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        let along = product(heading, on_turn);
-        let off = draft.places[slide.point] - draft.places[from];
-        let off = product(off, conjugate(along)).y;
-        Ok(Slide {
-            bodies,
-            start,
-            heading,
-            length: (to - start).norm(),
-            point,
-            direction: product(along, conjugate(turn)),
-            // A point drawn on the line is meant to be on it.
-            off: if off.abs() <= 1e-12 * draft.draft.size() {
-                0.0
-            } else {
-                off
-            },
-        })
     }
 
     pub(super) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {
@@ -289,20 +248,6 @@ impl Bodies {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)
     }
-
-    /// How far along a line of the frame a sliding body is drawn.
-    pub(super) fn drawn_way(&self, track: &Track) -> f64 {
-        let (origin, turn) = self.drawn[track.body];
-        let at = origin + product(turn, track.point);
-        (at - track.line.local).dot(&track.heading)
-    }
-
-    /// Where a body hinged on the frame has that hinge: on the frame and on itself.
-    pub(super) fn crank_hinge(&self, body: BodyId) -> Option<(Vector, Vector)> {
-        self.of(body)
-            .iter()
-            .find_map(|(point, hinge)| Some((self.local(BodyId::FRAME, *point)?, *hinge)))
-    }
 }
 
 impl Gear {
@@ -312,67 +257,28 @@ impl Gear {
     }
 }
 
-impl Slide {
-    /// The other body, if this is one of the two.
-    pub(super) fn joins(&self, body: BodyId) -> Option<BodyId> {
-        match self.bodies {
-            [on, moving] if on == body => Some(moving),
-            [on, moving] if moving == body => Some(on),
-            _ => None,
-        }
-    }
-
-    /// The point of the body that slides.
-    pub(super) fn point(&self) -> Vector {
-        self.point
-    }
-
-    /// How far apart the two points are that give the line.
-    pub(super) fn line_length(&self) -> f64 {
-        self.length
-    }
-
-    /// The line as it lies on one of the two bodies: a point and the direction.
-    pub(super) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
-        if body == self.bodies[0] {
-            (self.start, self.heading)
-        } else {
-            let left = Vector::new(-self.direction.y, self.direction.x);
-            (self.point - left * self.off, self.direction)
-        }
-    }
-
-    /// How one of the two bodies slides along the line of the other, solved one.
-    pub(super) fn track(&self, body: BodyId) -> Track {
-        let other = usize::from(body == self.bodies[0]);
-        let (start, heading) = self.line_on(self.bodies[other]);
-        let (point, direction) = self.line_on(body);
-        Track {
-            body,
-            line: Anchor {
-                body: self.bodies[other],
-                local: start,
-            },
-            heading,
-            direction,
-            point,
-            off: 0.0,
-        }
-    }
-
-    /// One of the two bodies as a side of a dyad with this slide between its links.
-    pub(super) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
-        let (through, direction) = self.line_on(body);
-        Side::new(body, outer, hinge, through, direction)
-    }
-}
-
-impl Track {
-    /// The same track, kept by another point of the sliding link.
-    pub(super) fn moved(self, point: Vector) -> Self {
-        let off = self.off + product(point - self.point, conjugate(self.direction)).y;
-        Self { point, off, ..self }
-    }
+/// How a link is turned whose points are drawn these ways from its first one: towards the second or, where that is
+/// drawn at the same place, by the first two points that are apart both there and in the link's shape. None where
+/// there are no such two.
+fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
+    // However small a link is drawn, of two places that rounding does not blur the direction is known.
+    let direction = |way: Vector, size: f64| {
+        let length = way.norm();
+        (length > f64::EPSILON * size).then(|| way / length)
+    };
+    let first = ways.get(1).and_then(|way| direction(*way, size));
+    first.or_else(|| {
+        let shape = shape?;
+        let own = extent(shape.iter().copied());
+        let pairs = (0..shape.len()).flat_map(|k| (k + 1..shape.len()).map(move |l| [k, l]));
+        pairs.into_iter().find_map(|[k, l]| {
+            let drawn = direction(ways[l] - ways[k], size)?;
+            Some(product(
+                drawn,
+                conjugate(direction(shape[l] - shape[k], own)?),
+            ))
+        })
+    })
 }
 
 /// The places of a shape with the first one moved to the origin and the second one

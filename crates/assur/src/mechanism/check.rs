@@ -10,7 +10,7 @@ use crate::gears::{Mesh, TEETH};
 /// Coordinates and lengths beyond this are no drawing.
 const FARTHEST: f64 = 1e9;
 /// Two points of a link closer than this relative to the size of the drawing coincide.
-const CLOSEST: f64 = 1e-9;
+pub(super) const CLOSEST: f64 = 1e-9;
 
 /// Every reason, none where the references of the draft are sound.
 pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
@@ -123,7 +123,9 @@ fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defec
     let coincide = |a: &String, b: &String| {
         // A link may be small in the drawing: its own shape tells its size.
         let (ends, size) = match (in_shape(a), in_shape(b), own) {
-            (Some(a), Some(b), Some((_, shape))) => ((Some(a), Some(b)), extent(shape.iter())),
+            (Some(a), Some(b), Some((_, shape))) => {
+                ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))
+            }
             _ => ((draft.place(a), draft.place(b)), draft.size()),
         };
         matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= CLOSEST * size)
@@ -172,7 +174,9 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     }
     for driver in &draft.drivers {
         match driver {
-            DraftDriver::Crank { link, base, .. } if link == base => {
+            DraftDriver::Crank { link, base, .. }
+                if root_of(draft, link) == root_of(draft, base) =>
+            {
                 found.push(Defect::WithItself(link.clone()));
             }
             DraftDriver::Crank { link, base, .. } if !hinged(draft, [link, base]) => {

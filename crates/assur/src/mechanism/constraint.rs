@@ -5,8 +5,9 @@
 
 use std::f64::consts::TAU;
 
-use super::body::{Bodies, Placement, Slide};
+use super::body::{Bodies, Placement};
 use super::resolved::{self, Resolved};
+use super::slide::Slide;
 use super::{Mechanism, Pose};
 use crate::Jet;
 use crate::gears::Mesh;

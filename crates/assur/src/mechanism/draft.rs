@@ -328,16 +328,16 @@ impl Draft {
 
     /// The diagonal of the drawing: the size of the mechanism.
     pub(crate) fn size(&self) -> f64 {
-        extent(self.points.iter().map(|point| &point.at))
+        extent(self.points.iter().map(|point| point.at.coords))
     }
 }
 
 /// The diagonal of the box around places.
-pub(super) fn extent<'a>(places: impl Iterator<Item = &'a Point>) -> f64 {
+pub(super) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
-        low = low.inf(&place.coords);
-        high = high.sup(&place.coords);
+        low = low.inf(&place);
+        high = high.sup(&place);
     }
     (high - low).norm()
 }

@@ -12,6 +12,7 @@ mod constraint;
 mod counts;
 mod dimension;
 mod draft;
+mod driver;
 mod dyads;
 mod multiple;
 mod natural;
@@ -22,6 +23,7 @@ mod quantity;
 mod rate;
 mod repeated;
 mod resolved;
+mod slide;
 mod structured;
 mod tracer;
 mod train;
@@ -253,13 +255,17 @@ impl Mechanism {
         self.link_of(self.links[link].body)
     }
 
-    /// The links that can be driven: cranks, and what slides along a line of the frame.
+    /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
     pub fn drivable(&self) -> Vec<&str> {
         let cranks = self.cranks().map(|link| self.link_name(link));
         let slides = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
-        cranks
-            .chain(slides.map(|slide| slide.link.as_str()))
-            .collect()
+        let slides = slides.map(|slide| slide.link.as_str());
+        let mut found: Vec<&str> = cranks.chain(slides).collect();
+        for driver in &self.draft.drivers {
+            let driven = self.draft.driven(driver);
+            found.extend(driven.filter(|link| *link != FRAME && !found.contains(link)));
+        }
+        found
     }
 
     /// The links that can be driven as cranks: hinged on the frame, fixed to no other.

@@ -1,23 +1,25 @@
 //! Natural coordinates of an Assur group: which few places are unknowns, how all
 //! others follow from them, and which equations are left.
 
+mod condition;
+
 use std::collections::BTreeMap;
 
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
-use crate::position::{
-    Anchor, Equation, Form, Group, Input, Mesh, Orientation, conjugate, quotient,
-};
+use crate::position::{Anchor, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
 
-use super::body::{Bodies, Gear, Slide};
+use super::body::Bodies;
+use super::driver::DrivenPair;
 use super::plan::Placed;
-use super::willis;
+use condition::Condition;
 
 /// The plan of a group and the drawn values of its unknowns; none where the equations
 /// are not as many as the unknowns.
 pub(super) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
+    driven: &[DrivenPair],
     offset: usize,
     drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
@@ -70,6 +72,9 @@ pub(super) fn group(
     for gear in placed.couplings(members) {
         plan.mesh(gear);
     }
+    for pair in driven {
+        plan.drive(pair)?;
+    }
     plan.finished(offset)
 }
 
@@ -97,23 +102,6 @@ enum Follows {
         point: (PointId, Vector),
         slide: SlideId,
         other: BodyId,
-    },
-}
-
-/// One equation, or two, in forms of its own.
-enum Condition {
-    /// A direction of length 1, and the length of the link along it.
-    Unit(Form, f64),
-    Zero(Form),
-    /// The turns of bodies, with what their angles are multiplied by; and which of the
-    /// meshes says what they add up to.
-    Mesh(Vec<(Form, f64)>, usize),
-    /// The length of the direction, if the way has one too; none where both are
-    /// directions.
-    Line {
-        direction: Form,
-        way: Form,
-        length: f64,
     },
 }
 
@@ -312,121 +300,5 @@ impl Plan<'_> {
             Some([origin, turn]) => origin.plus(&turn.by(local)),
             None => self.input(Input::Place(Anchor { body, local })),
         }
-    }
-
-    /// The conditions of the prismatic pairs.
-    fn slides(&mut self) {
-        let bodies = self.bodies;
-        let own = |slide: &Slide| {
-            slide
-                .bodies
-                .iter()
-                .any(|body| self.placed.contains_key(body))
-        };
-        let slides = bodies.slides.enumerate();
-        let slides = slides.filter(|(_, slide)| own(slide));
-        let slides: Vec<(SlideId, &Slide)> = slides.collect();
-        for (index, slide) in slides {
-            let [on, moving] = slide.bodies;
-            if !self.is_placed(on) || !self.is_placed(moving) {
-                continue;
-            }
-            let [(start, heading), (point, along)] = [on, moving].map(|body| slide.line_on(body));
-            let direction = self.direction(on, heading);
-            if !self.by_slide.contains(&index) {
-                let other = self.direction(moving, along);
-                let parallel = Condition::Line {
-                    direction: direction.clone(),
-                    way: other,
-                    length: 0.0,
-                };
-                self.conditions.push(parallel);
-            }
-            let way = self
-                .place_on(moving, point)
-                .minus(&self.place_on(on, start));
-            self.conditions.push(Condition::Line {
-                direction,
-                way,
-                length: 1.0,
-            });
-        }
-    }
-
-    /// The condition of wheels in mesh.
-    fn mesh(&mut self, gear: &Gear) {
-        let equation = willis::Equation::of(gear);
-        // In parts of a turn of the larger wheel.
-        let scale = gear.teeth[0].max(gear.teeth[1]).recip();
-        let terms = equation.terms();
-        let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
-        let drawn = terms.iter();
-        let drawn = drawn.map(|(body, by)| self.orientations[*body].angle * by);
-        let constant = drawn.sum();
-        let (turns, known): (Vec<_>, Vec<_>) = terms
-            .into_iter()
-            .partition(|(body, _)| self.placed.contains_key(body));
-        let forms = turns
-            .iter()
-            .map(|(body, by)| (self.placed[body][1].clone(), *by));
-        let condition = Condition::Mesh(forms.collect(), self.meshes.len());
-        self.conditions.push(condition);
-        self.meshes.push(Mesh {
-            turning: turns.into_iter().map(|(body, _)| body).collect(),
-            known,
-            constant,
-        });
-    }
-
-    /// The group; none where the equations are not as many as the unknowns.
-    fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
-        let mut forms: Vec<Form> = Vec::new();
-        let mut index = |form: Form| {
-            let known = forms.iter().position(|other| *other == form);
-            known.unwrap_or_else(|| {
-                forms.push(form);
-                forms.len() - 1
-            })
-        };
-        let mut equations = Vec::new();
-        for condition in self.conditions {
-            match condition {
-                Condition::Unit(form, length) => {
-                    equations.push((Equation::Unit(index(form)), length));
-                }
-                Condition::Zero(form) => {
-                    let form = index(form);
-                    let both = [Equation::Real(form), Equation::Imaginary(form)];
-                    equations.extend(both.map(|equation| (equation, 1.0)));
-                }
-                Condition::Mesh(turns, mesh) => {
-                    let mut turns = turns.into_iter();
-                    let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((Equation::Mesh { turns, mesh }, 0.0));
-                }
-                Condition::Line {
-                    direction,
-                    way,
-                    length,
-                } => {
-                    let [direction, way] = [direction, way].map(&mut index);
-                    equations.push((Equation::Line { direction, way }, length));
-                }
-            }
-        }
-        let bodies = self.placed.into_iter();
-        let bodies: Vec<_> = bodies
-            .map(|(body, forms)| (body, forms.map(&mut index)))
-            .collect();
-        let group = Group::new(
-            offset,
-            self.units,
-            self.inputs,
-            &forms,
-            equations,
-            self.meshes,
-            bodies,
-        );
-        group.map(|group| (group, self.home))
     }
 }

@@ -1,18 +1,16 @@
 //! In which order a mechanism is solved, and by which closed form each group.
 
-use std::f64::consts::TAU;
-
 use crate::Vector;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
-use crate::position::{
-    Anchor, Arm, Closed, Course, Crank, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Slider, Step,
-};
+use crate::position::{Anchor, Arm, Closed, Course, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step};
 use crate::structure::{self, Structure};
 
-use super::body::{Bodies, Placement, Slide};
+use super::body::{Bodies, Placement};
 use super::draft::Defect;
+use super::driver::DrivenPair;
 use super::natural;
 use super::resolved::{Driver, Resolved};
+use super::slide::Slide;
 use super::train::Singular;
 
 /// The plan of a mechanism.
@@ -38,9 +36,10 @@ pub(super) struct Drawn<'a> {
 /// What has been placed by the steps so far.
 pub(super) struct Placed<'a> {
     pub(super) bodies: &'a Bodies,
+    pub(super) placements: &'a List<LinkId, Placement>,
     pub(super) solved: List<BodyId, bool>,
     pub(super) orientations: List<BodyId, Orientation>,
-    /// The crank that the input turns.
+    /// The crank on the frame that the input turns.
     crank: Option<BodyId>,
 }
 
@@ -58,21 +57,14 @@ pub(super) fn plan(
     let solved = bodies.ids().map(|body| body == BodyId::FRAME);
     let mut placed = Placed {
         bodies,
+        placements,
         solved: solved.collect(),
         orientations: known
             .map_or_else(|| bodies.orientations(), |known| known.orientations.clone()),
         crank: None,
     };
-    let mut home = 0.0;
-    if let Some(first) = draft.drivers.first() {
-        home = placed.drawn(draft, placements, first);
-        if let Driver::Crank { link, .. } = first {
-            if let Some(Drawn { input, .. }) = known {
-                home += TAU * ((input - home) / TAU).round();
-            }
-            placed.orientations[draft.body(*link)].angle = home - lead(placements, first);
-        }
-    }
+    let first = draft.drivers.first();
+    let home = first.map_or(0.0, |first| placed.home(draft, first, known));
     let mut plan = Plan {
         steps: List::default(),
         home,
@@ -87,46 +79,57 @@ pub(super) fn plan(
     let unsupported = |group: &[BodyId]| Defect::Unsupported {
         links: names(group),
     };
+    let of_group = |links: &[usize; 2]| {
+        let [base, body] = links.map(|link| structure.step_of[link]);
+        base == body
+    };
+    let mut within = Vec::new();
     for part in &structure.steps {
         let step = match part {
             structure::Step::Driver { driver, links } => {
-                let [base, body] = links.map(BodyId::at);
                 let first = *driver == 0;
                 let driver = &draft.drivers[*driver];
-                if base != BodyId::FRAME {
-                    return Err(unsupported(&[body]));
-                }
                 let course = if first {
                     Course::FIRST
                 } else {
-                    let drawn = placed.drawn(draft, placements, driver);
-                    Course::through(driver.rate(), [home, drawn])
+                    Course::through(driver.rate(), [home, placed.drawn(draft, driver)])
                 };
-                match driver {
-                    Driver::Crank { .. } if first => placed.crank = Some(body),
-                    Driver::Slide { range, .. } if first => plan.range = Some(*range),
-                    Driver::Crank { .. } | Driver::Slide { .. } => {}
+                if let (true, Driver::Slide { range, .. }) = (first, driver) {
+                    plan.range = Some(*range);
                 }
-                let lead = lead(placements, driver);
-                driven(bodies, driver, body, lead, course).ok_or_else(|| unsupported(&[body]))?
+                // What it drives is solved with the group.
+                if of_group(links) {
+                    within.push(DrivenPair::new(&placed, draft, driver, course));
+                    continue;
+                }
+                let [base, body] = links.map(BodyId::at);
+                if let (true, Driver::Crank { .. }, BodyId::FRAME) = (first, driver, base) {
+                    placed.crank = Some(body);
+                }
+                let step = placed.driven(draft, driver, [base, body], course);
+                step.ok_or_else(|| unsupported(&[body]))?
             }
             structure::Step::Group(group) => {
                 let links: Vec<BodyId> = group.links().into_iter().map(BodyId::at).collect();
+                let driven = std::mem::take(&mut within);
                 if known.is_none() {
-                    placed.mount(&links);
+                    placed.mount(&links, &driven);
                 }
-                let train = placed
-                    .train(&links)
-                    .map_err(|Singular| Defect::Undetermined {
+                let closed = if driven.is_empty() {
+                    let train = placed.train(&links);
+                    let train = train.map_err(|Singular| Defect::Undetermined {
                         links: names(&links),
                     })?;
-                let closed = train.map(Step::from).or_else(|| placed.closed_form(&links));
+                    train.map(Step::from).or_else(|| placed.closed_form(&links))
+                } else {
+                    None
+                };
                 match closed {
                     Some(step) => step,
                     None => {
                         let offset = plan.natural.len() / 2;
                         let places = |point| draft.places[point];
-                        let group = natural::group(&placed, &links, offset, places);
+                        let group = natural::group(&placed, &links, &driven, offset, places);
                         let (group, places) = group.ok_or_else(|| unsupported(&links))?;
                         let places = places.iter().flat_map(|place| [place.x, place.y]);
                         plan.natural.extend(places);
@@ -144,48 +147,6 @@ pub(super) fn plan(
     Ok(plan)
 }
 
-/// What the angle of a driven link has more than its body's.
-fn lead(placements: &List<LinkId, Placement>, driver: &Driver) -> f64 {
-    match driver {
-        Driver::Crank { link, .. } => link.map_or(0.0, |link| placements[link].lead),
-        Driver::Slide { .. } => 0.0,
-    }
-}
-
-/// A driver on the frame; `lead` is what the driven link's angle has more than its body's.
-fn driven(
-    bodies: &Bodies,
-    driver: &Driver,
-    body: BodyId,
-    lead: f64,
-    course: Course,
-) -> Option<Step> {
-    match driver {
-        Driver::Crank { .. } => {
-            let (local, hinge) = bodies.crank_hinge(body)?;
-            let crank = Crank {
-                body,
-                at: Anchor {
-                    body: BodyId::FRAME,
-                    local,
-                },
-                hinge,
-                lead,
-                course,
-            };
-            Some(crank.into())
-        }
-        Driver::Slide { slide, range, .. } => {
-            let slider = Slider {
-                track: bodies.slides[*slide].track(body),
-                range: *range,
-                course,
-            };
-            Some(slider.into())
-        }
-    }
-}
-
 /// How a link of a dyad is joined to what is solved.
 enum Outer<'a> {
     Hinge { at: Anchor, hinge: Vector },
@@ -200,25 +161,6 @@ enum Inner<'a> {
 }
 
 impl Placed<'_> {
-    /// The drawn coordinate of a driver; that of a slide is within its range.
-    fn drawn(
-        &self,
-        draft: &Resolved<'_>,
-        placements: &List<LinkId, Placement>,
-        driver: &Driver,
-    ) -> f64 {
-        match driver {
-            Driver::Crank { link, .. } => {
-                self.orientations[draft.body(*link)].angle + lead(placements, driver)
-            }
-            Driver::Slide { slide, range, .. } => {
-                let slide = &self.bodies.slides[*slide];
-                let track = slide.track(slide.bodies[1]);
-                self.bodies.drawn_way(&track).clamp(range[0], range[1])
-            }
-        }
-    }
-
     /// The dyad that a group of bodies is, all others to which it is joined being solved; none where no closed form
     /// is known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
@@ -318,6 +260,7 @@ impl Placed<'_> {
         } else {
             return None;
         };
-        Closed::new(crank, self.bodies.crank_hinge(crank)?, arms)
+        let (on_frame, hinge) = self.bodies.hinge([BodyId::FRAME, crank])?;
+        Closed::new(crank, (on_frame.local, hinge), arms)
     }
 }

@@ -126,8 +126,11 @@ impl Mechanism {
         rates[BodyId::FRAME] = Some(0.0);
         for step in self.steps.iter() {
             match step {
-                Step::Crank(crank) => rates[crank.body] = Some(crank.course.rate),
-                Step::Slider(slider) => rates[slider.track.body] = Some(0.0),
+                Step::Crank(crank) => {
+                    let base = rates[crank.at.body];
+                    rates[crank.body] = base.map(|base| base + crank.course.rate);
+                }
+                Step::Slider(slider) => rates[slider.track.body] = rates[slider.track.line.body],
                 Step::Geared(train) => {
                     for member in &train.members {
                         let terms = member.ratios.iter();

@@ -161,6 +161,14 @@ impl<'a> Resolved<'a> {
         self.link_name(self.bodies[body])
     }
 
+    /// That two points of a link are at one place.
+    pub(super) fn coincident(&self, link: LinkOrFrame, points: [PointId; 2]) -> Defect {
+        Defect::Coincident {
+            link: self.link_name(link).to_owned(),
+            points: points.map(|point| self.point_name(point).to_owned()),
+        }
+    }
+
     /// The places of a link's points on it, if it has a shape of its own.
     pub(super) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
         self.draft.links[link.index()].shape.as_deref()

@@ -37,6 +37,10 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
                 mobility,
                 links: named(links),
             },
+            Fault::DrivenTwice { driver, .. } => Defect::Locked {
+                mobility,
+                links: named(drivers[driver].links.to_vec()),
+            },
             Fault::SelfJoined { link, .. } => Defect::WithItself(name(&link)),
             _ => Defect::NoDriver,
         };

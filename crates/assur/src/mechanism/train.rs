@@ -2,6 +2,7 @@
 //! epicyclic train.
 
 use super::body::Gear;
+use super::driver::DrivenPair;
 use super::plan::Placed;
 use super::willis::{Adds, Equation, Solved};
 use crate::Vector;
@@ -23,10 +24,13 @@ impl Placed<'_> {
     }
 
     /// Turns the wheels of a group whose angle no point and no guide shows: each from where a mate is at zero, seen
-    /// from their carrier, that of the first coupling that tells.
-    pub(super) fn mount(&mut self, group: &[BodyId]) {
+    /// from their carrier, that of the first coupling that tells. The coordinate of a driven one tells its angle.
+    pub(super) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
-        let round = round.filter(|body| !self.bodies.shows_its_angle(*body));
+        let round = round.filter(|body| {
+            let is_driven = driven.iter().any(|pair| pair.turns(*body));
+            !is_driven && !self.bodies.shows_its_angle(*body)
+        });
         let mut waiting: Vec<BodyId> = round.collect();
         while let Some((wheel, angle)) = self.mounted(group, &waiting) {
             let (sin, cos) = angle.sin_cos();

@@ -150,10 +150,17 @@ impl Motion {
         self.taken(&Way::follow(start, setting, whole))
     }
 
-    /// The driver that a link of [`Mechanism::drivable`] is: a crank, or a slide over the way
-    /// that it goes now; none of a link that is no driver, or that does not move.
+    /// The driver that a link of [`Mechanism::drivable`] is: the one that it is already, a crank, or a slide over the
+    /// way that it goes now; none of a link that is no driver, or that does not move.
     pub fn driver(&self, link: &str) -> Option<DraftDriver> {
         let mechanism = &self.mechanism;
+        let draft = mechanism.draft();
+        let mut drivers = draft.drivers.iter();
+        if let Some(driver) = drivers.find(|driver| draft.driven(driver) == Some(link)) {
+            let mut driver = driver.clone();
+            *driver.rate_mut() = 1.0;
+            return Some(driver);
+        }
         if mechanism
             .cranks()
             .any(|crank| mechanism.link_name(crank) == link)
@@ -164,9 +171,9 @@ impl Motion {
                 rate: 1.0,
             });
         }
-        let mut slides = mechanism.draft().slides.iter();
+        let mut slides = draft.slides.iter();
         let slide = slides.position(|slide| slide.link == link && slide.on == FRAME)?;
-        let range = self.way(&mechanism.draft().slides[slide])?;
+        let range = self.way(&draft.slides[slide])?;
         let rate = 1.0;
         Some(DraftDriver::Slide { slide, range, rate })
     }
@@ -175,15 +182,6 @@ impl Motion {
     /// that stays where it is. From samples: the very ends are its dead points.
     fn way(&self, slide: &DraftSlide) -> Option<[f64; 2]> {
         let mechanism = &self.mechanism;
-        if let Some(DraftDriver::Slide {
-            slide: driven,
-            range,
-            ..
-        }) = mechanism.draft().drivers.first()
-            && mechanism.draft().slides.get(*driven) == Some(slide)
-        {
-            return Some(*range);
-        }
         let point = mechanism.point(&slide.point)?;
         let [from, to] = [0, 1].map(|end| mechanism.draft().place(&slide.line[end]));
         let (from, along) = (from?, (to? - from?).normalize());

@@ -167,7 +167,9 @@ impl<'a> Continuation<'a> {
                 halved = 0;
             } else if is_group
                 && width < EXTRAPOLATED * self.mechanism.span()
-                && let Some(dead) = self.singular(sense, knots)
+                && let Some(dead) = self
+                    .out_of_range(sense)
+                    .or_else(|| self.singular(sense, knots))
             {
                 return Some(dead);
             } else if halved < most && next != self.input {
@@ -350,6 +352,25 @@ impl<'a> Continuation<'a> {
         })
     }
 
+    /// Where just ahead a driver comes to the end of its range, of a pair within a group.
+    fn out_of_range(&self, sense: f64) -> Option<DeadPoint> {
+        let mut probe: State<1> = self.mechanism.blank_state();
+        let mut is_out = |input: f64| match self.solve(input, &mut probe) {
+            Err((step, Cause::Input)) => Some(step),
+            _ => None,
+        };
+        let beyond = self.input + sense * PASSED * self.mechanism.span();
+        let step = is_out(beyond)?;
+        let Ok([input, _]) = bisect([self.input, beyond], |input| {
+            Ok::<bool, Infallible>(is_out(input).is_none())
+        });
+        Some(DeadPoint {
+            input,
+            kind: DeadPointKind::Range,
+            step,
+        })
+    }
+
     /// Where just ahead two assemblies of a group meet: the square of its determinant goes to zero in proportion to
     /// the distance from there.
     fn fold(&self, step: StepId, sense: f64, knots: &Knots) -> Option<f64> {
@@ -417,8 +438,8 @@ impl<'a> Continuation<'a> {
         let [p, q] = probe.margins[step].map(|margin| margin.value());
         let placing = &self.mechanism.steps()[step];
         let kind = match (cause, placing.stretches_and_folds()) {
-            _ if self.is_group(step) => DeadPointKind::Singular,
             (Cause::Input, _) => DeadPointKind::Range,
+            _ if self.is_group(step) => DeadPointKind::Singular,
             (Cause::Parallel, _) => DeadPointKind::Parallel,
             (_, false) => DeadPointKind::Perpendicular,
             (_, true) if p < q => DeadPointKind::Stretched,

@@ -54,9 +54,13 @@ impl Group {
                     [defect, f.by_unknowns * travels(&f), f.by_unknowns.powi(2)]
                 }
                 Equation::Real(form) | Equation::Imaginary(form) => [known(form).bend, 0.0, 0.0],
-                Equation::Line { direction, way } => {
+                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
-                    let defect = 2.0 * u.rate.perp(&v.rate).abs()
+                    let rates = match equation {
+                        Equation::Along { .. } => u.rate.dot(&v.rate),
+                        _ => u.rate.perp(&v.rate),
+                    };
+                    let defect = 2.0 * rates.abs()
                         + (far(&v) + half_square * v.bend) * u.bend
                         + far(&u) * v.bend;
                     let changes = u.by_unknowns * travels(&v) + v.by_unknowns * travels(&u);
@@ -103,7 +107,7 @@ impl Group {
                     off(&f) * f.rate.norm() + reach * f.bend
                 }
                 Equation::Real(form) | Equation::Imaginary(form) => reach * known(form).bend,
-                Equation::Line { direction, way } => {
+                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     u.rate.norm() * off(&v)
                         + v.rate.norm() * off(&u)
@@ -135,7 +139,7 @@ impl Group {
                     speed(&f).powi(2) + f.bend
                 }
                 Equation::Real(form) | Equation::Imaginary(form) => known(form).bend,
-                Equation::Line { direction, way } => {
+                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     2.0 * speed(&u) * speed(&v)
                         + u.bend * (v.value.norm() + off(&v))

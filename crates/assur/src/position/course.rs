@@ -22,6 +22,14 @@ impl Course {
         Self { rate, offset }
     }
 
+    /// The same coordinate counted the other way.
+    pub(crate) fn reversed(self) -> Self {
+        Self {
+            rate: -self.rate,
+            offset: -self.offset,
+        }
+    }
+
     /// The coordinate.
     #[inline(always)]
     pub(crate) fn at<const N: usize>(&self, input: Jet<N>) -> Jet<N> {

@@ -4,14 +4,14 @@ use super::{Anchor, Cause, Course, Enclosure, Given, Predictor, Solvable, State}
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 
-/// A body hinged on the frame and turned by the input, or in proportion to it.
+/// A body hinged on the frame, or on a body that moves, and turned against it by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
-    /// The hinge, on the frame and on the body.
+    /// The hinge, on the base and on the body.
     pub(crate) at: Anchor,
     pub(crate) hinge: Vector,
-    /// What the angle of the driven link has more than its body's.
+    /// What the driven angle has more than the body's against its base: links may lie turned on their bodies.
     pub(crate) lead: f64,
     pub(crate) course: Course,
 }
@@ -23,13 +23,16 @@ impl Solvable for Crank {
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
         let angle = self.course.at(given.input) + -self.lead;
-        state.pin(self.body, angle, self.at, self.hinge);
+        let base = state.angle(self.at.body);
+        state.pin(self.body, base + angle, self.at, self.hinge);
         Ok(())
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let at = cell.place(from, self.at).bend;
-        cell.set(self.body, 0.0, [(self.hinge, at); 2]);
+        // Against its base it turns evenly.
+        let spin = cell.spin(self.at.body);
+        cell.set(self.body, spin, [(self.hinge, at); 2]);
         true
     }
 

@@ -72,7 +72,13 @@ pub(crate) enum Equation {
         direction: usize,
         way: usize,
     },
-    /// Wheels in mesh: the angles of turns, each multiplied by its number, add up to
+    /// A driven slide: the way along a direction of length 1, direction · way, is what its driver says.
+    Along {
+        direction: usize,
+        way: usize,
+        mesh: usize,
+    },
+    /// Wheels in mesh, or a driven hinge: the angles of turns, each multiplied by its number, add up to
     /// what the mesh says.
     Mesh {
         turns: [Option<(usize, f64)>; MOST_FORMS],
@@ -85,7 +91,9 @@ impl Equation {
     pub(super) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
-            Self::Line { direction, way } => [Some(direction), Some(way), None],
+            Self::Line { direction, way } | Self::Along { direction, way, .. } => {
+                [Some(direction), Some(way), None]
+            }
             Self::Mesh { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
@@ -95,7 +103,7 @@ impl Equation {
     pub(super) fn left<const N: usize>(&self, values: &[Complex<N>], given: &[Given<N>]) -> f64 {
         match self {
             Self::Unit(_) => self.coefficient(values, given, 0) - 0.5,
-            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } => {
+            Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } | Self::Along { .. } => {
                 self.coefficient(values, given, 0)
             }
             Self::Mesh { turns, mesh } => {
@@ -128,6 +136,15 @@ impl Equation {
                 let [u, v] = [direction, way].map(|form| &values[form]);
                 (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
             }
+            Self::Along {
+                direction,
+                way,
+                mesh,
+            } => {
+                let [u, v] = [direction, way].map(|form| &values[form]);
+                let along: f64 = (0..=order).map(|k| u[k].dot(&v[order - k])).sum();
+                along + given[mesh].angle.coefficient(order)
+            }
             Self::Mesh { turns, mesh } => {
                 // θ′ = u × u′ of a turn u, whose length is 1.
                 let rate = |form: usize| -> f64 {
@@ -157,6 +174,9 @@ impl Equation {
                 // u × v = u · (v turned to the right) = v · (u turned to the left).
                 slopes[0] = Vector::new(v.y, -v.x);
                 slopes[1] = Vector::new(-u.y, u.x);
+            }
+            Self::Along { direction, way, .. } => {
+                [slopes[0], slopes[1]] = [way, direction].map(value);
             }
             // dθ = u × du / |u|².
             Self::Mesh { turns, .. } => {

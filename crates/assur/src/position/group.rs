@@ -165,21 +165,22 @@ impl Group {
         })
     }
 
-    /// Solves from the guess in `near`; sets the margin of the step to the Jacobian's
+    /// Solves from the guess nearby; sets the margin of the step to the Jacobian's
     /// determinant, and `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,
         state: &mut State<N>,
-        near: Nearby<'_>,
-        step: StepId,
+        &Given {
+            step, input, near, ..
+        }: &Given<'_, N>,
     ) -> Result<(), Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
         }
         for (k, mesh) in self.meshes.iter().enumerate() {
-            state.work.given[k] = mesh.given(state, near);
+            state.work.given[k] = mesh.given(state, near, input)?;
         }
         let work = &mut state.work;
         self.guess(work, near);
@@ -290,7 +291,7 @@ impl Group {
             let rounded = match *equation {
                 Equation::Unit(form) => size(form) * noise[form],
                 Equation::Real(form) | Equation::Imaginary(form) => noise[form],
-                Equation::Line { direction, way } => {
+                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     size(direction) * noise[way] + size(way) * noise[direction]
                 }
                 Equation::Mesh { turns, mesh } => {
@@ -470,7 +471,7 @@ impl Solvable for Group {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<(), Cause> {
-        self.solve_near(state, given.near, given.step)
+        self.solve_near(state, given)
     }
 
     /// The angles are told, and what is not finite found, with the unknowns.

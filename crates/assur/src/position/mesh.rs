@@ -1,12 +1,16 @@
-//! Wheels in mesh on links of a group: what their equation takes from what is solved. The angles count whole turns.
+//! Wheels in mesh and driven pairs on links of a group: what their equation takes from what is solved, and from the
+//! input. The angles of wheels count whole turns.
 
-use super::{Nearby, Orientation, State};
+use std::f64::consts::TAU;
+
+use super::{Cause, Course, Nearby, Orientation, State};
 use crate::Jet;
 use crate::index::BodyId;
 
 use super::equation::MOST_FORMS;
 
 /// A mesh of which not all bodies are solved: the sum of their angles, each multiplied by its number, is constant.
+/// Of a driven pair the angle between its two bodies, or the way along its line, is what the input makes it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mesh {
     /// The bodies of the group, in the order in which their turns stand in the equation.
@@ -14,12 +18,37 @@ pub(crate) struct Mesh {
     /// The solved ones with their numbers.
     pub(crate) known: Vec<(BodyId, f64)>,
     pub(crate) constant: f64,
+    pub(crate) drive: Option<Drive>,
+}
+
+/// How a pair between links of a group is driven.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Drive {
+    pub(crate) course: Course,
+    /// Least and greatest coordinate, of a slide.
+    pub(crate) range: Option<[f64; 2]>,
+}
+
+impl Drive {
+    /// The coordinate.
+    ///
+    /// # Errors
+    /// That it is out of its range.
+    fn at<const N: usize>(&self, input: Jet<N>) -> Result<Jet<N>, Cause> {
+        let coordinate = self.course.at(input);
+        let within = |[from, to]: [f64; 2]| (from..=to).contains(&coordinate.value());
+        if self.range.is_none_or(within) {
+            Ok(coordinate)
+        } else {
+            Err(Cause::Input)
+        }
+    }
 }
 
 /// What is given of a mesh while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<const N: usize> {
-    /// What the solved bodies contribute, less the constant.
+    /// What the solved bodies contribute, less the constant and the driven coordinate; of a driven slide a length.
     pub(super) angle: Jet<N>,
     /// How the others are turned nearby: their angles are less than half a turn from there.
     pub(super) near: [Orientation; MOST_FORMS],
@@ -36,15 +65,31 @@ impl<const N: usize> Given<N> {
 }
 
 impl Mesh {
-    pub(super) fn given<const N: usize>(&self, state: &State<N>, near: Nearby<'_>) -> Given<N> {
+    /// # Errors
+    /// That a driven coordinate is out of its range.
+    pub(super) fn given<const N: usize>(
+        &self,
+        state: &State<N>,
+        near: Nearby<'_>,
+        input: Jet<N>,
+    ) -> Result<Given<N>, Cause> {
         let known = self.known.iter().map(|(body, by)| state.angle(*body) * *by);
         let mut turning = [Orientation::default(); MOST_FORMS];
         for (orientation, body) in turning.iter_mut().zip(&self.turning) {
             *orientation = near.orientations[*body];
         }
-        Given {
-            angle: known.fold(Jet::constant(-self.constant), |sum, angle| sum + angle),
-            near: turning,
+        let mut angle = known.fold(Jet::constant(-self.constant), |sum, angle| sum + angle);
+        if let Some(drive) = &self.drive {
+            angle = angle - drive.at(input)?;
+            // A driven angle is one but for whole turns: the one that is nearby.
+            if let [link, base] = self.turning[..] {
+                let [link, base] = [link, base].map(|body| near.orientations[body].angle);
+                angle = angle + -TAU * ((link - base + angle.value()) / TAU).round();
+            }
         }
+        Ok(Given {
+            angle,
+            near: turning,
+        })
     }
 }

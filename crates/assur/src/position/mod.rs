@@ -41,7 +41,7 @@ pub(crate) use geared::{Geared, Member};
 pub(crate) use group::{Group, Input};
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing, root};
-pub(crate) use mesh::Mesh;
+pub(crate) use mesh::{Drive, Mesh};
 pub(crate) use prp::Prp;
 pub(crate) use rpp::Rpp;
 pub(crate) use rpr::{Rpr, Side};

@@ -4,7 +4,7 @@ use super::{Anchor, Cause, Complex, Course, Enclosure, Given, Predictor, Solvabl
 use crate::Jet;
 use crate::index::{BodyId, StepId};
 
-/// A body moved along a line of the frame by the input, or in proportion to it.
+/// A body moved along a line of the frame, or of a body that moves, by the input, or in proportion to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slider {
     pub(crate) track: Track,

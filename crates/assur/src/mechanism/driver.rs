@@ -1,0 +1,161 @@
+//! Drivers: their coordinates in the drawing, and the steps that place what they drive.
+
+use std::f64::consts::TAU;
+
+use super::body::Bodies;
+use super::plan::{Drawn, Placed};
+use super::resolved::{Driver, Resolved};
+use crate::Vector;
+use crate::index::{BodyId, SlideId};
+use crate::position::{Anchor, Course, Crank, Slider, Step};
+
+/// A driven pair between two bodies of one group: the group is solved with its coordinate.
+pub(super) struct DrivenPair {
+    pub(super) kind: PairKind,
+    pub(super) course: Course,
+}
+
+pub(super) enum PairKind {
+    /// A hinge: the driven body, its base, and what the coordinate has more than the angle between them.
+    Hinge { bodies: [BodyId; 2], lead: f64 },
+    /// A slide, with its least and greatest coordinate.
+    Slide { slide: SlideId, range: [f64; 2] },
+}
+
+impl DrivenPair {
+    pub(super) fn new(
+        placed: &Placed<'_>,
+        draft: &Resolved<'_>,
+        driver: &Driver,
+        course: Course,
+    ) -> Self {
+        let kind = match driver {
+            Driver::Crank { link, base, .. } => PairKind::Hinge {
+                bodies: [*link, *base].map(|link| draft.body(link)),
+                lead: placed.lead(driver),
+            },
+            Driver::Slide { slide, range, .. } => PairKind::Slide {
+                slide: *slide,
+                range: *range,
+            },
+        };
+        Self { kind, course }
+    }
+
+    /// Whether it turns a body against another one.
+    pub(super) fn turns(&self, body: BodyId) -> bool {
+        match &self.kind {
+            PairKind::Hinge { bodies, .. } => bodies.contains(&body),
+            PairKind::Slide { .. } => false,
+        }
+    }
+}
+
+impl Bodies {
+    /// Where two bodies are hinged on each other: on the first and on the second.
+    pub(super) fn hinge(&self, [base, body]: [BodyId; 2]) -> Option<(Anchor, Vector)> {
+        self.of(body).iter().find_map(|(point, hinge)| {
+            let local = self.local(base, *point)?;
+            Some((Anchor { body: base, local }, *hinge))
+        })
+    }
+}
+
+impl Placed<'_> {
+    /// What the angle of a driven link against its base's has more than that of their bodies.
+    fn lead(&self, driver: &Driver) -> f64 {
+        match driver {
+            Driver::Crank { link, base, .. } => {
+                let [link, base] =
+                    [link, base].map(|link| link.map_or(0.0, |link| self.placements[link].lead));
+                link - base
+            }
+            Driver::Slide { .. } => 0.0,
+        }
+    }
+
+    /// The drawn coordinate of a driver; that of a slide is within its range.
+    pub(super) fn drawn(&self, draft: &Resolved<'_>, driver: &Driver) -> f64 {
+        match driver {
+            Driver::Crank { link, base, .. } => {
+                let angle = |link| self.orientations[draft.body(link)].angle;
+                angle(*link) - angle(*base) + self.lead(driver)
+            }
+            Driver::Slide { slide, range, .. } => {
+                let way = self.bodies.slides[*slide].drawn_way();
+                way.clamp(range[0], range[1])
+            }
+        }
+    }
+
+    /// The drawn input. An angle against a link that moves is at most half a turn; that of a known pose is told by as
+    /// many whole turns as there, and so is the driven link.
+    pub(super) fn home(
+        &mut self,
+        draft: &Resolved<'_>,
+        first: &Driver,
+        known: Option<Drawn<'_>>,
+    ) -> f64 {
+        let drawn = self.drawn(draft, first);
+        let Driver::Crank { link, base, .. } = first else {
+            return drawn;
+        };
+        let [link, base] = [*link, *base].map(|link| draft.body(link));
+        let near = match known {
+            Some(Drawn { input, .. }) => input,
+            None if base == BodyId::FRAME => drawn,
+            None => 0.0,
+        };
+        let turned = TAU * ((near - drawn) / TAU).round();
+        if link == BodyId::FRAME {
+            self.orientations[base].angle -= turned;
+        } else {
+            self.orientations[link].angle += turned;
+        }
+        drawn + turned
+    }
+
+    /// The step of a driver whose base is placed: what is placed may be either of the two that it drives.
+    pub(super) fn driven(
+        &self,
+        draft: &Resolved<'_>,
+        driver: &Driver,
+        [base, body]: [BodyId; 2],
+        course: Course,
+    ) -> Option<Step> {
+        match driver {
+            Driver::Crank { link, .. } => {
+                let (at, hinge) = self.bodies.hinge([base, body])?;
+                let lead = self.lead(driver);
+                let (lead, course) = if draft.body(*link) == body {
+                    (lead, course)
+                } else {
+                    (-lead, course.reversed())
+                };
+                let crank = Crank {
+                    body,
+                    at,
+                    hinge,
+                    lead,
+                    course,
+                };
+                Some(crank.into())
+            }
+            Driver::Slide { slide, range, .. } => {
+                let slide = &self.bodies.slides[*slide];
+                let [from, to] = *range;
+                let (range, course) = if slide.bodies == [base, body] {
+                    (*range, course)
+                } else {
+                    ([-to, -from], course.reversed())
+                };
+                let slider = Slider {
+                    track: slide.track(body),
+                    range,
+                    course,
+                };
+                Some(slider.into())
+            }
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Prismatic pairs between rigid bodies: their lines on both.
+
+use super::body::Bodies;
+use super::check::CLOSEST;
+use super::draft::{Defect, extent};
+use super::resolved::Resolved;
+use crate::Vector;
+use crate::index::{BodyId, SlideId};
+use crate::position::{Anchor, Side, Track, conjugate, product};
+
+/// A prismatic pair between two bodies.
+#[derive(Clone, Debug)]
+pub(super) struct Slide {
+    /// The body with the line and the one that slides.
+    pub(super) bodies: [BodyId; 2],
+    /// The line on the first: a point and the direction, of length 1.
+    start: Vector,
+    heading: Vector,
+    /// How far apart the two points are that give the line.
+    length: f64,
+    /// The point on the second, the direction of the line there, and how far the
+    /// point stays to the left of the line.
+    point: Vector,
+    direction: Vector,
+    off: f64,
+    /// How far along the line the point is drawn.
+    way: f64,
+}
+
+impl Bodies {
+    pub(super) fn slide(&self, draft: &Resolved<'_>, id: SlideId) -> Result<Slide, Defect> {
+        let slide = &draft.slides[id];
+        let on_link = |link, point| {
+            let local = self.local(draft.body(link), point);
+            local.ok_or_else(|| Defect::NotOnLink {
+                link: draft.link_name(link).to_owned(),
+                point: draft.point_name(point).to_owned(),
+            })
+        };
+        let [from, to] = slide.line;
+        let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, to)?];
+        let point = on_link(slide.link, slide.point)?;
+        let places = self.of(draft.body(slide.on)).iter();
+        if (to - start).norm() <= CLOSEST * extent(places.map(|(_, local)| *local)) {
+            return Err(draft.coincident(slide.on, slide.line));
+        }
+        let heading = (to - start).normalize();
+        let bodies = [slide.on, slide.link].map(|link| draft.body(link));
+        let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
+        let along = product(heading, on_turn);
+        let off = draft.places[slide.point] - draft.places[from];
+        let [way, off] = product(off, conjugate(along)).into();
+        Ok(Slide {
+            bodies,
+            start,
+            heading,
+            length: (to - start).norm(),
+            point,
+            direction: product(along, conjugate(turn)),
+            // A point drawn on the line is meant to be on it.
+            off: if off.abs() <= 1e-12 * draft.draft.size() {
+                0.0
+            } else {
+                off
+            },
+            way,
+        })
+    }
+}
+
+impl Slide {
+    /// The other body, if this is one of the two.
+    pub(super) fn joins(&self, body: BodyId) -> Option<BodyId> {
+        match self.bodies {
+            [on, moving] if on == body => Some(moving),
+            [on, moving] if moving == body => Some(on),
+            _ => None,
+        }
+    }
+
+    /// The point of the body that slides.
+    pub(super) fn point(&self) -> Vector {
+        self.point
+    }
+
+    /// The way of the point along the line in the drawing.
+    pub(super) fn drawn_way(&self) -> f64 {
+        self.way
+    }
+
+    /// How far apart the two points are that give the line.
+    pub(super) fn line_length(&self) -> f64 {
+        self.length
+    }
+
+    /// The line as it lies on one of the two bodies: a point and the direction.
+    pub(super) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
+        if body == self.bodies[0] {
+            (self.start, self.heading)
+        } else {
+            let left = Vector::new(-self.direction.y, self.direction.x);
+            (self.point - left * self.off, self.direction)
+        }
+    }
+
+    /// How one of the two bodies slides along the line of the other, solved one.
+    pub(super) fn track(&self, body: BodyId) -> Track {
+        let other = usize::from(body == self.bodies[0]);
+        let (start, heading) = self.line_on(self.bodies[other]);
+        let (point, direction) = self.line_on(body);
+        Track {
+            body,
+            line: Anchor {
+                body: self.bodies[other],
+                local: start,
+            },
+            heading,
+            direction,
+            point,
+            off: 0.0,
+        }
+    }
+
+    /// One of the two bodies as a side of a dyad with this slide between its links.
+    pub(super) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
+        let (through, direction) = self.line_on(body);
+        Side::new(body, outer, hinge, through, direction)
+    }
+}
+
+impl Track {
+    /// The same track, kept by another point of the sliding link.
+    pub(super) fn moved(self, point: Vector) -> Self {
+        let off = self.off + product(point - self.point, conjugate(self.direction)).y;
+        Self { point, off, ..self }
+    }
+}
