@@ -20,10 +20,19 @@ pub(crate) struct Count {
     pub(crate) failed: u32,
 }
 
+/// What a runner of tests reports in a line.
+#[derive(Debug, PartialEq, Eq)]
+enum Report {
+    Sum(Count),
+    Failed(String),
+}
+
 /// What came of one step.
 struct Entry {
     name: String,
     count: Count,
+    /// The tests that failed in company and passed alone.
+    late: Vec<String>,
     /// Why it failed, when that is not plain from the count.
     reason: Option<String>,
     took: Duration,
@@ -48,10 +57,49 @@ impl Tally {
         announce(name, "running");
         let mut count = Count::default();
         let reason = command
-            .and_then(|mut command| run_tests(&mut command, name, &mut count))
+            .and_then(|mut command| run_tests(&mut command, name, &mut count, &mut Vec::new()))
             .err()
             .map(|error| format!("{error:#}"));
         self.add(name, count, reason, began.elapsed());
+    }
+
+    /// The same for tests that drive a browser as a person would: where the machine is busy one may come too late.
+    /// Those that fail are run once more, each alone, and what passes then is told by name.
+    pub(crate) fn tests_in_company(&mut self, name: &str, command: Result<Command>) {
+        let began = Instant::now();
+        announce(name, "running");
+        let mut count = Count::default();
+        let mut failed = Vec::new();
+        let mut late = Vec::new();
+        let ran = command.and_then(|mut command| {
+            let ran = run_tests(&mut command, name, &mut count, &mut failed);
+            // What ended otherwise than by failed tests is no matter of time.
+            if ran.is_ok() || failed.is_empty() || failed.len() != count.failed as usize {
+                return ran;
+            }
+            announce(
+                name,
+                &format!("once more, each alone: {}", failed.join(", ")),
+            );
+            command
+                .args(["--", "--test-threads", "1", "--exact"])
+                .args(&failed);
+            let mut again = Count::default();
+            let mut still = Vec::new();
+            let ran = run_tests(&mut command, name, &mut again, &mut still);
+            late = failed
+                .iter()
+                .filter(|test| !still.contains(test))
+                .cloned()
+                .collect();
+            (count.passed, count.failed) = (count.passed + again.passed, again.failed);
+            ran
+        });
+        let reason = ran.err().map(|error| format!("{error:#}"));
+        self.add(name, count, reason, began.elapsed());
+        if let Some(entry) = self.0.last_mut() {
+            entry.late = late;
+        }
     }
 
     /// Every step counts: one that fails without a failed test as one failure, one that passes
@@ -68,6 +116,7 @@ impl Tally {
         self.0.push(Entry {
             name: name.to_owned(),
             count,
+            late: Vec::new(),
             reason,
             took,
         });
@@ -86,6 +135,7 @@ impl Tally {
         for Entry {
             name,
             count,
+            late,
             reason,
             took,
         } in &self.0
@@ -104,6 +154,13 @@ impl Tally {
             if let Some(reason) = reason {
                 writeln!(out, "        {reason}")?;
             }
+            if !late.is_empty() {
+                writeln!(
+                    out,
+                    "        passed only when run alone: {}",
+                    late.join(", ")
+                )?;
+            }
         }
         let Count { passed, failed } = self.sum();
         writeln!(out, "\n{passed} passed, {failed} failed")?;
@@ -113,7 +170,12 @@ impl Tally {
 }
 
 /// Runs a command that runs tests; its output goes on to the terminal while it is counted.
-fn run_tests(command: &mut Command, what: &str, count: &mut Count) -> Result<()> {
+fn run_tests(
+    command: &mut Command,
+    what: &str,
+    count: &mut Count,
+    failed: &mut Vec<String>,
+) -> Result<()> {
     let mut child = command
         .stdout(Stdio::piped())
         .spawn()
@@ -129,9 +191,14 @@ fn run_tests(command: &mut Command, what: &str, count: &mut Count) -> Result<()>
         .with_context(|| format!("{what} failed: its end is unknown"))?;
 
     // A browser that a test left running may hold the output open; it is not waited for.
-    while let Ok(Count { passed, failed }) = receiver.recv_timeout(LINGER) {
-        count.passed += passed;
-        count.failed += failed;
+    while let Ok(report) = receiver.recv_timeout(LINGER) {
+        match report {
+            Report::Sum(sum) => {
+                count.passed += sum.passed;
+                count.failed += sum.failed;
+            }
+            Report::Failed(test) => failed.push(test),
+        }
     }
     if !status.success() {
         bail!(
@@ -153,7 +220,7 @@ fn run_tests(command: &mut Command, what: &str, count: &mut Count) -> Result<()>
 }
 
 /// Copies output to the terminal line by line and sends what its lines report.
-fn pass_on(output: impl Read, counts: &mpsc::Sender<Count>) {
+fn pass_on(output: impl Read, reports: &mpsc::Sender<Report>) {
     let mut output = BufReader::new(output);
     let mut line = Vec::new();
     while output
@@ -162,9 +229,9 @@ fn pass_on(output: impl Read, counts: &mpsc::Sender<Count>) {
     {
         // A closed terminal is no reason to stop counting.
         let _ = io::stdout().write_all(&line);
-        if let Some(count) = reported(&String::from_utf8_lossy(&line)) {
+        if let Some(report) = reported(&String::from_utf8_lossy(&line)) {
             // The receiver is gone only when the step is over.
-            let _ = counts.send(count);
+            let _ = reports.send(report);
         }
         line.clear();
     }
@@ -172,8 +239,12 @@ fn pass_on(output: impl Read, counts: &mpsc::Sender<Count>) {
 
 /// What a line of a test runner reports, such as `test result: ok. 3 passed; 0 failed; …`. The
 /// runners of cargo and of wasm-bindgen write the same.
-fn reported(line: &str) -> Option<Count> {
+fn reported(line: &str) -> Option<Report> {
     let line = anstream::adapter::strip_str(line).to_string();
+    let failed = line.trim_end().strip_prefix("test ");
+    if let Some(test) = failed.and_then(|line| line.strip_suffix(" ... FAILED")) {
+        return Some(Report::Failed(test.to_owned()));
+    }
     let (_, result) = line.split_once("test result: ")?;
     let number = |label: &str| {
         let (before, _) = result.split_once(label)?;
@@ -184,10 +255,10 @@ fn reported(line: &str) -> Option<Count> {
             .parse()
             .ok()
     };
-    Some(Count {
+    Some(Report::Sum(Count {
         passed: number("passed")?,
         failed: number("failed")?,
-    })
+    }))
 }
 
 #[cfg(test)]
@@ -196,7 +267,8 @@ mod tests {
 
     #[test]
     fn results_of_the_runners_are_read() {
-        let count = |passed, failed| Some(Count { passed, failed });
+        let count = |passed, failed| Some(Report::Sum(Count { passed, failed }));
+        let failed = |test: &str| Some(Report::Failed(test.to_owned()));
         for (line, expected) in [
             (
                 "test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.1s\n",
@@ -212,6 +284,11 @@ mod tests {
             ),
             ("test result: ok. 0 passed; 0 failed;", count(0, 0)),
             ("test tests::result ... ok", None),
+            ("test tests::late ... FAILED\n", failed("tests::late")),
+            (
+                "test tests::\u{1b}[31mlate\u{1b}[m ... FAILED",
+                failed("tests::late"),
+            ),
             ("test result: who knows", None),
             ("running 3 tests", None),
         ] {

@@ -109,7 +109,7 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
         bundled = Ok(());
         Ok(())
     });
-    tally.tests(
+    tally.tests_in_company(
         "page tests in the browser",
         page_tests(workspace, &ready.browser, &site, &bundled),
     );
