@@ -14,6 +14,7 @@ mod rows;
 mod same;
 mod shown;
 mod subject;
+mod way;
 
 use found::Found;
 use linkage::Linkage;

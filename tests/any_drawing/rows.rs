@@ -9,6 +9,7 @@ use crate::found::Tally;
 use crate::random::Random;
 use crate::shown::Shown;
 use crate::subject::{Known, Subject, determined, uncertainty};
+use crate::way::{condition, way};
 
 /// What links, slides and gears may leave of their equations, relative to the size, and of their
 /// derivatives, relative to their scale.
@@ -194,6 +195,18 @@ impl Row {
     }
 }
 
+/// Whether a motion goes through a pose that is singular itself, as that of a deltoid where its crank
+/// lies on the frame: there its determinant changes its sign, and nothing leaps.
+fn is_crossed(subject: &Subject, inputs: [f64; 2]) -> bool {
+    let at = |input: f64| condition(&subject.motion, &subject.equations, input);
+    way(
+        at,
+        inputs,
+        uncertainty(1.0, subject.equations.shortest(), 1.0),
+    )
+    .open
+}
+
 /// From one end to the other each row follows from the one before by the formula of Hermite of fifth
 /// order, and no group passes a singular pose but at the change points that are told.
 fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
@@ -217,8 +230,12 @@ fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
         };
         if step % LOOKS == 0 {
             let now = subject.equations.condition(&row.shown).sign;
-            if sign.is_some_and(|(before, at)| before != now && change(at, row.input).is_none()) {
-                let text = format!("before {}", row.input);
+            if let Some((before, at)) = sign
+                && before != now
+                && change(at, row.input).is_none()
+                && !is_crossed(subject, [at, row.input])
+            {
+                let text = format!("between {at} and {}", row.input);
                 return tally.fail("passed a singular pose", text, None);
             }
             sign = Some((now, row.input));

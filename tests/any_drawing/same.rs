@@ -7,13 +7,13 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Defect, Mechanism};
 use assur::motion::{DeadPoint, DeadPointKind, Motion};
 
-use crate::condition::Condition;
 use crate::equations::{Equations, modulo_turn};
 use crate::found::Tally;
 use crate::random::Random;
 use crate::redrawn::{CHANGES, Redrawn};
 use crate::shown::Shown;
 use crate::subject::{Known, Subject, determined, uncertainty};
+use crate::way::{condition, way};
 
 /// So many drawings of each linkage are compared.
 pub(crate) const REDRAWN: usize = 10;
@@ -50,61 +50,6 @@ const BEYOND: f64 = 1e-4;
 /// At a simple dead point errors grow as one over the root of the distance, by 1e8 within rounding;
 /// where they grow so much two groups come to theirs.
 const TWO_GROUPS: f64 = 1e11;
-
-/// What is met on a way along a motion.
-struct Way {
-    /// A pose that its data do not determine.
-    open: bool,
-    /// A change of the sign of the determinant.
-    passed: bool,
-}
-
-/// Follows how poses are determined, in steps in which that does not change much.
-fn way(at: impl Fn(f64) -> Option<Condition>, [from, to]: [f64; 2], error: f64) -> Way {
-    let mut found = Way {
-        open: false,
-        passed: false,
-    };
-    let Some(mut here) = at(from) else {
-        return found;
-    };
-    let (mut input, sense, mut width) = (from, (to - from).signum(), 0.01);
-    for _ in 0..4_000 {
-        let next = input + sense * width;
-        if (to - next) * sense < 0.0 {
-            break;
-        }
-        let there = at(next);
-        let changes = there.map_or(f64::INFINITY, |there| {
-            (there.pose / here.pose).max(here.pose / there.pose)
-        });
-        if changes.is_nan() || changes > 1.5 {
-            if width > 1e-11 {
-                width *= 0.5;
-                continue;
-            }
-            if there.is_none() {
-                break;
-            }
-        }
-        if let Some(there) = there {
-            found.open |= !determined(there, error);
-            found.passed |= there.sign != here.sign;
-            here = there;
-        }
-        input = next;
-        if changes < 1.2 {
-            width = (1.5 * width).min(0.05);
-        }
-    }
-    found
-}
-
-/// How a pose of a motion is determined, if there is one at the input.
-fn condition(motion: &Motion, equations: &Equations, input: f64) -> Option<Condition> {
-    let pose = motion.pose::<1>(input).ok()?;
-    Some(equations.condition(&Shown::of(motion.mechanism(), &pose)))
-}
 
 struct Comparison<'a> {
     subject: &'a Subject,

@@ -1,0 +1,66 @@
+//! What is met on the way from one pose of a motion to another.
+
+use assur::motion::Motion;
+
+use crate::condition::Condition;
+use crate::equations::Equations;
+use crate::shown::Shown;
+use crate::subject::determined;
+
+/// What is met on a way along a motion.
+pub(crate) struct Way {
+    /// A pose that its data do not determine.
+    pub(crate) open: bool,
+    /// A change of the sign of the determinant.
+    pub(crate) passed: bool,
+}
+
+/// Follows how poses are determined, in steps in which that does not change much.
+pub(crate) fn way(at: impl Fn(f64) -> Option<Condition>, [from, to]: [f64; 2], error: f64) -> Way {
+    let mut found = Way {
+        open: false,
+        passed: false,
+    };
+    let Some(mut here) = at(from) else {
+        return found;
+    };
+    let (mut input, sense) = (from, (to - from).signum());
+    let mut width = (0.1 * (to - from).abs()).min(0.01);
+    for _ in 0..4_000 {
+        let left = (to - input) * sense;
+        if left <= 0.0 {
+            break;
+        }
+        width = width.min(left);
+        let next = input + sense * width;
+        let there = at(next);
+        let changes = there.map_or(f64::INFINITY, |there| {
+            (there.pose / here.pose).max(here.pose / there.pose)
+        });
+        if changes.is_nan() || changes > 1.5 {
+            if width > 1e-11 {
+                width *= 0.5;
+                continue;
+            }
+            if there.is_none() {
+                break;
+            }
+        }
+        if let Some(there) = there {
+            found.open |= !determined(there, error);
+            found.passed |= there.sign != here.sign;
+            here = there;
+        }
+        input = next;
+        if changes < 1.2 {
+            width = (1.5 * width).min(0.05);
+        }
+    }
+    found
+}
+
+/// How a pose of a motion is determined, if there is one at the input.
+pub(crate) fn condition(motion: &Motion, equations: &Equations, input: f64) -> Option<Condition> {
+    let pose = motion.pose::<1>(input).ok()?;
+    Some(equations.condition(&Shown::of(motion.mechanism(), &pose)))
+}
