@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 
 use super::{Defect, Draft, Mechanism, Pose};
 use crate::index::{BodyId, List, PointId, StepId};
-use crate::position::{Anchor, Cause, Given, Nearby, Orientation, Predictor, Sign, State, Step};
+use crate::position::{
+    Anchor, Cause, Given, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, quotient,
+};
 use crate::{Jet, Point};
 
 /// Of each step which of two ways its links are joined; plus where there is one.
@@ -16,6 +18,8 @@ const MISDRAWN: f64 = 0.3;
 /// Where the drawn pose is singular the motion is followed from an input that is off
 /// by this, radians of a crank; of a slide's range the same part as of a turn.
 const ASIDE: f64 = 1e-3;
+/// A wheel is mounted as it is drawn, within this, radians.
+const MOUNTED: f64 = 1e-9;
 /// No more assemblies are counted, and no more steps solved to find them: n groups
 /// can be put together in 2ⁿ ways, few of which may close.
 const MOST_ASSEMBLIES: usize = 256;
@@ -37,30 +41,32 @@ impl Mechanism {
         sign: Sign,
         state: &mut State<1>,
     ) -> Result<(), Cause> {
-        let given = Given {
+        let given = self.given(step, self.home, sign);
+        self.steps[step].put(state, &given)
+    }
+
+    fn given(&self, step: StepId, home: f64, sign: Sign) -> Given<'_, 1> {
+        Given {
             step,
-            input: Jet::constant(self.home),
+            input: Jet::constant(home),
             sign,
             near: self.drawn(),
-        };
-        self.steps[step].put(state, &given)
+        }
     }
 
     /// Finds the assembly that is drawn, and all others at the drawn input.
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
+            self.mount(step, self.home, &mut state);
             let sign = self.drawn_sign(step, &mut state);
             let sign = sign.map_err(|cause| vec![self.open(step, Some(cause))])?;
             self.signs[step] = sign;
             // The try that counts, last: the state is that of the drawn pose.
             let solved = self.try_step(step, sign, &mut state);
             solved.map_err(|cause| vec![self.open(step, Some(cause))])?;
-            match &mut self.steps[step] {
-                Step::Group(group) => group.plan_as(&state),
-                // Wheels are mounted by the angles that are drawn.
-                Step::Closed(closed) => closed.count_turns_from(&self.orientations, &mut state),
-                _ => {}
+            if let Step::Group(group) = &mut self.steps[step] {
+                group.plan_as(&state);
             }
             if let Some((point, by)) = self.misdrawn(&state, step)
                 && by > MISDRAWN * self.size
@@ -86,23 +92,48 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Tells the drawn input by other whole turns: the angles of a four-bar in closed form, which may be others there,
-    /// are told as they are drawn, by which wheels are mounted.
+    /// Tells the drawn input by other whole turns, with the wheels mounted as they are drawn.
     pub(crate) fn tell_by_turns(&mut self, home: f64) {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
-            let given = Given {
-                step,
-                input: Jet::constant(home),
-                sign: self.signs[step],
-                near: self.drawn(),
-            };
+            self.mount(step, home, &mut state);
+            let given = self.given(step, home, self.signs[step]);
             if self.steps[step].put(&mut state, &given).is_err() {
                 return;
             }
-            if let Step::Closed(closed) = &mut self.steps[step] {
-                closed.count_turns_from(&self.orientations, &mut state);
+        }
+    }
+
+    /// Mounts the wheels of a step as they are drawn. What turns them may be told by other whole turns than it is
+    /// drawn by, of which a wheel makes a part of a turn.
+    fn mount(&mut self, step: StepId, home: f64, state: &mut State<1>) {
+        let drawn = &self.orientations;
+        match &mut self.steps[step] {
+            Step::Group(group) => group.count_turns(drawn, state),
+            Step::Geared(train) => {
+                let near = Nearby {
+                    orientations: drawn,
+                    natural: &self.natural,
+                };
+                let given = Given {
+                    step,
+                    input: Jet::constant(home),
+                    sign: Sign::Plus,
+                    near,
+                };
+                for k in 0..train.members.len() {
+                    if train.solve(state, &given).is_err() {
+                        return;
+                    }
+                    let member = &mut train.members[k];
+                    let off = quotient(drawn[member.body].turn, state.turn[member.body].value());
+                    let off = off.y.atan2(off.x);
+                    if off.abs() > MOUNTED {
+                        member.shift += off;
+                    }
+                }
             }
+            _ => {}
         }
     }
 

@@ -386,9 +386,11 @@ impl<'a> Continuation<'a> {
         let second = back(first, 0.5 * distance)?;
         let third = back(second, 0.5 * distance)?;
         let [near, far] = [zero(first, second), zero(second, third)];
-        let ahead = (near - first[0]) * sense;
+        // Neville's scheme: the input where the square is zero.
+        let input = (third[1] * near - first[1] * far) / (third[1] - first[1]);
+        let ahead = (input - first[0]) * sense;
         let agreed = (near - far).abs() <= AGREED * ahead;
-        (agreed && ahead > 0.0 && ahead <= PASSED * self.mechanism.span()).then_some(near)
+        (agreed && ahead > 0.0 && ahead <= PASSED * self.mechanism.span()).then_some(input)
     }
 
     /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be

@@ -1,13 +1,13 @@
 //! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
 //! closed form passes change points smoothly and needs no history.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::rrr::Triangle;
 use super::{
     Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Solvable, State,
 };
-use crate::index::{BodyId, List, StepId};
+use crate::index::{BodyId, StepId};
 use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
 
 /// P and Q relative to (l₂ + l₃)² from which on links are far from being in line.
@@ -111,21 +111,6 @@ impl Closed {
             state.angle[arm.body] = Angle::Known(angle);
         }
         Ok(())
-    }
-
-    /// Tells the angles of its links by as many whole turns as they are told nearby.
-    pub(crate) fn count_turns_from(
-        &mut self,
-        near: &List<BodyId, Orientation>,
-        state: &mut State<1>,
-    ) {
-        for (k, arm) in self.arms.iter().enumerate() {
-            let told = state.angle(arm.body);
-            let turns = TAU * ((near[arm.body].angle - told.value()) / TAU).round();
-            state.angle[arm.body] = Angle::Known(told + turns);
-            self.leads[k] += turns;
-            self.across[k].0 += turns;
-        }
     }
 
     /// On which side of the diagonal the joint of coupler and rocker is, to the left

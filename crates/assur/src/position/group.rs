@@ -5,6 +5,7 @@
 //! are quadratic equations, and those of wheels in mesh, linear in angles. Derivatives follow order by order from the
 //! same Jacobian at the solution: J x⁽ᵏ⁾ = −(what the lower orders leave).
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use super::complex::product;
@@ -14,9 +15,10 @@ use super::mesh::Mesh;
 use super::step::finite;
 use super::work::Work;
 use super::{
-    Anchor, Cause, Complex, Enclosure, Equation, Form, Given, Nearby, Predictor, Solvable, State,
+    Anchor, Cause, Complex, Enclosure, Equation, Form, Given, Nearby, Orientation, Predictor,
+    Solvable, State,
 };
-use crate::index::{BodyId, StepId};
+use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
 /// What a group takes from what is solved.
@@ -193,6 +195,17 @@ impl Group {
             self.differentiate(&mut state.work, order);
         }
         self.settle(state, near)
+    }
+
+    /// Counts the turns of solved bodies that its meshes take from where they are drawn.
+    pub(crate) fn count_turns(&mut self, drawn: &List<BodyId, Orientation>, state: &State<1>) {
+        for mesh in &mut self.meshes {
+            let known = mesh.known.iter().map(|(body, by)| {
+                let off = state.angle(*body).value() - drawn[*body].angle;
+                by * TAU * (off / TAU).round()
+            });
+            mesh.turned = known.sum();
+        }
     }
 
     /// The solved bodies whose angles, with all their turns, its meshes take.

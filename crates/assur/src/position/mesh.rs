@@ -18,6 +18,8 @@ pub(crate) struct Mesh {
     /// The solved ones with their numbers.
     pub(crate) known: Vec<(BodyId, f64)>,
     pub(crate) constant: f64,
+    /// What whole turns of the solved ones, that they are not drawn by, add to it.
+    pub(crate) turned: f64,
     pub(crate) drive: Option<Drive>,
 }
 
@@ -78,7 +80,9 @@ impl Mesh {
         for (orientation, body) in turning.iter_mut().zip(&self.turning) {
             *orientation = near.orientations[*body];
         }
-        let mut angle = known.fold(Jet::constant(-self.constant), |sum, angle| sum + angle);
+        let mut angle = known.fold(Jet::constant(-self.constant - self.turned), |sum, angle| {
+            sum + angle
+        });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
             // A driven angle is one but for whole turns: the one that is nearby.

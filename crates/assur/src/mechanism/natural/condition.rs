@@ -94,6 +94,7 @@ impl Plan<'_> {
             turning: turns.into_iter().map(|(body, _)| body).collect(),
             known,
             constant,
+            turned: 0.0,
             drive: None,
         });
     }
@@ -106,6 +107,7 @@ impl Plan<'_> {
             turning: Vec::new(),
             known: Vec::new(),
             constant: 0.0,
+            turned: 0.0,
             drive: Some(Drive {
                 course,
                 range: None,
