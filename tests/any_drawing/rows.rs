@@ -212,7 +212,13 @@ fn is_crossed(subject: &Subject, inputs: [f64; 2]) -> bool {
 fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
     let motion = &subject.motion;
     let [from, to] = motion.cycle().arcs()[0];
-    let margin = MARGIN * (to - from);
+    // Of a range that is next to nothing not so close: rounding leaves no derivatives there.
+    let whole = if motion.mechanism().turns() {
+        1.0
+    } else {
+        subject.equations.size()
+    };
+    let margin = MARGIN * (to - from).max(0.01 * whole);
     let mut start = from + margin;
     // Of a motion of many turns a part.
     if to - from > 13.0 {

@@ -92,7 +92,9 @@ impl Comparison<'_> {
         let motion = Motion::new(mechanism);
         let home = self.redrawn.angle(self.drawn_at.input);
         let off = modulo_turn(motion.home() - home);
-        if motion.mechanism().turns() && off.abs() > ADDED * error {
+        // Of an angle of many turns so many digits fewer are told.
+        let told = f64::EPSILON * (home.abs() + motion.home().abs());
+        if motion.mechanism().turns() && off.abs() > ADDED * (error + told) {
             let text = format!("home is {}, drawn at {home}", motion.home());
             return self.fail("drawn input", text);
         }
@@ -272,7 +274,8 @@ impl Comparison<'_> {
     }
 
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
-        let error = self.error(&known.shown) + self.error(&self.drawn_at.shown);
+        let told = f64::EPSILON * (known.input.abs() + self.drawn_at.input.abs());
+        let error = self.error(&known.shown) + self.error(&self.drawn_at.shown) + told;
         if !determined(known.condition, error) {
             self.tally.open("pose");
             return true;
