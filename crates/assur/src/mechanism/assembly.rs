@@ -18,8 +18,9 @@ const MISDRAWN: f64 = 0.3;
 /// Where the drawn pose is singular the motion is followed from an input that is off
 /// by this, radians of a crank; of a slide's range the same part as of a turn.
 const ASIDE: f64 = 1e-3;
-/// A wheel is mounted as it is drawn, within this, radians.
-const MOUNTED: f64 = 1e-9;
+/// A wheel that is off by less, radians, is mounted as it is drawn: a whole turn of what turns it makes more, unless it
+/// has tens of thousands of teeth.
+const MOUNTED: f64 = 1e-4;
 /// No more assemblies are counted, and no more steps solved to find them: n groups
 /// can be put together in 2ⁿ ways, few of which may close.
 const MOST_ASSEMBLIES: usize = 256;

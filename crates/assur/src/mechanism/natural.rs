@@ -36,6 +36,7 @@ pub(super) fn group(
         meshes: Vec::new(),
         home: Vec::new(),
         units: Vec::new(),
+        short: Vec::new(),
         size: extent(
             members
                 .iter()
@@ -121,9 +122,14 @@ struct Plan<'a> {
     /// The drawn values of the unknowns, and what each is measured by.
     home: Vec<Vector>,
     units: Vec<f64>,
+    /// The bodies turned by two points close together, with the place of the first on them.
+    short: Vec<(BodyId, Vector)>,
     /// The size of the group.
     size: f64,
 }
+
+/// Two points closer together, relative to the group, tell a direction with fewer digits.
+const CLOSE: f64 = 1.0 / 32.0;
 
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
@@ -240,6 +246,9 @@ impl Plan<'_> {
             Follows::Points([(first, a), (second, b)]) => {
                 let [p, q] = [first, second].map(|point| self.points[&point].clone());
                 let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
+                if (b - a).norm() < CLOSE * self.size {
+                    self.short.push((body, a));
+                }
                 if !turn.unknowns.is_empty() {
                     let length = (b - a).norm();
                     self.conditions.push(Condition::Unit(turn.clone(), length));

@@ -9,10 +9,10 @@ use super::closed::dead_point;
 use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::Knots;
 use super::root::bisect;
+use crate::Jet;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs, common};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, ROUNDING, State, Step};
-use crate::{Jet, Vector};
 
 /// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
 const GRID: usize = 360;
@@ -246,17 +246,10 @@ impl<'a> Continuation<'a> {
             let orders = (0..4).rev();
             orders.fold(0.0, |sum, order| sum * width + jet.coefficient(order))
         };
-        let orientation = |body: BodyId| {
-            let angle = by(self.here.angle(body));
-            let (sin, cos) = angle.sin_cos();
-            Orientation {
-                angle,
-                turn: Vector::new(cos, sin),
-            }
-        };
         let places = self.here.natural.iter();
         Prediction {
-            orientations: self.mechanism.bodies().map(orientation).collect(),
+            // No body turns by half a turn in a certified step.
+            orientations: self.here.orientations(),
             natural: places
                 .flat_map(|place| [by(place.x()), by(place.y())])
                 .collect(),

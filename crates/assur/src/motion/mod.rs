@@ -154,7 +154,8 @@ impl Motion {
         }
         let arcs = self.cycle.arcs().to_vec();
         for (index, arc) in arcs.into_iter().enumerate() {
-            let unit = f64::EPSILON * arc[0].abs().max(arc[1].abs()).max(1.0);
+            let told = arc[0].abs().max(arc[1].abs());
+            let unit = f64::EPSILON * told.max(self.mechanism.span());
             let ends = [[arc[0], arc[1]], [arc[1], arc[0]]].map(|[end, other]| {
                 let back = (other - end).signum() * unit;
                 let back = (0..BACK).map(|doubled| back * f64::from((1_u32 << doubled) - 1));

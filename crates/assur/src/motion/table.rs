@@ -1,6 +1,6 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::{DeadPointKind, Input, Motion};
+use super::{Input, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
 /// A column: a quantity or one of its derivatives.

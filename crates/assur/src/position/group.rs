@@ -54,6 +54,9 @@ pub(crate) struct Group {
     pub(super) by_unknowns: Vec<f64>,
     /// What an equation is left with becomes a length by this; none for angles.
     lengths: Vec<f64>,
+    /// The bodies turned by two of their points that are close together, with the place of the first: rounding leaves
+    /// their turns too short or too long.
+    short: Vec<(BodyId, Vector)>,
     /// Each body with the forms of its origin and its turn.
     pub(crate) bodies: Vec<(BodyId, [usize; 2])>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
@@ -101,6 +104,7 @@ impl Group {
         equations: Vec<(Equation, f64)>,
         meshes: Vec<Mesh>,
         bodies: Vec<(BodyId, [usize; 2])>,
+        short: Vec<(BodyId, Vector)>,
     ) -> Option<Self> {
         let unknowns = units.len();
         let size = 2 * unknowns;
@@ -160,6 +164,7 @@ impl Group {
             meshes,
             lengths,
             bodies,
+            short,
             pattern,
             entries,
             doubled,
@@ -472,6 +477,12 @@ impl Group {
             state.origin[*body] = state.work.values[*origin];
             state.turn[*body] = state.work.values[*turn];
             state.winds(*body, near);
+        }
+        for (body, at) in &self.short {
+            let turn = state.turn[*body];
+            let unit = turn.scaled(turn.norm_squared().sqrt().recip());
+            state.origin[*body] = state.origin[*body] + (turn - unit).by(*at);
+            state.turn[*body] = unit;
         }
         finite(sum)
     }

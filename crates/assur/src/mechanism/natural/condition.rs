@@ -203,6 +203,7 @@ impl Plan<'_> {
             equations,
             self.meshes,
             bodies,
+            self.short,
         );
         group.map(|group| (group, self.home))
     }
