@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use assur::mechanism::{Pose, Quantity, RrrDyad};
-use assur::motion::{DeadPoint, DeadPointKind};
+use assur::motion::DeadPoint;
 
 use super::{Figure, paths};
 use crate::chart::{Chart, Kind, Sample, Series, Settings};

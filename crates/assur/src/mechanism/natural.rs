@@ -36,7 +36,7 @@ pub(super) fn group(
         meshes: Vec::new(),
         home: Vec::new(),
         units: Vec::new(),
-        short: Vec::new(),
+        close: BTreeMap::new(),
         size: extent(
             members
                 .iter()
@@ -123,7 +123,7 @@ struct Plan<'a> {
     home: Vec<Vector>,
     units: Vec<f64>,
     /// The bodies turned by two points close together, with the place of the first on them.
-    short: Vec<(BodyId, Vector)>,
+    close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
 }
@@ -247,7 +247,7 @@ impl Plan<'_> {
                 let [p, q] = [first, second].map(|point| self.points[&point].clone());
                 let turn = q.minus(&p).by(quotient(Vector::x(), b - a));
                 if (b - a).norm() < CLOSE * self.size {
-                    self.short.push((body, a));
+                    self.close.insert(body, a);
                 }
                 if !turn.unknowns.is_empty() {
                     let length = (b - a).norm();

@@ -112,10 +112,10 @@ impl Mechanism {
         let counts = |body: &BodyId| self.carries(*body) || self.shows_its_angle(*body);
         let bodies = self.bodies().filter(counts);
         let rates = bodies.filter_map(|body| rates[body]);
-        let turns = rates.map(|rate| denominator(rate));
+        let turns = rates.map(denominator);
         let together = turns
             .into_iter()
-            .fold(Some(rounds), |all, turns| common(all?, turns?));
+            .try_fold(rounds, |all, turns| common(all, turns?));
         self.rounds = Some(together.unwrap_or(NEVER));
     }
 

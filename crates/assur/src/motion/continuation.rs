@@ -419,7 +419,7 @@ impl<'a> Continuation<'a> {
         let margin = self.here.margins[step][0];
         let ahead = -2.0 * margin.value() / margin.derivative(1);
         let near = ahead * sense > 0.0 && ahead.abs() <= PASSED * self.mechanism.span();
-        (crosses && near).then(|| DeadPoint {
+        (crosses && near).then_some(DeadPoint {
             input: self.input + ahead,
             kind: DeadPointKind::Parallel,
             step,

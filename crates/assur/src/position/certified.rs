@@ -155,12 +155,12 @@ impl Group {
             cell.bounds.sums[row] = [bend, 0.0, 0.0];
         }
         let bend = inverse * self.weighed(cell)[0];
-        for (body, [origin, turn]) in &self.bodies {
-            let [origin, turn] = [*origin, *turn].map(|form| {
+        for placed in &self.bodies {
+            let [origin, turn] = placed.forms.map(|form| {
                 let known = self.known(cell, form);
                 known.bend + known.by_unknowns * bend
             });
-            cell.set(*body, turn, [(Vector::zeros(), origin); 2]);
+            cell.set(placed.body, turn, [(Vector::zeros(), origin); 2]);
         }
         bend.is_finite()
     }

@@ -30,6 +30,17 @@ pub(crate) enum Input {
     Direction(Anchor),
 }
 
+/// A body of a group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Placed {
+    pub(crate) body: BodyId,
+    /// The forms of its origin and its turn.
+    pub(crate) forms: [usize; 2],
+    /// Where it is turned by two of its points that are close together, the place of the first: rounding leaves the
+    /// turn too short or too long.
+    pub(crate) close: Option<Vector>,
+}
+
 /// A group of bodies solved together.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
@@ -54,11 +65,7 @@ pub(crate) struct Group {
     pub(super) by_unknowns: Vec<f64>,
     /// What an equation is left with becomes a length by this; none for angles.
     lengths: Vec<f64>,
-    /// The bodies turned by two of their points that are close together, with the place of the first: rounding leaves
-    /// their turns too short or too long.
-    short: Vec<(BodyId, Vector)>,
-    /// Each body with the forms of its origin and its turn.
-    pub(crate) bodies: Vec<(BodyId, [usize; 2])>,
+    pub(crate) bodies: Vec<Placed>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
     /// which unknown of which equation, and its elimination.
     pattern: Vec<bool>,
@@ -103,8 +110,7 @@ impl Group {
         forms: &[Form],
         equations: Vec<(Equation, f64)>,
         meshes: Vec<Mesh>,
-        bodies: Vec<(BodyId, [usize; 2])>,
-        short: Vec<(BodyId, Vector)>,
+        bodies: Vec<Placed>,
     ) -> Option<Self> {
         let unknowns = units.len();
         let size = 2 * unknowns;
@@ -164,7 +170,6 @@ impl Group {
             meshes,
             lengths,
             bodies,
-            short,
             pattern,
             entries,
             doubled,
@@ -473,16 +478,21 @@ impl Group {
             *place = *found;
             sum += found.nought();
         }
-        for (body, [origin, turn]) in &self.bodies {
-            state.origin[*body] = state.work.values[*origin];
-            state.turn[*body] = state.work.values[*turn];
+        for Placed {
+            body,
+            forms: [origin, turn],
+            close,
+        } in &self.bodies
+        {
+            let [mut origin, mut turn] = [origin, turn].map(|form| state.work.values[*form]);
+            if let Some(at) = close {
+                let unit = turn.scaled(turn.norm_squared().sqrt().recip());
+                origin = origin + (turn - unit).by(*at);
+                turn = unit;
+            }
+            state.origin[*body] = origin;
+            state.turn[*body] = turn;
             state.winds(*body, near);
-        }
-        for (body, at) in &self.short {
-            let turn = state.turn[*body];
-            let unit = turn.scaled(turn.norm_squared().sqrt().recip());
-            state.origin[*body] = state.origin[*body] + (turn - unit).by(*at);
-            state.turn[*body] = unit;
         }
         finite(sum)
     }
@@ -509,7 +519,7 @@ impl Solvable for Group {
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {
-        self.bodies.iter().map(|(body, _)| *body)
+        self.bodies.iter().map(|placed| placed.body)
     }
 
     fn rests_on(&self, body: BodyId) -> bool {

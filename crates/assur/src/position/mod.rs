@@ -38,7 +38,7 @@ pub(crate) use enclosure::Enclosure;
 pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;
 pub(crate) use geared::{Geared, Member};
-pub(crate) use group::{Group, Input};
+pub(crate) use group::{Group, Input, Placed};
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing, root};
 pub(crate) use mesh::{Drive, Mesh};

@@ -7,7 +7,7 @@ use super::super::willis;
 use super::Plan;
 use crate::Vector;
 use crate::index::SlideId;
-use crate::position::{Drive, Equation, Form, Group, Mesh};
+use crate::position::{Drive, Equation, Form, Group, Mesh, Placed};
 
 /// One equation, or two, in forms of its own.
 pub(super) enum Condition {
@@ -191,10 +191,13 @@ impl Plan<'_> {
                 }
             }
         }
-        let bodies = self.placed.into_iter();
-        let bodies: Vec<_> = bodies
-            .map(|(body, forms)| (body, forms.map(&mut index)))
-            .collect();
+        let close = self.close;
+        let bodies = self.placed.into_iter().map(|(body, forms)| Placed {
+            body,
+            forms: forms.map(&mut index),
+            close: close.get(&body).copied(),
+        });
+        let bodies: Vec<Placed> = bodies.collect();
         let group = Group::new(
             offset,
             self.units,
@@ -203,7 +206,6 @@ impl Plan<'_> {
             equations,
             self.meshes,
             bodies,
-            self.short,
         );
         group.map(|group| (group, self.home))
     }
