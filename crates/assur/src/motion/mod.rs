@@ -12,6 +12,7 @@ mod input;
 mod interpolation;
 mod joined;
 mod limits;
+mod obstacle;
 mod placed;
 mod profile;
 pub(crate) mod root;

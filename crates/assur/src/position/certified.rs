@@ -42,7 +42,7 @@ impl Group {
             let known = self.meshes[mesh].known.iter();
             known.map(|(body, by)| cell.spin(*body) * by.abs()).sum()
         };
-        for (row, equation) in self.equations().iter().enumerate() {
+        for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
             let travels = |form: &Known| reach * form.rate.norm() + half_square * form.bend;
             let far = |form: &Known| form.value.norm() + reach * form.rate.norm();
@@ -96,7 +96,7 @@ impl Group {
         let inverse = (1.0 - change).recip();
 
         // By how much the rates of the unknowns differ from those where the step begins …
-        for (row, equation) in self.equations().iter().enumerate() {
+        for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
             let off = |form: &Known| {
                 reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
@@ -126,7 +126,7 @@ impl Group {
         }
         let rate_off = inverse * self.weighed(cell)[0];
         // … and with that what their second derivatives are at most.
-        for (row, equation) in self.equations().iter().enumerate() {
+        for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
             let off = |form: &Known| {
                 reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
@@ -257,13 +257,10 @@ impl Group {
 
     /// Whether the turns of wheels in mesh stay near enough to where they are for what is said of their angles.
     fn turns_little(&self, cell: &Enclosure, radius: f64) -> bool {
-        let meshed = self
-            .equations()
-            .iter()
-            .filter_map(|equation| match equation {
-                Equation::Mesh { turns, .. } => Some(turns),
-                _ => None,
-            });
+        let meshed = self.equations.iter().filter_map(|equation| match equation {
+            Equation::Mesh { turns, .. } => Some(turns),
+            _ => None,
+        });
         let mut turns =
             meshed.flat_map(|turns: &[Option<(usize, f64)>; MOST_FORMS]| turns.iter().flatten());
         turns.all(|(form, _)| {

@@ -19,6 +19,7 @@ mod geared;
 mod group;
 mod margin;
 mod mesh;
+mod newton;
 mod prp;
 mod rpp;
 mod rpr;

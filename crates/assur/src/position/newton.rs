@@ -1,0 +1,136 @@
+//! Newton's method for the equations of a group. It ends where the changes are nothing relative to the group, or where
+//! rounding is all that the equations are left with.
+
+use super::group::{Group, Term};
+use super::work::Work;
+use super::{Cause, Complex, Equation, Nearby, State};
+use crate::index::StepId;
+use crate::{Jet, Vector};
+
+/// Newton's method goes on until a step is this small relative to the unknowns.
+const CONVERGED: f64 = 1e-14;
+/// No more steps are taken, from a guess that is near or from a drawing.
+const MOST_STEPS: usize = 30;
+/// The equations hold when they are left with no more than rounding leaves of the terms they are sums of, some of
+/// which are rounded more than once.
+const ROUNDINGS: f64 = 16.0;
+
+impl Group {
+    #[inline(never)]
+    pub(super) fn newton<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        near: Nearby<'_>,
+        step: StepId,
+    ) -> Result<(), Cause> {
+        let work = &mut state.work;
+        let mut last = f64::INFINITY;
+        for turn in 0..MOST_STEPS {
+            self.evaluate(work);
+            // The first derivative is solved for with the correction: it counts
+            // where there is nothing to correct.
+            for (left, equation) in work.left.iter_mut().zip(&self.equations) {
+                let rate = if N > 1 {
+                    equation.coefficient(&work.values, &work.given, 1)
+                } else {
+                    0.0
+                };
+                *left = [equation.left(&work.values, &work.given), rate];
+            }
+            let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
+            state.margins[step] = [Jet::constant(determinant); 2];
+            self.suited(work.planned, &work.spare).solve(
+                &work.jacobian,
+                &mut work.left,
+                &mut work.step,
+            );
+            let change = self.change(&work.step);
+            if !change.is_finite() {
+                return Err(Cause::DeadPoint);
+            }
+            if let Some(correction) = state.corrections.get_mut(turn) {
+                *correction = correction.max(change);
+            }
+            // The last step is not taken where rounding is all it mends: the
+            // Jacobian is then that of the solution.
+            if change <= CONVERGED || change >= 0.5 * last && self.is_closed(work) {
+                return Ok(());
+            }
+            if turn + 1 == MOST_STEPS {
+                return Err(Cause::Apart {
+                    by: self.missed(work, near),
+                });
+            }
+            last = change;
+            for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
+                place[0] -= Vector::new(step[0][0], step[1][0]);
+            }
+        }
+        Err(Cause::DeadPoint)
+    }
+
+    /// The largest change of an unknown in its unit; each has a rate with it.
+    fn change(&self, step: &[[f64; 2]]) -> f64 {
+        let changes = step.chunks_exact(2).zip(&self.units);
+        changes.fold(0.0, |most, (change, unit)| {
+            let change = change[0][0].abs().max(change[1][0].abs()) / unit;
+            if change > most || change.is_nan() {
+                change
+            } else {
+                most
+            }
+        })
+    }
+
+    /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
+    /// of its direction.
+    fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
+        let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
+            for term in terms {
+                noise[term.form] += inputs[term.of][0].norm() * term.by.norm();
+            }
+        };
+        let mut noise = std::mem::take(&mut work.noise);
+        noise.clear();
+        noise.extend(self.constants.iter().map(|constant| constant.norm()));
+        terms(&work.inputs, &self.taken, &mut noise);
+        terms(&work.unknowns, &self.sought, &mut noise);
+        let closed = self.equations.iter().all(|equation| {
+            let size = |form: usize| work.values[form][0].norm();
+            let rounded = match *equation {
+                Equation::Unit(form) => size(form) * noise[form],
+                Equation::Real(form) | Equation::Imaginary(form) => noise[form],
+                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
+                    size(direction) * noise[way] + size(way) * noise[direction]
+                }
+                Equation::Mesh { turns, mesh } => {
+                    let given = &work.given[mesh];
+                    let turns = turns.iter().flatten().zip(given.near);
+                    turns.fold(given.angle.value().abs(), |sum, ((form, by), near)| {
+                        sum + by.abs() * (noise[*form] + near.angle.abs())
+                    })
+                }
+            };
+            let left = equation.left(&work.values, &work.given).abs();
+            left <= ROUNDINGS * f64::EPSILON * rounded
+        });
+        work.noise = noise;
+        closed
+    }
+
+    /// By how far joints miss each other where they are guessed.
+    fn missed<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
+        self.guess(work, near);
+        self.evaluate(work);
+        let equations = self.equations.iter().zip(&self.lengths);
+        equations.fold(0.0, |most, (equation, length)| {
+            let left = equation.left(&work.values, &work.given);
+            let by = match equation {
+                // (|v|² − 1)/2 is left of it.
+                Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
+                _ => left,
+            };
+            f64::max(most, by.abs() * length)
+        })
+    }
+}
