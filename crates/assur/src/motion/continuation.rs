@@ -144,7 +144,11 @@ impl<'a> Continuation<'a> {
             };
             let is_group = self.is_group(step);
             let most = if is_group { MOST_HALVINGS } else { HALVINGS };
-            if let Some(passing) = self.passes(step, sense * width) {
+            // Where links come into line what hangs on them is the first to be in doubt.
+            let before = self.mechanism.steps().ids();
+            let mut before = before.take_while(|before| before.index() <= step.index());
+            let passing = before.find_map(|step| Some((step, self.passes(step, sense * width)?)));
+            if let Some((step, passing)) = passing {
                 if !self.pass(step, &passing, sense, knots) {
                     return Some(self.ends(step, DeadPointKind::NearSingular));
                 }

@@ -1,0 +1,188 @@
+//! Drawings of which an earlier engine told something wrong, or never came to an end: what is right of each.
+#![cfg(not(target_family = "wasm"))]
+
+use std::f64::consts::TAU;
+use std::fs;
+
+use assur::motion::{DeadPointKind, Motion};
+use assur_file::from_text;
+use assur_tests::files::root;
+
+fn motion(name: &str) -> Motion {
+    let path = root().join(format!("tests/data/drawings/{name}.json"));
+    let text = fs::read_to_string(path).unwrap();
+    from_text(&text).unwrap().motion().unwrap()
+}
+
+/// The ends of a motion of a crank, in degrees, with their kinds and the first link of each.
+fn ends(name: &str) -> Vec<(f64, DeadPointKind, String)> {
+    let motion = motion(name);
+    let ends = motion.dead_points().iter().map(|dead| {
+        let link = motion.links_at(dead).next().unwrap().to_owned();
+        (dead.input.to_degrees(), dead.kind, link)
+    });
+    ends.collect()
+}
+
+/// Several groups one after the other: where each motion ends, and which group stops it; drawn at another pose of its
+/// motion it is the same.
+#[test]
+fn ends_are_told_of_the_right_group() {
+    use DeadPointKind::{Parallel, Perpendicular, Singular, Stretched};
+    for (name, expected) in [
+        (
+            "reduction",
+            [
+                (-242.924_211, Stretched, "coupler"),
+                (542.924_211, Stretched, "coupler"),
+            ],
+        ),
+        (
+            "through-infinity",
+            [(-36.438_744, Parallel, "p"), (89.1, Parallel, "p")],
+        ),
+        (
+            "false-dead-1487",
+            [
+                (-93.251_268, Perpendicular, "k77"),
+                (-85.904_348, Singular, "k14"),
+            ],
+        ),
+        (
+            "false-dead-2-1469",
+            [
+                (-121.655_324, Singular, "k6"),
+                (-90.305_163, Singular, "k15"),
+            ],
+        ),
+        (
+            "false-dead-2-1469-redrawn",
+            [
+                (-121.655_324, Singular, "k6"),
+                (-90.305_163, Singular, "k15"),
+            ],
+        ),
+        (
+            "dead-too-late-1-827",
+            [
+                (29.661_533, Perpendicular, "k16"),
+                (86.428_832, Singular, "k38"),
+            ],
+        ),
+        (
+            "mislabelled",
+            [
+                (158.414_722, Singular, "k16"),
+                (216.214_846, Singular, "k16"),
+            ],
+        ),
+        (
+            "range-over-a-turn",
+            [(75.795_831, Singular, "BP"), (486.540_381, Singular, "BP")],
+        ),
+        (
+            "change-point",
+            [(-60.0, Stretched, "coupler"), (120.0, Stretched, "coupler")],
+        ),
+    ] {
+        let found = ends(name);
+        assert_eq!(found.len(), 2, "{name}: {found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(
+                (found.0 - expected.0).abs() < 1e-6,
+                "{name}: {found:?} {expected:?}"
+            );
+            assert_eq!(
+                (found.1, found.2.as_str()),
+                (expected.1, expected.2),
+                "{name}"
+            );
+        }
+    }
+}
+
+/// Far from the origin no row is lost, and the drawn pose of a reduction gear is a row.
+#[test]
+fn no_rows_are_lost() {
+    let far = motion("offset-10000");
+    assert!(far.cycle().is_full() && far.dead_points().is_empty());
+    let gear = motion("reduction");
+    assert!(gear.cycle().contains(0.0) && gear.home() == 0.0);
+}
+
+/// Hunting teeth: the angle of a link agrees with the places of its points in every row of 31 turns.
+#[test]
+fn motions_of_many_turns() {
+    let motion = motion("many-turns");
+    assert_eq!(motion.cycle().period(), Some(31.0 * TAU));
+    let mechanism = motion.mechanism();
+    let link = mechanism.link("BC").unwrap();
+    let [b, c] = ["B", "C"].map(|name| mechanism.point(name).unwrap());
+    let mut last: Option<f64> = None;
+    for degree in 0..31 * 360 {
+        let pose = motion.pose::<1>(f64::from(degree).to_radians()).unwrap();
+        let [b, c] = [b, c].map(|point| mechanism.place(&pose, point).place());
+        let angle = mechanism.angle(&pose, link).value();
+        let off = angle - (c - b).y.atan2((c - b).x);
+        assert!(
+            (off - TAU * (off / TAU).round()).abs() < 1e-12,
+            "{degree}: {off}"
+        );
+        assert!(
+            last.is_none_or(|last| (angle - last).abs() < 0.2),
+            "{degree}"
+        );
+        last = Some(angle);
+    }
+}
+
+/// What takes more turns than can be followed is not called closed.
+#[test]
+fn what_never_comes_back_is_said() {
+    let motion = motion("home-True-852");
+    assert!(!motion.cycle().is_full());
+    let kinds = motion.dead_points().iter().map(|dead| dead.kind);
+    assert!(kinds.eq([DeadPointKind::Unfollowed; 2]));
+}
+
+/// Near-singular drawings and hinges next to each other end in a bounded number of steps, with a reason that is no
+/// dead point.
+#[test]
+fn nothing_hangs() {
+    for name in ["hang-orig", "slow-GH10", "slow-HG10"] {
+        for dead in motion(name).dead_points() {
+            assert!(!dead.kind.is_dead_point(), "{name}: {dead:?}");
+        }
+    }
+}
+
+/// A link whose first two points are drawn in one place is refused by its name.
+#[test]
+fn no_angle_is_told_of_nothing() {
+    for (name, link) in [("nan-angle", "rocker"), ("nan-line", "lever")] {
+        let path = root().join(format!("tests/data/drawings/{name}.json"));
+        let read = from_text(&fs::read_to_string(path).unwrap()).unwrap();
+        let refused = format!("{:?}", read.motion().unwrap_err());
+        assert!(
+            refused.contains("Coincident") && refused.contains(link),
+            "{refused}"
+        );
+    }
+}
+
+/// A wheel on a link of a group of higher class, its mate outside.
+#[test]
+fn a_wheel_on_a_link_of_a_group() {
+    let motion = motion("gear-outside-group-refused");
+    let pose = motion.pose::<3>(motion.home()).unwrap();
+    let mechanism = motion.mechanism();
+    for link in mechanism.link_ids() {
+        let angle = mechanism.angle(&pose, link);
+        assert!(
+            [0, 1, 2]
+                .map(|order| angle.derivative(order))
+                .iter()
+                .all(|x| x.is_finite())
+        );
+    }
+}
