@@ -10,6 +10,7 @@ use crate::index::{BodyId, List, PointId, SlideId};
 use crate::position::{Anchor, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
 
 use super::body::Bodies;
+use super::draft::extent;
 use super::driver::DrivenPair;
 use super::plan::Placed;
 use condition::Condition;
@@ -24,6 +25,8 @@ pub(super) fn group(
     drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
     let Placed { bodies, solved, .. } = placed;
+    let points = members.iter().flat_map(|body| bodies.of(*body));
+    let drawn_points = points.map(|(point, _)| drawn(*point));
     let mut plan = Plan {
         bodies,
         solved,
@@ -37,12 +40,10 @@ pub(super) fn group(
         home: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
-        size: extent(
-            members
-                .iter()
-                .flat_map(|body| bodies.of(*body))
-                .map(|(point, _)| drawn(*point)),
-        ),
+        // A group drawn in one place is as large as anything.
+        size: Some(extent(drawn_points))
+            .filter(|size| size.is_finite() && *size > 0.0)
+            .unwrap_or(1.0),
     };
     for body in members {
         for (point, _) in bodies.of(*body) {
@@ -77,21 +78,6 @@ pub(super) fn group(
         plan.drive(pair)?;
     }
     plan.finished(offset)
-}
-
-/// How far points are apart at most, by their least and greatest coordinates; 1 where they are all in one place.
-fn extent(points: impl Iterator<Item = Vector>) -> f64 {
-    let none = [
-        Vector::repeat(f64::INFINITY),
-        Vector::repeat(f64::NEG_INFINITY),
-    ];
-    let [least, most] = points.fold(none, |[least, most], at| [least.inf(&at), most.sup(&at)]);
-    let size = (most - least).norm();
-    if size.is_finite() && size > 0.0 {
-        size
-    } else {
-        1.0
-    }
 }
 
 /// How a body follows from what is known.

@@ -97,7 +97,9 @@ impl<'a> Continuation<'a> {
         let turns = self.mechanism.closed_steps().map(|closed| closed.turns());
         let least = common(turns.max().unwrap_or(1), self.mechanism.rounds());
         let least = least.unwrap_or(NEVER);
-        for sample in 1.. {
+        let mut sample = 0;
+        loop {
+            sample += 1;
             let target = home + sense * cell * sample as f64;
             if let Some(dead) = self.go_to(target, knots) {
                 return End::Dead(dead);
@@ -109,7 +111,6 @@ impl<'a> Continuation<'a> {
                 return End::Closed(sample / GRID);
             }
         }
-        End::Closed(least)
     }
 
     /// One cell of the grid, in as many steps as it takes.

@@ -66,10 +66,6 @@ impl Knots {
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
     }
 
-    pub(super) fn inputs(&self) -> impl Iterator<Item = f64> + '_ {
-        self.list.iter().map(|knot| knot.input)
-    }
-
     /// The inputs with the determinants of a group of higher class, the last first.
     pub(super) fn determinants(&self, step: StepId) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.list

@@ -212,25 +212,16 @@ impl Motion {
     /// least determinant of a Jacobian over the motion relative to its greatest, with
     /// the sign that it keeps; 1 where there is no such group.
     pub fn singularity_margin(&self) -> f64 {
-        let mut pose = self.mechanism.blank::<1>();
-        let mut ranges = self.mechanism.steps().alike(None);
-        for input in self.knots.inputs() {
-            if self.place(input, &mut pose).is_err() {
-                continue;
-            }
-            let (state, _) = pose.parts();
-            for (step, placing) in self.mechanism.steps().enumerate() {
-                if matches!(placing, Step::Group(_)) {
-                    let value = state.margins[step][0].value();
-                    let [low, high] = ranges[step].unwrap_or([value; 2]);
-                    ranges[step] = Some([low.min(value), high.max(value)]);
-                }
-            }
-        }
-        let ratios = ranges.iter().flatten().map(|[low, high]| {
-            if *low > 0.0 {
+        let steps = self.mechanism.steps().enumerate();
+        let groups = steps.filter(|(_, placing)| matches!(placing, Step::Group(_)));
+        let ranges = groups.filter_map(|(step, _)| {
+            let determinants = self.knots.determinants(step).map(|[_, value]| [value; 2]);
+            determinants.reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
+        });
+        let ratios = ranges.map(|[low, high]| {
+            if low > 0.0 {
                 low / high
-            } else if *high < 0.0 {
+            } else if high < 0.0 {
                 -high / low
             } else {
                 0.0

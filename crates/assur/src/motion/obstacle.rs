@@ -15,7 +15,7 @@ use crate::position::{ROUNDING, State, Step};
 /// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
 /// through; as far beyond the motion is taken up again: there their margins have left zero.
 const PASSED: f64 = 1e-5;
-/// Two extrapolations of it agree within this part of its distance.
+/// Two extrapolations of a group's singular pose agree within this part of its distance.
 const AGREED: f64 = 0.1;
 
 /// Where links pass through in line.
@@ -79,17 +79,13 @@ impl Continuation<'_> {
             self.signs[step] = self.signs[step].opposite();
         }
         let past = passing.input + sense * PASSED * self.mechanism.span();
-        if self.try_next(past).is_err() {
-            self.signs = before;
-            return false;
-        }
         let width = past - self.input;
-        let certified = self.cell.certify_beside(
-            self.mechanism.steps(),
-            &self.here,
-            width,
-            Some((step, &self.there)),
-        );
+        let solved = self.try_next(past);
+        let certified = solved.and_then(|()| {
+            let passing = Some((step, &self.there));
+            let steps = self.mechanism.steps();
+            self.cell.certify_beside(steps, &self.here, width, passing)
+        });
         if certified.is_err() {
             self.signs = before;
             return false;
@@ -108,7 +104,8 @@ impl Continuation<'_> {
         true
     }
 
-    /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on it move ever faster, so that it may be theirs that is met.
+    /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
+    /// it move ever faster, so that they may be the first of which nothing can be shown.
     pub(super) fn singular(&self, sense: f64, knots: &Knots) -> Option<DeadPoint> {
         let groups = self.mechanism.steps().ids();
         let groups = groups.filter(|other| self.is_group(*other));

@@ -23,6 +23,18 @@ struct Known {
     by_unknowns: f64,
 }
 
+impl Known {
+    /// How far it is at most from where it begins, on the tangent.
+    fn travels(&self, reach: f64) -> f64 {
+        reach * self.rate.norm() + 0.5 * reach * reach * self.bend
+    }
+
+    /// The same within a distance of the unknowns from it.
+    fn strays(&self, reach: f64, radius: f64) -> f64 {
+        self.travels(reach) + self.by_unknowns * radius
+    }
+}
+
 /// The Jacobian changes by no more than this, relative to itself.
 const REGULAR: f64 = 0.5;
 
@@ -44,7 +56,7 @@ impl Group {
         };
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let travels = |form: &Known| reach * form.rate.norm() + half_square * form.bend;
+            let travels = |form: &Known| form.travels(reach);
             let far = |form: &Known| form.value.norm() + reach * form.rate.norm();
             let sums = match *equation {
                 Equation::Unit(form) => {
@@ -98,9 +110,7 @@ impl Group {
         // By how much the rates of the unknowns differ from those where the step begins …
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| {
-                reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
-            };
+            let off = |form: &Known| form.strays(reach, radius);
             let defect = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
@@ -128,9 +138,7 @@ impl Group {
         // … and with that what their second derivatives are at most.
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| {
-                reach * form.rate.norm() + half_square * form.bend + form.by_unknowns * radius
-            };
+            let off = |form: &Known| form.strays(reach, radius);
             let speed =
                 |form: &Known| form.rate.norm() + reach * form.bend + form.by_unknowns * rate_off;
             let bend = match *equation {
@@ -169,14 +177,11 @@ impl Group {
     /// are at most by what is solved.
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
-            let (taken, bend) = match input {
-                Input::Place(anchor) => (from.place(*anchor), cell.place(from, *anchor).bend),
-                Input::Direction(anchor) => (
-                    from.turn[anchor.body].by(anchor.local),
-                    cell.sway(from, anchor.body) * anchor.local.norm(),
-                ),
+            let bend = match input {
+                Input::Place(anchor) => cell.place(from, *anchor).bend,
+                Input::Direction(anchor) => cell.sway(from, anchor.body) * anchor.local.norm(),
             };
-            cell.work.inputs[k] = taken.truncated();
+            cell.work.inputs[k] = from.taken(*input).truncated();
             cell.bounds.inputs.resize(self.inputs.len(), 0.0);
             cell.bounds.inputs[k] = bend;
         }
@@ -263,11 +268,7 @@ impl Group {
         });
         let mut turns =
             meshed.flat_map(|turns: &[Option<(usize, f64)>; MOST_FORMS]| turns.iter().flatten());
-        turns.all(|(form, _)| {
-            let f = self.known(cell, *form);
-            let off = cell.reach * f.rate.norm() + 0.5 * cell.reach * cell.reach * f.bend;
-            off + f.by_unknowns * radius <= 0.5
-        })
+        turns.all(|(form, _)| self.known(cell, *form).strays(cell.reach, radius) <= 0.5)
     }
 
     /// Whether its unknowns at the end of a step are where they were shown to be.
