@@ -32,6 +32,7 @@ impl Mechanism {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
+            passings: &[],
         }
     }
 
@@ -115,6 +116,7 @@ impl Mechanism {
                 let near = Nearby {
                     orientations: drawn,
                     natural: &self.natural,
+                    passings: &[],
                 };
                 let given = Given {
                     step,

@@ -8,7 +8,7 @@ use super::interpolation::Knots;
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs, common};
-use crate::position::{Enclosure, Nearby, Orientation, Predictor, State, Step};
+use crate::position::{Enclosure, Nearby, Orientation, Passing, Predictor, State, Step};
 
 /// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
 const GRID: usize = 360;
@@ -47,22 +47,26 @@ pub(super) struct Continuation<'a> {
     pub(super) cell: Enclosure,
     /// The bodies whose angles are found by their turns, to a whole turn.
     winding: Vec<BodyId>,
-    pub(super) change_points: Vec<f64>,
+    /// Which steps of the plan have passed through in line, and where.
+    pub(super) passed: Vec<(StepId, f64)>,
+    /// The same, as exactly as poses just beside are to be solved.
+    pub(super) passings: Vec<Passing>,
     /// What may still be tried.
     work: usize,
 }
 
 /// A pose that is expected.
-struct Prediction {
+pub(super) struct Prediction {
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
 }
 
 impl Prediction {
-    fn near(&self) -> Nearby<'_> {
+    pub(super) fn near<'a>(&'a self, passings: &'a [Passing]) -> Nearby<'a> {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
+            passings,
         }
     }
 }
@@ -82,7 +86,8 @@ impl<'a> Continuation<'a> {
             here: here.clone(),
             cell: mechanism.enclosure(),
             winding: mechanism.bodies().filter(winds).collect(),
-            change_points: Vec::new(),
+            passed: Vec::new(),
+            passings: Vec::new(),
             work: MOST_WORK,
         }
     }
@@ -145,14 +150,9 @@ impl<'a> Continuation<'a> {
             };
             let is_group = self.is_group(step);
             let most = if is_group { MOST_HALVINGS } else { HALVINGS };
-            // Where links come into line what hangs on them is the first to be in doubt.
-            let before = self.mechanism.steps().ids();
-            let mut before = before.take_while(|before| before.index() <= step.index());
-            let passing = before.find_map(|step| Some((step, self.passes(step, sense * width)?)));
-            if let Some((step, passing)) = passing {
-                if !self.pass(step, &passing, sense, knots) {
-                    return Some(self.ends(step, DeadPointKind::NearSingular));
-                }
+            let in_line = self.in_line(step, sense * width);
+            let comes_into_line = in_line.is_some();
+            if in_line.is_some_and(|found| self.pass(found, target, knots)) {
                 halved = 0;
             } else if is_group
                 && width < EXTRAPOLATED * self.mechanism.span()
@@ -163,7 +163,7 @@ impl<'a> Continuation<'a> {
                 return Some(dead);
             } else if halved < most && next != self.input {
                 halved += 1;
-            } else if is_group {
+            } else if is_group || comes_into_line {
                 return Some(self.ends(step, DeadPointKind::NearSingular));
             } else {
                 return Some(self.stopped(step, sense));
@@ -211,13 +211,13 @@ impl<'a> Continuation<'a> {
     ) -> Result<(), (StepId, Cause)> {
         let predicted = self.predicted(input);
         self.mechanism
-            .solve(input, &self.signs, predicted.near(), state)
+            .solve(input, &self.signs, predicted.near(&self.passings), state)
     }
 
     /// The same into the second pose.
     pub(super) fn try_next(&mut self, input: f64) -> Result<(), StepId> {
         let predicted = self.predicted(input);
-        let near = predicted.near();
+        let near = predicted.near(&self.passings);
         let solved = self
             .mechanism
             .solve(input, &self.signs, near, &mut self.there);
@@ -229,7 +229,7 @@ impl<'a> Continuation<'a> {
     }
 
     /// Where everything should be at another input, by the derivatives here.
-    fn predicted(&self, next: f64) -> Prediction {
+    pub(super) fn predicted(&self, next: f64) -> Prediction {
         let width = next - self.input;
         let by = |jet: Jet<4>| {
             let orders = (0..4).rev();

@@ -1,9 +1,10 @@
 //! Samples of a motion, and between them by Hermite interpolation the guess from
 //! which groups are solved.
 
+use crate::Cycle;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::Signs;
-use crate::position::{Nearby, Orientation, Predictor};
+use crate::position::{Nearby, Orientation, Passing, Predictor, Sign};
 use crate::sorting::sort_by;
 
 /// Samples in ascending inputs (or descending, while a motion is followed back):
@@ -12,6 +13,8 @@ use crate::sorting::sort_by;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots {
     list: Vec<Knot>,
+    /// Where links pass through in line, in ascending inputs.
+    passings: Vec<Passing>,
 }
 
 #[derive(Clone, Debug)]
@@ -57,6 +60,7 @@ impl Knots {
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
+            passings: Vec::new(),
         }
     }
 
@@ -64,6 +68,8 @@ impl Knots {
     pub(super) fn join(&mut self, mut other: Self) {
         self.list.append(&mut other.list);
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
+        self.passings.append(&mut other.passings);
+        sort_by(&mut self.passings, |a, b| a.input.total_cmp(&b.input));
     }
 
     /// The inputs with the determinants of a group of higher class, the last first.
@@ -72,13 +78,6 @@ impl Knots {
             .iter()
             .rev()
             .map(move |knot| [knot.input, knot.margins[step]])
-    }
-
-    /// Other signs from the last knot on.
-    pub(super) fn amend(&mut self, signs: &Signs) {
-        if let Some(last) = self.list.last_mut() {
-            last.signs.clone_from(signs);
-        }
     }
 
     /// Puts a motion followed back before this one; both begin at the same knot.
@@ -93,6 +92,27 @@ impl Knots {
         for knot in &mut self.list {
             knot.input += by;
         }
+        for passing in &mut self.passings {
+            passing.input += by;
+        }
+    }
+
+    /// Which way a step is joined at an input.
+    pub(super) fn sign(&self, step: StepId, input: f64) -> Sign {
+        self.list[self.before(input)].signs[step]
+    }
+
+    /// Links pass through in line; of a full cycle at its end as well as at its beginning.
+    pub(super) fn passes(&mut self, passing: Passing, cycle: &Cycle) {
+        if let Some(period) = cycle.period().filter(|_| cycle.is_full()) {
+            let again = [-period, period].map(|periods| passing.shifted(periods));
+            let told = again
+                .into_iter()
+                .filter(|again| [0.0, period].iter().any(|end| again.covers(*end)));
+            self.passings.extend(told);
+        }
+        self.passings.push(passing);
+        sort_by(&mut self.passings, |a, b| a.input.total_cmp(&b.input));
     }
 
     /// Moves the knots of a full cycle to inputs from 0 to `period`, with one
@@ -140,6 +160,7 @@ impl Knots {
         let near = Nearby {
             orientations: &knot.orientations,
             natural: guess,
+            passings: &self.passings,
         };
         (&knot.signs, near)
     }

@@ -8,6 +8,7 @@ mod cyclogram;
 mod dead_point;
 mod extremum;
 mod features;
+mod in_line;
 mod input;
 mod interpolation;
 mod joined;
@@ -16,6 +17,7 @@ mod obstacle;
 mod placed;
 mod profile;
 pub(crate) mod root;
+mod smooth;
 mod table;
 mod transmission;
 
@@ -37,7 +39,6 @@ use std::f64::consts::TAU;
 use crate::Cycle;
 use crate::mechanism::{Mechanism, Pose, Unsolved};
 use crate::position::Step;
-use crate::sorting::sort_by;
 use continuation::{Continuation, End};
 use interpolation::Knots;
 
@@ -90,7 +91,7 @@ impl Motion {
                         ..last
                     },
                 };
-                forth.change_points.extend(back.change_points);
+                forth.passed.extend(back.passed);
                 knots.prepend(before);
                 let period = mechanism.period_of_arcs();
                 // The arc is told by whole periods so that it begins within half of one from 0.
@@ -105,16 +106,14 @@ impl Motion {
                 (Cycle::swinging(arc, period), ends.to_vec())
             }
         };
-        let passed = forth.change_points;
+        let passed = forth.passed;
         let home = cycle.wrap(mechanism.home() - turned);
         if turned != 0.0 {
             mechanism.tell_by_turns(home);
         }
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
         let passed = passed.into_iter();
-        let passed: Vec<f64> = passed.map(|at| motion.cycle.wrap(at - turned)).collect();
-        motion.change_points.extend(passed);
-        sort_by(&mut motion.change_points, f64::total_cmp);
+        motion.smooth(passed.map(|(step, at)| (step, at - turned)).collect());
         motion
     }
 

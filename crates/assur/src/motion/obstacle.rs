@@ -1,109 +1,21 @@
-//! What a motion meets that no certified step can pass: links that pass through in line, a dead point, the end of a
-//! range, or nothing that is known.
+//! What a motion meets that no certified step can pass: a dead point, the end of a range, or nothing that is known.
 
 use std::convert::Infallible;
 
 use super::closed::dead_point;
 use super::continuation::{Continuation, HALVINGS};
 use super::dead_point::{DeadPoint, DeadPointKind};
+use super::in_line::PASSED;
 use super::interpolation::Knots;
 use super::root::bisect;
 use crate::index::StepId;
 use crate::mechanism::Cause;
-use crate::position::{ROUNDING, State, Step};
+use crate::position::{State, Step};
 
-/// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
-/// through; as far beyond the motion is taken up again: there their margins have left zero.
-const PASSED: f64 = 1e-5;
 /// Two extrapolations of a group's singular pose agree within this part of its distance.
 const AGREED: f64 = 0.1;
 
-/// Where links pass through in line.
-pub(super) struct Passing {
-    input: f64,
-    /// Whether they go on joined the other way; the closed form of a four-bar passes by itself.
-    turns_over: bool,
-}
-
 impl Continuation<'_> {
-    /// Where just ahead the links of a step come into line and pass through; none where they do not, or it is too far
-    /// to be told.
-    pub(super) fn passes(&self, step: StepId, width: f64) -> Option<Passing> {
-        let window = PASSED * self.mechanism.span();
-        if width.abs() > window {
-            return None;
-        }
-        let sense = width.signum();
-        let ahead = |input: f64| (0.0..=window).contains(&((input - self.input) * sense));
-        let mut closed = self.mechanism.closed_steps();
-        if let Some(closed) = closed.find(|closed| closed.step == step) {
-            let around = [self.input - 2.0 * window, self.input + 2.0 * window];
-            let mut points = closed.change_points(around).into_iter();
-            let input = points.find(|input| ahead(*input))?;
-            return Some(Passing {
-                input,
-                turns_over: false,
-            });
-        }
-        let placing = &self.mechanism.steps()[step];
-        if !placing.passes() {
-            return None;
-        }
-        // A margin that comes down to zero and up again is a parabola there.
-        let zero = 16.0 * ROUNDING * placing.scale();
-        let margins = self.here.margins[step].into_iter();
-        let lowest = margins.filter_map(|margin| {
-            let [value, slope, bend] = [0, 1, 2].map(|order| margin.derivative(order));
-            let input = self.input - slope / bend;
-            let least = value - 0.5 * slope * slope / bend;
-            (bend > 0.0 && ahead(input) && least.abs() <= zero).then_some(input)
-        });
-        lowest
-            .min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
-            .map(|input| Passing {
-                input,
-                turns_over: true,
-            })
-    }
-
-    /// Goes through to where the links of a step have passed; whether nothing happens to others meanwhile.
-    pub(super) fn pass(
-        &mut self,
-        step: StepId,
-        passing: &Passing,
-        sense: f64,
-        knots: &mut Knots,
-    ) -> bool {
-        let before = self.signs.clone();
-        if passing.turns_over {
-            self.signs[step] = self.signs[step].opposite();
-        }
-        let past = passing.input + sense * PASSED * self.mechanism.span();
-        let width = past - self.input;
-        let solved = self.try_next(past);
-        let certified = solved.and_then(|()| {
-            let passing = Some((step, &self.there));
-            let steps = self.mechanism.steps();
-            self.cell.certify_beside(steps, &self.here, width, passing)
-        });
-        if certified.is_err() {
-            self.signs = before;
-            return false;
-        }
-        if passing.turns_over {
-            self.change_points.push(passing.input);
-            if (passing.input - self.input) * sense > 0.0 {
-                knots.push(passing.input, &self.signs, &self.here);
-            } else {
-                knots.amend(&self.signs);
-            }
-        }
-        self.input = past;
-        std::mem::swap(&mut self.here, &mut self.there);
-        knots.push(self.input, &self.signs, &self.here);
-        true
-    }
-
     /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
     /// it move ever faster, so that they may be the first of which nothing can be shown.
     pub(super) fn singular(&self, sense: f64, knots: &Knots) -> Option<DeadPoint> {

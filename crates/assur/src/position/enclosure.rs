@@ -89,24 +89,24 @@ impl Enclosure {
         from: &Predictor,
         width: f64,
     ) -> Result<(), StepId> {
-        self.certify_beside(steps, from, width, None)
+        self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// The same where links of one step pass through in line, to another pose beyond: in between its bodies are taken
-    /// to move as smoothly as at both ends, which their equation there does not tell.
+    /// The same where links of some steps pass through in line, to another pose beyond: in between their bodies are
+    /// taken to move as smoothly as at both ends, which their equation there does not tell.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,
         from: &Predictor,
         width: f64,
-        passing: Option<(StepId, &Predictor)>,
+        (passing, to): (&[StepId], &Predictor),
     ) -> Result<(), StepId> {
         (self.width, self.reach) = (width, width.abs());
         for (step, placing) in steps.enumerate() {
-            match passing {
-                Some((passes, to)) if passes == step => self.take_over(placing, from, to),
-                _ if placing.enclose(step, from, self) => {}
-                _ => return Err(step),
+            if passing.contains(&step) {
+                self.take_over(placing, from, to);
+            } else if !placing.enclose(step, from, self) {
+                return Err(step);
             }
         }
         Ok(())

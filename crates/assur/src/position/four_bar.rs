@@ -80,7 +80,7 @@ impl Closed {
     /// φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of where they
     /// stand across it.
     fn lay<const N: usize>(&self, state: &mut State<N>, sign: Sign, triangle: &Triangle<N>) {
-        triangle.lay(state, &self.arms, sign.factor());
+        triangle.lay(state, &self.arms, triangle.root(sign.factor()));
         let plus = sign == Sign::Plus;
         for (arm, (angle, turn)) in self.arms.iter().zip(self.across) {
             let (angle, turn) = if plus {

@@ -1,7 +1,7 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
 use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, root};
+use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Solvable, State};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -46,10 +46,10 @@ impl Solvable for Rpr {
         if square.value() <= f64::EPSILON * f64::EPSILON * state.scale {
             return Err(Cause::Undetermined);
         }
-        let run = root(margin, scale).map_err(|dead| match dead {
+        let run = given.root(margin, scale).map_err(|dead| match dead {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::OutOfReach { by },
-        })? * given.sign.factor();
+        })?;
         let along = Complex::new(run, Jet::constant(-apart));
         let direction = (between * along).scaled(square.recip());
         for (side, at) in [(i, b), (j, d)] {

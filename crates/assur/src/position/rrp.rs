@@ -3,7 +3,7 @@
 
 use super::complex::Complex;
 use super::{
-    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, Track, product, root,
+    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, Track, product,
 };
 use crate::Vector;
 use crate::index::{BodyId, StepId};
@@ -33,10 +33,12 @@ impl Solvable for Rrp {
         let margin = -rise.square() + length * length;
         state.margins[given.step] = [margin, margin];
         let by = rise.value().abs() - length;
-        let run = root(margin, length * length).map_err(|dead| match dead {
-            Dead::At => Cause::DeadPoint,
-            Dead::Beyond => Cause::OutOfReach { by },
-        })? * given.sign.factor();
+        let run = given
+            .root(margin, length * length)
+            .map_err(|dead| match dead {
+                Dead::At => Cause::DeadPoint,
+                Dead::Beyond => Cause::OutOfReach { by },
+            })?;
         let to_c = direction * Complex::new(run, rise);
         state.lay(&self.arm, b, to_c);
         state.slid(&self.track, direction, b + to_c);

@@ -45,20 +45,21 @@ impl<const N: usize> Triangle<N> {
         }
     }
 
-    /// Lays both arms with the joint to the left of BD (1), to its right (−1), or on it (0).
+    /// √(P Q) with the joint to the left of BD (1) or to its right (−1).
+    #[inline(always)]
+    pub(super) fn root(&self, side: f64) -> Jet<N> {
+        let [p, q] = self.margins;
+        (p * q).sqrt() * side
+    }
+
+    /// Lays both arms by this root.
     ///
     /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
     /// the area of BCD with the sign σ of the side.
     #[inline(always)]
-    pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], side: f64) {
-        let [p, q] = self.margins;
+    pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
-        let across = if side == 0.0 {
-            Jet::constant(0.0)
-        } else {
-            (p * q).sqrt() * (0.5 * side)
-        };
-        let to_c = self.diagonal * Complex::new(along, across);
+        let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let to_c = to_c.scaled(self.square.recip());
         state.lay(i, self.b, to_c);
         state.lay(j, self.d, to_c - self.diagonal);
@@ -89,14 +90,20 @@ impl Solvable for Rrr {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::Apart { by },
         };
-        let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;
-        let near = clear(q, scale).map_err(|dead| beyond(dead, difference.abs() - distance))?;
-        let side = if far && near {
-            given.sign.factor()
-        } else {
-            0.0
+        let root = match given.passing() {
+            Some(root) => root,
+            None => {
+                let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;
+                let near =
+                    clear(q, scale).map_err(|dead| beyond(dead, difference.abs() - distance))?;
+                if far && near {
+                    triangle.root(given.sign.factor())
+                } else {
+                    Jet::constant(0.0)
+                }
+            }
         };
-        triangle.lay(state, &self.arms, side);
+        triangle.lay(state, &self.arms, root);
         Ok(())
     }
 
@@ -122,6 +129,10 @@ impl Solvable for Rrr {
 
     fn stretches_and_folds(&self) -> bool {
         true
+    }
+
+    fn square<const N: usize>(&self, [p, q]: [Jet<N>; 2]) -> Jet<N> {
+        p * q
     }
 
     fn scale(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::group::Input;
 use super::work::Work;
-use super::{Anchor, Arm, Complex, Track, conjugate};
+use super::{Anchor, Arm, Complex, Passing, Track, conjugate};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
@@ -56,6 +56,8 @@ pub(crate) struct Nearby<'a> {
     pub(crate) orientations: &'a List<BodyId, Orientation>,
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
+    /// Change points that may be near.
+    pub(crate) passings: &'a [Passing],
 }
 
 impl<const N: usize> State<N> {

@@ -1,8 +1,9 @@
 //! A step of the plan: what each kind of it tells of itself, in a file of its own.
 
+use super::margin::root;
 use super::{
-    Cause, Closed, Crank, Enclosure, Geared, Group, Nearby, Predictor, Prp, Rpp, Rpr, Rrp, Rrr,
-    Slider, State,
+    Cause, Closed, Crank, Dead, Enclosure, Geared, Group, Nearby, Passing, Predictor, Prp, Rpp,
+    Rpr, Rrp, Rrr, Slider, State,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -41,6 +42,27 @@ pub(crate) struct Given<'a, const N: usize> {
     pub(crate) input: Jet<N>,
     pub(crate) sign: Sign,
     pub(crate) near: Nearby<'a>,
+}
+
+impl<const N: usize> Given<'_, N> {
+    /// The root of a square with the sign that tells how the links are joined; `scale` is the size of what the square
+    /// is made of.
+    #[inline(always)]
+    pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
+        match self.passing() {
+            Some(root) => Ok(root),
+            None => Ok(root(square, scale)? * self.sign.factor()),
+        }
+    }
+
+    /// The signed root where the links are about to pass through in line, or have just done so.
+    #[inline(always)]
+    pub(super) fn passing(&self) -> Option<Jet<N>> {
+        let mut passings = self.near.passings.iter();
+        let here =
+            |passing: &&Passing| passing.step == self.step && passing.covers(self.input.value());
+        passings.find(here).map(|passing| passing.root(self.input))
+    }
 }
 
 /// What places a body or more from those placed before.
@@ -82,6 +104,11 @@ pub(crate) trait Solvable {
     /// a margin of its own.
     fn stretches_and_folds(&self) -> bool {
         false
+    }
+
+    /// The square that its closed form takes the root of, by its margins.
+    fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
+        margin
     }
 
     /// The size of the squares its margins are made of.
@@ -185,6 +212,10 @@ impl Step {
 
     pub(crate) fn stretches_and_folds(&self) -> bool {
         ask!(self, kind => kind.stretches_and_folds())
+    }
+
+    pub(crate) fn square<const N: usize>(&self, margins: [Jet<N>; 2]) -> Jet<N> {
+        ask!(self, kind => kind.square(margins))
     }
 
     pub(crate) fn scale(&self) -> f64 {

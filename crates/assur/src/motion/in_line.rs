@@ -1,0 +1,214 @@
+//! Links that pass through in line where a motion is followed: a change point.
+
+use super::continuation::Continuation;
+use super::interpolation::Knots;
+use crate::Jet;
+use crate::index::StepId;
+use crate::position::{KNOWN, Passing, Predictor, ROUNDING, State, Step};
+
+/// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
+/// through; as far beyond the motion is taken up again.
+const WITHIN: f64 = 1e-3;
+/// Within this part around it margins have too few digits left.
+pub(super) const PASSED: f64 = 1e-5;
+/// Within this part links of other steps come into line at the same input.
+const SAME: f64 = 1e-9;
+/// From nearby Newton's method finds the input in so many steps.
+const REFINEMENTS: usize = 4;
+/// So far on, relative, a square is what its Taylor series tells, or something else is near.
+const AGREED: f64 = 0.1;
+
+/// Steps of the plan whose links pass through in line at one input.
+pub(super) struct InLine {
+    input: f64,
+    steps: Vec<StepId>,
+    /// Of those that go on joined the other way; the closed form of a four-bar passes by itself.
+    passings: Vec<Passing>,
+}
+
+impl Continuation<'_> {
+    /// The links that come into line just ahead and pass through; none where they do not, or it is too far to be told.
+    /// What hangs on them is the first to be in doubt, so `doubtful` or a step of the plan before it is one of theirs.
+    pub(super) fn in_line(&self, doubtful: StepId, width: f64) -> Option<InLine> {
+        if width.abs() > WITHIN * self.mechanism.span() {
+            return None;
+        }
+        let sense = width.signum();
+        let upstream = self.mechanism.steps().ids();
+        let mut upstream = upstream.take_while(|step| step.index() <= doubtful.index());
+        let comes = |step| Some((step, self.comes_into_line(step, sense)?));
+        let (first, input) = upstream.find_map(comes)?;
+        let mut found = InLine::nothing(input);
+        let mut next = Some(first);
+        while let Some(step) = next {
+            found.steps.push(step);
+            if self.turns_over(step) {
+                let square = self.square(step, &self.at(&found));
+                let opposite = self.signs[step].opposite();
+                let after = if sense > 0.0 {
+                    opposite
+                } else {
+                    self.signs[step]
+                };
+                let window = [found.input, 4.0 * PASSED * self.mechanism.span()];
+                let passing = Passing::beside((step, after.factor()), window, square);
+                found.passings.push(passing);
+            }
+            let state = self.at(&found);
+            let others = self.mechanism.steps().ids();
+            let mut others = others.filter(|other| !found.steps.contains(other));
+            next = others.find(|other| self.is_in_line(*other, found.input, &state));
+        }
+        Some(found)
+    }
+
+    /// Whether a step whose links pass through in line goes on joined the other way.
+    fn turns_over(&self, step: StepId) -> bool {
+        self.mechanism.steps()[step].passes()
+    }
+
+    fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
+        self.mechanism.steps()[step].square(state.margins[step])
+    }
+
+    /// The pose in which they are in line, as far as it can be solved by what is known of them.
+    fn at(&self, found: &InLine) -> State<KNOWN> {
+        let mut state = self.mechanism.blank_state();
+        let predicted = self.predicted(found.input);
+        let near = predicted.near(&found.passings);
+        // A step that fails leaves those after it as they are in the blank state: nothing is in line.
+        let _ = self
+            .mechanism
+            .solve(found.input, &self.signs, near, &mut state);
+        state
+    }
+
+    /// Where just ahead the links of a step come into line and pass through.
+    fn comes_into_line(&self, step: StepId, sense: f64) -> Option<f64> {
+        let window = WITHIN * self.mechanism.span();
+        let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
+        let placing = &self.mechanism.steps()[step];
+        if let Step::Closed(_) = placing {
+            let around = [self.input - 2.0 * window, self.input + 2.0 * window];
+            return self.change_points(step, around).into_iter().find(ahead);
+        }
+        if !placing.passes() {
+            return None;
+        }
+        let margins = [0, 1].map(|which| {
+            // A margin that comes down to zero and up again is about a parabola.
+            let margin = self.here.margins[step][which];
+            let lowest =
+                |input: f64, [slope, bend]: [f64; 2]| (bend > 0.0).then_some(input - slope / bend);
+            let mut input = lowest(self.input, [1, 2].map(|order| margin.derivative(order)))?;
+            for _ in 0..REFINEMENTS {
+                if !ahead(&input) {
+                    return None;
+                }
+                let margin = self.at(&InLine::nothing(input)).margins[step][which];
+                input = lowest(input, [1, 2].map(|order| margin.derivative(order)))?;
+            }
+            let state = self.at(&InLine::nothing(input));
+            (ahead(&input) && self.is_in_line(step, input, &state)).then_some(input)
+        });
+        let lowest = margins.into_iter().flatten();
+        lowest.min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
+    }
+
+    /// Whether the links of a step are in line in a pose, and pass through.
+    fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
+        let same = SAME * self.mechanism.span();
+        let placing = &self.mechanism.steps()[step];
+        if let Step::Closed(_) = placing {
+            let around = [input - same, input + same];
+            return !self.change_points(step, around).is_empty();
+        }
+        let touches = |margin: Jet<KNOWN>| {
+            let [value, slope, bend] = [0, 1, 2].map(|order| margin.derivative(order));
+            bend > 0.0 && value.abs() <= zero(placing) && slope.abs() <= same * bend
+        };
+        placing.passes() && state.margins[step].into_iter().any(touches)
+    }
+
+    /// Those of a four-bar in closed form.
+    fn change_points(&self, step: StepId, around: [f64; 2]) -> Vec<f64> {
+        let mut closed = self.mechanism.closed_steps();
+        let closed = closed.find(|closed| closed.step == step);
+        closed.map_or_else(Vec::new, |closed| closed.change_points(around))
+    }
+
+    /// Goes through to where the links have passed, on the way to a target; whether nothing happens to others meanwhile.
+    pub(super) fn pass(&mut self, found: InLine, target: f64, knots: &mut Knots) -> bool {
+        let (signs, known) = (self.signs.clone(), self.passings.len());
+        for passing in &found.passings {
+            self.signs[passing.step] = signs[passing.step].opposite();
+        }
+        self.passings.extend_from_slice(&found.passings);
+        let Some(between) = self.past(&found, target) else {
+            self.signs = signs;
+            self.passings.truncate(known);
+            return false;
+        };
+        if !found.passings.is_empty() {
+            knots.push(found.input, &self.signs, &between);
+        }
+        let turned_over = found.passings.iter().map(|passing| passing.step);
+        self.passed
+            .extend(turned_over.map(|step| (step, found.input)));
+        std::mem::swap(&mut self.here, &mut self.there);
+        knots.push(self.input, &self.signs, &self.here);
+        true
+    }
+
+    /// Solves the second pose as far beyond where links are in line as this one is before, or at the target, with the
+    /// signs that they go on by. Returned is the pose in which they are in line; none where it cannot be shown that nothing else happens.
+    fn past(&mut self, found: &InLine, target: f64) -> Option<Predictor> {
+        self.try_next(found.input).ok()?;
+        let between = self.there.clone();
+        let least = PASSED * self.mechanism.span();
+        let sense = (target - self.input).signum();
+        let [way, left] = [found.input - self.input, target - found.input].map(|way| way * sense);
+        let past = found.input + sense * way.min(left).max(least);
+        self.try_next(past).ok()?;
+        let Self {
+            mechanism,
+            cell,
+            here,
+            there,
+            ..
+        } = self;
+        let plan = mechanism.steps();
+        let expected = found.passings.iter().all(|passing| {
+            let square = plan[passing.step]
+                .square(there.margins[passing.step])
+                .value();
+            let root = passing.root(Jet::<1>::constant(past)).value();
+            (root * root - square).abs() <= AGREED * square
+        });
+        let width = past - self.input;
+        let certified = cell.certify_beside(plan, here, width, (&found.steps, there));
+        let mut held = plan.enumerate();
+        let held = held.all(|(step, placing)| cell.holds(step, placing, here, there));
+        if !(expected && certified.is_ok() && held) {
+            return None;
+        }
+        self.input = past;
+        Some(between)
+    }
+}
+
+impl InLine {
+    /// No links that are known to be in line at an input.
+    fn nothing(input: f64) -> Self {
+        Self {
+            input,
+            steps: Vec::new(),
+            passings: Vec::new(),
+        }
+    }
+}
+
+/// A margin that is no more than this is zero.
+fn zero(placing: &Step) -> f64 {
+    16.0 * ROUNDING * placing.scale()
+}

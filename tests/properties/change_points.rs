@@ -1,0 +1,256 @@
+//! At change points of dyads, wherever they stand, a motion has the derivatives of the smooth branch.
+
+use std::f64::consts::PI;
+
+use assur::gears::Mesh;
+use assur::mechanism::{Draft, DraftGear, Mechanism, Quantity};
+use assur::motion::Motion;
+use assur::{Assembly, FourBar, Jet};
+
+use crate::random::Random;
+
+/// Ways from a change point, within and beyond what is interpolated.
+const WAYS: [f64; 9] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2];
+/// Of a value and its derivatives, relative to the scale on which the motion changes: each order has lost as much as
+/// is lost between the nodes of the interpolation.
+const TOLERANCE: [f64; 6] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-8, 1e-6];
+
+fn motion(draft: &Draft) -> Motion {
+    let mechanism = Mechanism::new(draft);
+    Motion::new(mechanism.unwrap_or_else(|defects| panic!("{defects:?} {draft:?}")))
+}
+
+/// The angle of a link with five derivatives.
+fn angle(motion: &Motion, link: &str, input: f64) -> Jet<6> {
+    let pose = motion.pose(input);
+    let pose = pose.unwrap_or_else(|unsolved| panic!("{link}: {unsolved}"));
+    let mechanism = motion.mechanism();
+    Quantity::Angle(mechanism.link(link).unwrap()).of(mechanism, &pose)
+}
+
+/// A crank that a wheel drives against its motor, so that its dyad is solved as any other.
+fn geared(draft: Draft, at: f64) -> Draft {
+    let mut draft = draft
+        .point("M", -9.0, 0.0)
+        .point("N", -9.0 + at.cos(), -at.sin());
+    draft.frame.push("M".into());
+    draft.gears.push(DraftGear {
+        links: ["motor", "crank"].map(String::from),
+        carrier: "frame".into(),
+        teeth: [20.0, 20.0],
+        mesh: Mesh::External,
+    });
+    draft.bar("motor", &["M", "N"]).crank("motor")
+}
+
+/// A four-bar in a pose.
+fn drawn(linkage: &FourBar, assembly: Assembly, crank: f64) -> Draft {
+    let [l1, l2, _, l4] = linkage.lengths();
+    let pose = linkage.pose::<1>(assembly, crank).unwrap();
+    let coupler = pose.coupler.value();
+    let [bx, by] = [l1 * crank.cos(), l1 * crank.sin()];
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", bx, by)
+        .point("C", bx + l2 * coupler.cos(), by + l2 * coupler.sin())
+        .point("D", l4, 0.0);
+    let draft = draft.fixed(&["A", "D"]).bar("crank", &["A", "B"]);
+    draft.bar("coupler", &["B", "C"]).bar("rocker", &["D", "C"])
+}
+
+/// Four-bars that stretch out or fold: the closed form of the four-bar, which passes by itself, tells the same.
+#[test]
+fn four_bars_behind_a_wheel() {
+    let mut random = Random::new(77);
+    let mut passed = 0;
+    for seed in 0..300 {
+        let [a, b] = [0, 1].map(|_| random.within(0.4, 3.0));
+        let c =
+            random.within(0.2, a.min(b) * 0.9) * f64::from(u8::from(seed % 3 > 0)) + a.min(b) * 0.1;
+        // The shortest and the longest together are as long as the other two.
+        let longest = a + b - c;
+        let mut lengths = [c, a, b, longest];
+        for k in (1..4).rev() {
+            lengths.swap(k, random.below(k + 1));
+        }
+        // What is short, a link or the diagonal, is turned by what rounding leaves of the long ones.
+        let [l1, .., l4] = lengths;
+        let diagonal = (l1 - l4).abs();
+        let shortest = lengths.into_iter().fold(diagonal, f64::min);
+        let rounded = longest / shortest;
+        let linkage = FourBar::new(lengths).unwrap();
+        let assembly = Assembly::ALL[random.below(2)];
+        let cycle = linkage.cycle();
+        let [from, to] = cycle.arcs()[0];
+        let home = from + (to - from) * random.within(0.2, 0.8);
+        let motion = motion(&geared(drawn(&linkage, assembly, home), home));
+        for at in motion.change_points() {
+            for way in WAYS.into_iter().flat_map(|way| [way, -way]) {
+                let input = at + way;
+                if !motion.cycle().contains(motion.cycle().wrap(input)) {
+                    continue;
+                }
+                let found = angle(&motion, "rocker", input);
+                let crank = angle(&motion, "crank", input).value();
+                // The rocker of one of both assemblies: after a turn they may change.
+                let off = Assembly::ALL.map(|assembly| {
+                    let Ok(pose) = linkage.pose::<6>(assembly, crank) else {
+                        return f64::INFINITY;
+                    };
+                    let rocker = pose.rocker;
+                    let scale =
+                        (1..6).map(|order| rocker.derivative(order).abs().powf(1.0 / order as f64));
+                    let scale = scale.fold(1.0, f64::max);
+                    let off = (0..6).map(|order| {
+                        let sense = (-1.0_f64).powi(order as i32);
+                        let off = found.derivative(order) - sense * rocker.derivative(order);
+                        let off = if order == 0 {
+                            off.sin().abs()
+                        } else {
+                            off.abs()
+                        };
+                        off / scale.powi(order as i32) / (rounded * TOLERANCE[order])
+                    });
+                    off.fold(0.0, f64::max)
+                });
+                let off = off[0].min(off[1]);
+                assert!(off < 1.0, "{seed}: {lengths:?} {way:e} beside {at}: {off}");
+                passed += 1;
+            }
+        }
+    }
+    assert!(passed > 5_000, "{passed}");
+}
+
+/// Parallelograms one after the other pass at once; all their cranks turn alike.
+#[test]
+fn parallelograms_in_a_row() {
+    let mut draft = Draft::default()
+        .point("A0", 0.0, 0.0)
+        .point("B0", 1.2, 1.6)
+        .fixed(&["A0"]);
+    draft = draft.bar("crank", &["A0", "B0"]);
+    for k in 1..4 {
+        let x = f64::from(k) * 3.0;
+        let [a, b, before] = [format!("A{k}"), format!("B{k}"), format!("B{}", k - 1)];
+        draft = draft.point(&a, x, 0.0).point(&b, x + 1.2, 1.6);
+        draft.frame.push(a.clone());
+        draft = draft.bar(&format!("coupler {k}"), &[&before, &b]);
+        draft = draft.bar(&format!("rocker {k}"), &[&a, &b]);
+    }
+    let motion = motion(&draft.crank("crank"));
+    assert!(motion.cycle().is_full(), "{:?}", motion.dead_points());
+    for at in [0.0, PI] {
+        for way in WAYS.into_iter().flat_map(|way| [way, -way]) {
+            let input = at + way;
+            for k in 1..4 {
+                let rocker = angle(&motion, &format!("rocker {k}"), input);
+                let wrapped = motion.cycle().wrap(input);
+                for (order, tolerance) in TOLERANCE.into_iter().enumerate() {
+                    let expected = [wrapped, 1.0, 0.0, 0.0, 0.0, 0.0][order];
+                    let off = (rocker.derivative(order) - expected).abs();
+                    assert!(
+                        off < tolerance,
+                        "{k}, order {order}, {way:e} beside {at}: {off:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A slider-crank whose rod is as long as its crank: the slider goes through the crank's centre, as a trammel's does.
+#[test]
+fn isosceles_slider_crank() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.6, 0.8)
+        .point("C", 1.2, 0.0)
+        .point("G", -1.0, 0.0)
+        .point("H", 4.0, 0.0)
+        .fixed(&["A", "G", "H"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("slider", &["C"])
+        .slide("slider", "C", "frame", ["G", "H"])
+        .crank("crank");
+    let motion = motion(&draft);
+    assert!(motion.cycle().is_full(), "{:?}", motion.dead_points());
+    assert_eq!(motion.change_points().len(), 2);
+    let mechanism = motion.mechanism();
+    let slider = Quantity::X(mechanism.point("C").unwrap());
+    for at in [0.5 * PI, 1.5 * PI] {
+        for way in WAYS.into_iter().flat_map(|way| [way, -way]) {
+            let input = at + way;
+            let rod = angle(&motion, "rod", input);
+            let x = slider.of(mechanism, &motion.pose::<6>(input).unwrap());
+            let (sine, cosine) = input.sin_cos();
+            let expected = [cosine, -sine, -cosine, sine, cosine, -sine];
+            for (order, tolerance) in TOLERANCE.into_iter().enumerate() {
+                let off = (x.derivative(order) - 2.0 * expected[order]).abs();
+                assert!(
+                    off < tolerance,
+                    "x, order {order}, {way:e} beside {at}: {off:e}"
+                );
+                let expected = [0.0, -1.0, 0.0, 0.0, 0.0, 0.0][order];
+                let off = if order == 0 {
+                    (rod.value() + input).sin()
+                } else {
+                    rod.derivative(order) - expected
+                };
+                assert!(
+                    off.abs() < tolerance,
+                    "rod, order {order}, {way:e} beside {at}: {off:e}"
+                );
+            }
+        }
+    }
+}
+
+/// A slotted lever that comes to stand across the line of centres: Taylor's series at the change point tells the poses
+/// around it.
+#[test]
+fn slotted_lever() {
+    // The pin at (2, 0) is as near to the pivot (3, 0) as the slot is: the slot is then across x.
+    let at: f64 = 1.0;
+    let [bx, by] = [2.0 * at.cos(), 2.0 * at.sin()];
+    let [x, y] = [bx - 3.0, by];
+    let square = x * x + y * y;
+    let run = (square - 1.0).sqrt();
+    // Along the slot (ux, uy), the pivot at 1 to its side.
+    let [ux, uy] = [(x * run - y) / square, (x + y * run) / square];
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", bx, by)
+        .point("D", 3.0, 0.0)
+        .point("P", bx - ux, by - uy)
+        .point("Q", bx + ux, by + uy)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("block", &["B"])
+        .bar("lever", &["D", "P", "Q"])
+        .slide("block", "B", "lever", ["P", "Q"])
+        .crank("crank");
+    let motion = motion(&draft);
+    // It is back after two turns.
+    let [at, _] = motion.change_points()[..] else {
+        panic!("{:?} {:?}", motion.change_points(), motion.dead_points())
+    };
+    let here = angle(&motion, "lever", at);
+    for way in [1e-4_f64, 1e-3, 0.01, 0.03]
+        .into_iter()
+        .flat_map(|way| [way, -way])
+    {
+        let told = (0..6).rev().fold(0.0, |sum, order| {
+            let factorial: f64 = (1..=order).map(|k| k as f64).product();
+            sum * way + here.derivative(order) / factorial
+        });
+        let off = (angle(&motion, "lever", at + way).value() - told)
+            .sin()
+            .abs();
+        assert!(
+            off < 1e-13 + 100.0 * way.powi(6),
+            "{way:e} beside {at}: {off:e}"
+        );
+    }
+}
