@@ -2,14 +2,15 @@
 // a list are numbered.
 
 /**
+ * A number at the end of the name stands where the word has a place {n} for it, else behind the word.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
 export function called(link, words) {
-  const [, name, n] = /^(.*?)(\d*)$/.exec(link) ?? [link, link, ""];
-  if (!words.has(`link.${name}`)) return link;
-  const said = words.text(`link.${name}`, { n });
-  return said.endsWith(n) ? said : said + n;
+  const [, name, space, n] = /^(.*?)( ?)(\d*)$/.exec(link) ?? [link, link, "", ""];
+  const key = `link.${name}`;
+  if (!words.has(key)) return link;
+  return words.text(key).includes("{n}") ? words.text(key, { n }) : `${words.text(key)}${space}${n}`;
 }
 
 /**
