@@ -4,6 +4,8 @@
 
 #[path = "words/kinds.rs"]
 mod kinds;
+#[path = "words/limits.rs"]
+mod limits;
 #[path = "words/terms.rs"]
 mod terms;
 

@@ -143,7 +143,7 @@ fn words_out_of_use_stay_out() {
 }
 
 /// Everything that the page says of its tables, the kinds' among them, in one language.
-fn page_words_in(lang: &str) -> Words {
+pub(crate) fn page_words_in(lang: &str) -> Words {
     let places = kinds::kinds().into_iter().map(|kind| kind.place());
     let tables = places.chain([PAGE.to_owned()]).map(|place| {
         let mut all = tables(&place).into_iter();
