@@ -2,7 +2,8 @@
 // a list are numbered.
 
 /**
- * A number at the end of the name stands where the word has a place {n} for it, else behind the word.
+ * A number at the end of the name stands where the word has a place {n} for it, else behind the word. Without a number the
+ * word stands alone: of "wheel {n}" and "{n}-доңғалақ" it is "wheel" and "доңғалақ".
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
@@ -10,7 +11,8 @@ export function called(link, words) {
   const [, name, space, n] = /^(.*?)( ?)(\d*)$/.exec(link) ?? [link, link, "", ""];
   const key = `link.${name}`;
   if (!words.has(key)) return link;
-  return words.text(key).includes("{n}") ? words.text(key, { n }) : `${words.text(key)}${space}${n}`;
+  if (!words.text(key).includes("{n}")) return `${words.text(key)}${space}${n}`;
+  return words.text(key, { n }).replace(/^-|\s$/, "");
 }
 
 /**
