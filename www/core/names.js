@@ -3,7 +3,7 @@
 
 /**
  * A number at the end of the name stands where the word has a place {n} for it, else behind the word. Without a number the
- * word stands alone: of "wheel {n}" and "{n}-доңғалақ" it is "wheel" and "доңғалақ".
+ * word stands alone, without the hyphen or space that joins the two.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
