@@ -4,6 +4,8 @@
 
 #[path = "lesson_numbers/differential.rs"]
 mod differential;
+#[path = "lesson_numbers/mixer.rs"]
+mod mixer;
 #[path = "lesson_numbers/mobility.rs"]
 mod mobility;
 #[path = "lesson_numbers/synthesis.rs"]

@@ -4,6 +4,10 @@
 
 #[path = "words/kinds.rs"]
 mod kinds;
+#[path = "words/limits.rs"]
+mod limits;
+#[path = "words/terms.rs"]
+mod terms;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -144,8 +148,10 @@ const LINKS: &[&str] = &[
     "crates/assur-file/catalogue/class3-platform.json",
     "crates/assur-file/catalogue/jansen.json",
     "crates/assur-file/catalogue/klann.json",
+    "crates/assur-file/catalogue/planetary.json",
     "crates/assur-file/catalogue/scotch-yoke.json",
     "crates/assur-file/catalogue/slider-crank.json",
+    "crates/assur-file/catalogue/sun-and-planet.json",
     "crates/assur-file/catalogue/watt-2.json",
     "crates/assur-file/catalogue/whitworth.json",
 ];

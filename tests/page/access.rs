@@ -184,9 +184,9 @@ async fn drawing_and_plots_are_described_at_rest() {
     for part in [
         "0.0° to 360.0°",
         "angle, °: rocker, wheel 4, least 60.3° at 23.1°, greatest 148.2° at 217.1°",
-        "velocity analogue, 1: rocker, wheel 4, least −1.094 at 340.1°",
+        "angular velocity analogue, 1: rocker, wheel 4, least −1.094 at 340.1°",
         "wheel 5, least −1.347 at 99.7°, greatest 2.187 at 340.1°",
-        "acceleration analogue",
+        "angular acceleration analogue",
     ] {
         assert!(plots.contains(part), "{part}: {plots}");
     }

@@ -338,7 +338,7 @@ async fn plots_are_saved_under_a_legend() {
     for label in [
         "φ₃′",
         "φ₅″",
-        "  acceleration analogue, 1/rad",
+        "  angular acceleration analogue, 1/rad",
         "148.2° at 217.1°",
         "2.187 at 340.1°",
         "−4.112 at 8.5°",

@@ -306,9 +306,9 @@ async fn bad_speeds_are_said() {
     let page = open(&document("train-magnets"), 2.0).await;
     let before = read(&page).await;
     for (field, named) in [
-        ("rpm-1", "Driven shaft 1"),
-        ("rpm-2", "Driven shaft 2"),
-        ("start_s-2", "rises from rest"),
+        ("rpm-1", "Input shaft 1"),
+        ("rpm-2", "Input shaft 2"),
+        ("start_s-2", "time of starting from rest"),
     ] {
         let id = format!("field-{field}");
         let good = page.written(&id).await;

@@ -1,5 +1,6 @@
 //! The layout from a phone to a large screen, in every language and at every pixel ratio.
 
+use assur_tests::files::source;
 use roxmltree::Document;
 use serde_json::{Value, json};
 
@@ -167,6 +168,58 @@ async fn layout_of_a_linkage() {
         page.click("errata-close").await;
         page.screen((1280, 800), 1.0).await;
         page.click("tab-settings").await;
+    }
+    found.retain(|(_, defects)| *defects != json!([]));
+    assert!(found.is_empty(), "{found:#?}");
+    page.close().await;
+}
+
+/// The longest words that the mixer has, those of a linkage without a full turn, and every step of the lessons on it and on
+/// the Class IV mechanism, on the narrowest screen. The other lessons have such a test of their own.
+#[tokio::test]
+async fn the_longest_words_have_room() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    for (field, length) in [("l1", "0.6"), ("l2", "0.7"), ("l3", "0.8"), ("l4", "1")] {
+        page.write(&format!("field-{field}"), length).await;
+    }
+    page.screen((360, 640), 1.0).await;
+    let mut found = Vec::new();
+    for lang in LANGUAGES {
+        page.speak(lang).await;
+        let table = source(&format!("lang/{lang}.json"));
+        let words: Value = serde_json::from_str(&table).unwrap();
+        let longest = words["grashof.triple_rocker"].as_str().unwrap();
+        assert!(page.text("status").await.contains(longest), "{lang}");
+        found.push((lang.to_owned(), defects(&page, 0).await));
+    }
+    for lesson in ["mixer", "class4-dwell"] {
+        let script = source(&format!("www/lessons/{lesson}/lesson.js"));
+        let steps = script.matches("    id: \"").count();
+        page.click("gallery").await;
+        let button = format!("gallery-lesson-{lesson}");
+        page.until("the gallery", async || {
+            page.count(&format!("#{button}")).await == 1
+        })
+        .await;
+        page.click(&button).await;
+        page.until("the lesson", async || {
+            page.count("#lesson-check").await == 1
+        })
+        .await;
+        for lang in LANGUAGES {
+            page.speak(lang).await;
+            for step in 1..=steps {
+                let at = format!("{lang} {lesson} {step}");
+                found.push((at, defects(&page, 0).await));
+                if step < steps {
+                    page.click("lesson-on").await;
+                }
+            }
+            for _ in 1..steps {
+                page.click("lesson-back").await;
+            }
+        }
     }
     found.retain(|(_, defects)| *defects != json!([]));
     assert!(found.is_empty(), "{found:#?}");

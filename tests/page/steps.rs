@@ -380,30 +380,34 @@ async fn in_every_language() {
     page.stop_at("75").await;
     open(&page).await;
     assert_eq!(answer(&page, "4").await, "right");
-    for (lang, title, solved, teeth) in [
+    for (lang, title, solved, teeth, wheel) in [
         (
             "ru",
             "Машина и её части",
             "1 верный ответ",
             ["21 зуб", "22 зуба", "25 зубьев"],
+            "колесо 5: угол",
         ),
         (
             "uk",
             "Машина та її частини",
             "1 правильна відповідь",
             ["21 зубець", "22 зубці", "25 зубців"],
+            "колесо 5: кут",
         ),
         (
             "kk",
             "Машина және оның бөліктері",
             "1 дұрыс жауап",
             ["21 тіс", "22 тіс", "25 тіс"],
+            "5-доңғалақ бұрышы",
         ),
         (
             "en",
             "The machine and its parts",
             "1 right answer",
             ["21 teeth", "22 teeth", "25 teeth"],
+            "angle of wheel 5",
         ),
     ] {
         page.choose("lang", lang).await;
@@ -422,6 +426,9 @@ async fn in_every_language() {
             let said = page.attribute("slider-z5", "aria-valuetext").await;
             assert_eq!(said.as_deref(), Some(text), "{lang}");
         }
+        // A number in the name of a link is said once.
+        let option = "return document.querySelector('#plot [value=\"wheel5.angle\"]').textContent";
+        assert_eq!(page.ask(option).await.as_str(), Some(wheel), "{lang}");
         page.click("tab-lesson").await;
         assert_eq!(answer(&page, "4").await, "right");
         let rules =

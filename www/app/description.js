@@ -2,9 +2,9 @@
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
-import { called, calledIn } from "assur/core/names.js";
+import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { subscript } from "assur/core/symbols.js";
+import { whose } from "assur/plots/readouts.js";
 import { powerOf, unitOf, written } from "assur/plots/units.js";
 
 /**
@@ -156,9 +156,9 @@ function peaks(panel, marks, coordinate, words) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} whose it is, and what it is unless an angle
+ * @returns {string} whose it is; of a point which coordinate
  */
-function listedName({ what, of }, words) {
-  if (what === "angle") return of.map((link) => called(link, words)).join(", ");
-  return what === "transmission" ? words.text("readouts.transmission") : `${subscript(of[0])} ${what}`;
+function listedName(listed, words) {
+  const { what } = listed;
+  return what === "x" || what === "y" ? `${whose(listed, words)} ${what}` : whose(listed, words);
 }

@@ -2,14 +2,17 @@
 // a list are numbered.
 
 /**
+ * A number at the end of the name stands where the word has a place {n} for it, else behind the word. Without a number the
+ * word stands alone, without the hyphen or space that joins the two.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
 export function called(link, words) {
-  const [, name, n] = /^(.*?)(\d*)$/.exec(link) ?? [link, link, ""];
-  if (!words.has(`link.${name}`)) return link;
-  const said = words.text(`link.${name}`, { n });
-  return said.endsWith(n) ? said : said + n;
+  const [, name, space, n] = /^(.*?)( ?)(\d*)$/.exec(link) ?? [link, link, "", ""];
+  const key = `link.${name}`;
+  if (!words.has(key)) return link;
+  if (!words.text(key).includes("{n}")) return `${words.text(key)}${space}${n}`;
+  return words.text(key, { n }).replace(/^-|\s$/, "");
 }
 
 /**

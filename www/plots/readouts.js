@@ -67,7 +67,7 @@ export class ReadoutTable {
         this.#cells.push({ listed: one, order, output });
         return output;
       });
-      const title = [make("b", {}, [bare ? "μ" : letter(one)]), " ", make("span", {}, [label(one, words)])];
+      const title = [make("b", {}, [bare ? "μ" : letter(one)]), " ", make("span", {}, [whose(one, words)])];
       return row(one.role, plotted.includes(one.name), title, cells);
     });
     const [input] = this.#table.tBodies[0].rows;
@@ -98,7 +98,7 @@ function letter({ what, number }) {
  * @param {Words} words
  * @returns {string} whose it is; of a transmission angle what it is, too
  */
-function label({ what, of }, words) {
+export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");
   if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of[0], words) });
   return what === "transmission" ? words.text("readouts.transmission") : subscript(of[0]);

@@ -62,7 +62,7 @@ enum Command {
     /// A scheme of links and pairs, or any linkage as one. Pairs are cut until every contour is open: W is the sum of
     /// the freedoms of what is left, less the constraints of what was cut. q counts the constraints that are
     /// redundant in space. Where places and axes are known the rank tells how many motions there really are, which
-    /// pairs bear redundant constraints, which links move for themselves, and which pairs to replace.
+    /// pairs carry redundant constraints, which links move by themselves, and which pairs to replace.
     Mobility {
         /// Catalogue name or file.
         name: String,
@@ -74,7 +74,7 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Tells speeds, ratios and conditions of an epicyclic train with two freedoms.
+    /// Shows speeds, transmission ratios and conditions of an epicyclic train with two degrees of freedom.
     ///
     /// Sun 1, satellite 2, carrier 3, ring 4, with gears in contact or magnets with gaps. Two of the speeds w1, w3,
     /// w4 and ties determine all; i/j(k) is the ratio of wi to wj with k held.
@@ -91,9 +91,9 @@ enum Command {
         #[arg(long, value_name = "N")]
         assembly: Option<usize>,
     },
-    /// Finds the four-bars that take up given positions, with what they are worth.
+    /// Finds the four-bars that take up given positions, with a verdict on each.
     ///
-    /// l0 is the frame, l1 the coupler, l2 the output, l3 the input. Two positions leave a family, three one
+    /// l0 is the frame, l1 the coupler, l2 the output link, l3 the driver. Two positions leave a family, three one
     /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0.
     Synth(synth::Asked),
 }

@@ -175,7 +175,7 @@ fn one_position() {
     assert_eq!(json(&["--position", "90,120"])["condition_13"], true);
     let parallel = said(&["--position", "90,270"]);
     assert!(
-        parallel.contains("condition (13) fails: output and input are parallel"),
+        parallel.contains("condition (13) fails: the output link and the driver are parallel"),
         "{parallel}"
     );
 }
@@ -259,5 +259,5 @@ fn refusals() {
         .map(|k| format!("--position={k},{}", 2 * k))
         .collect();
     let many: Vec<&str> = many.iter().map(String::as_str).collect();
-    assert!(refused(&many).contains("65 positions are too many, 64 will do"));
+    assert!(refused(&many).contains("65 positions are too many: no more than 64 are accepted"));
 }

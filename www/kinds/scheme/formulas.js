@@ -21,7 +21,8 @@ export class FormulasView {
     this.#element.hidden = state.document.task != null;
     if (stale || this.#shown.same(summary, words, stale, withheld)) return;
     const lines = [...classical(snapshot), ...byLoops(snapshot)];
-    this.#body.replaceChildren(...lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]));
+    const said = lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]);
+    this.#body.replaceChildren(make("p", {}, [words.text("formulas.symbols")]), ...said);
   }
 }
 

@@ -21,8 +21,8 @@ const SHOWN: usize = 5;
 /// What is asked for.
 #[derive(Args)]
 pub(crate) struct Asked {
-    /// Angles of output and input that belong together, degrees from the x-axis; a weight may follow.
-    /// The output points from its joint with the coupler to its fixed pivot.
+    /// Angles of the output link and the driver that belong together, degrees from the x-axis; a weight may follow.
+    /// The output link points from its hinge with the coupler to its fixed pivot.
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required = true, value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     /// Length of the frame; all lengths are in its unit.
@@ -33,7 +33,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame: f64,
-    /// Direction of the frame, degrees from the x-axis, from the input's pivot to the output's.
+    /// Direction of the frame, degrees from the x-axis, from the driver's fixed pivot to the output link's.
     #[arg(
         long,
         value_name = "PHI0",
@@ -41,10 +41,10 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame_angle: f64,
-    /// Of two positions: the linkage with this length of the output.
+    /// Of two positions: the linkage with this length of the output link.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// The starting angles of output and input are free (exact for five positions).
+    /// The starting angles of the output link and the driver are free (exact for five positions).
     #[arg(long)]
     free: bool,
     /// For programs.

@@ -12,7 +12,8 @@ pub(super) const ANY: &str = "the positions are mirror images of each other in t
      linkage that takes up the one takes up the other in its other assembly, whatever l2 and l3 are";
 pub(super) const ONE: &str = "one position: a linkage for every l2 and l3, with l1 as long as the gap that they \
      leave; with l2 and l3 as long as the frame:";
-pub(super) const PARALLEL: &str = "condition (13) fails: output and input are parallel";
+pub(super) const PARALLEL: &str =
+    "condition (13) fails: the output link and the driver are parallel";
 
 /// The sentence of what is wrong with a task.
 pub(super) fn task_error(error: &TaskError) -> String {
@@ -22,7 +23,10 @@ pub(super) fn task_error(error: &TaskError) -> String {
         TaskError::FrameAngle => "the frame's angle is not a finite number".to_owned(),
         TaskError::NoPosition => NO_POSITION.to_owned(),
         TaskError::TooMany { count } => {
-            format!("{count} positions are too many, {} will do", Task::MOST)
+            format!(
+                "{count} positions are too many: no more than {} are accepted",
+                Task::MOST
+            )
         }
         TaskError::Output(k) => format!("{}: PHI2 is not a finite number", position(k)),
         TaskError::Input(k) => format!("{}: PHI3 is not a finite number", position(k)),
@@ -101,7 +105,8 @@ pub(super) fn starts(error: StartsError) -> String {
             if freedoms == 1 { "" } else { "s" }
         ),
         StartsError::Degenerate => {
-            "--free: these positions are special, they leave more than some linkages".to_owned()
+            "--free: these positions are special, they leave no finite number of linkages"
+                .to_owned()
         }
         StartsError::TooMany => "--free: more than five positions".to_owned(),
     }

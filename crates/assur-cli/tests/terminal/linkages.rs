@@ -85,7 +85,7 @@ fn bad_linkages_are_refused() {
         (
             "coincident",
             changed("/points/1/at", json!([0, 0])),
-            "Link crank: its points A, B are given at one place: nothing tells its direction",
+            "Link crank: its points A, B are given at one place, so its direction is unknown",
         ),
         (
             "zero",
