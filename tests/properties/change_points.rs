@@ -11,9 +11,9 @@ use crate::random::Random;
 
 /// Ways from a change point, within and beyond what is interpolated.
 const WAYS: [f64; 9] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2];
-/// Of a value and its derivatives, relative to the scale on which the motion changes: each order has lost as much as
-/// is lost between the nodes of the interpolation.
-const TOLERANCE: [f64; 6] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-8, 1e-6];
+/// Of a value and its derivatives, relative to the scale on which the motion changes: each order loses what the nodes
+/// of the interpolation are apart.
+const TOLERANCE: [f64; 6] = [1e-13, 1.5e-12, 2e-11, 3e-10, 5e-9, 8e-8];
 
 fn motion(draft: &Draft) -> Motion {
     let mechanism = Mechanism::new(draft);

@@ -33,7 +33,7 @@ function fileCommands(page) {
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, habits))),
     save: () => saveFile(model.good),
-    copy: () => copyLink(model.good, () => notices.tell(["copied"])),
+    copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
     export: async () => {
       const part = await import("assur/export/dialog.js").catch(() => null);
       if (part) part.openExport(page);

@@ -2,8 +2,9 @@
 import { attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
-import { initialState } from "assur/state/state.js";
-import { addressed, putAside, stored } from "assur/state/storage.js";
+import { addressed } from "assur/state/address.js";
+import { initialState, usualView } from "assur/state/state.js";
+import { putAside, stored } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -42,7 +43,12 @@ async function take(kind, unwrap, engine, { calm, lang }) {
  */
 export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
-  return hash === "" ? null : take("address", () => fromAddress(hash), engine, habits);
+  if (hash === "") return null;
+  const whole = (/** @type {string} */ id) => {
+    const preset = engine.preset(id);
+    return preset && { kind: preset.kind, document: preset.document, view: usualView({ lang: habits.lang }) };
+  };
+  return take("address", () => fromAddress(hash, whole), engine, habits);
 }
 
 /**

@@ -15,11 +15,12 @@ import { Lesson } from "assur/lesson/lesson.js";
 import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
+import { Address } from "assur/state/address.js";
 import { change } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
-import { placed, played } from "assur/state/player.js";
+import { Player, placed } from "assur/state/player.js";
 import { withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
@@ -37,6 +38,7 @@ const WRITING_PERIOD = 0.2;
 
 export class Page {
   #loop = new Loop((dt) => this.#play(dt), () => this.#render());
+  #player = new Player();
   #views;
   #toLesson;
   /** Seconds since numbers were written: at first they are due. */
@@ -54,6 +56,7 @@ export class Page {
     this.habits = habits;
     this.words = words;
     this.store = new Store(state);
+    this.address = new Address(engine, habits.lang);
     this.drafts = new Drafts(redraw);
     this.model = new Model(engine, this.drafts, state);
     this.history = new History(this.store, this.drafts);
@@ -92,7 +95,7 @@ export class Page {
       },
     });
     this.store.subscribe(redraw);
-    persist(this.store, (state) => this.model.takes(state));
+    persist(this.store, this.address, (state) => this.model.takes(state));
     // The address that was entered: by now another may have been written over it.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);
@@ -125,7 +128,9 @@ export class Page {
     if (!taken) return;
     this.notices.tell(taken.failure ? [taken.failure] : []);
     const { state } = taken;
-    if (state) this.history.step(() => this.store.update(() => state));
+    if (!state) return;
+    this.#player.begin();
+    this.history.step(() => this.store.update(() => state));
   }
 
   /**
@@ -137,7 +142,9 @@ export class Page {
    * if it takes it
    */
   choose(kind, document, edits = [], look = () => ({})) {
-    const { store, model } = this;
+    const { store, model, address } = this;
+    const before = store.get();
+    this.#player.begin();
     this.history.step(() => {
       store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
       this.mechanism.fit();
@@ -151,6 +158,7 @@ export class Page {
       if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
       store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
+    address.enter(before, store.get());
   }
 
   /**
@@ -186,7 +194,7 @@ export class Page {
   /** @param {number} dt seconds */
   #play(dt) {
     this.#unwritten += dt;
-    this.store.update((state) => played(state, dt, this.engine, this.model));
+    this.store.update((state) => this.#player.played(state, dt, this.engine, this.model));
     return this.store.get().view.playing;
   }
 

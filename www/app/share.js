@@ -2,7 +2,6 @@
 import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { toFile } from "assur/state/codec.js";
-import { linkTo, showInAddress } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -10,11 +9,12 @@ import { linkTo, showInAddress } from "assur/state/storage.js";
 
 /**
  * @param {State} state
+ * @param {import("assur/state/address.js").Address} address
  * @param {() => void} copied
  */
-export async function copyLink(state, copied) {
-  const link = linkTo(state);
-  showInAddress(state);
+export async function copyLink(state, address, copied) {
+  const link = address.link(state);
+  address.show(state);
   try {
     await navigator.clipboard.writeText(link);
     copied();

@@ -2,7 +2,8 @@
 import { LOST } from "assur/app/notices.js";
 import { byId, make } from "assur/core/dom.js";
 import { LESSONS } from "assur/lessons/index.js";
-import { addressed, keep, kept } from "assur/state/storage.js";
+import { addressed } from "assur/state/address.js";
+import { keep, kept } from "assur/state/storage.js";
 
 /** What is kept once it was closed. */
 const NAME = "welcome";

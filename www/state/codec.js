@@ -7,15 +7,19 @@ import { Refusal } from "assur/core/problem.js";
 
 /**
  * The version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Older versions, by
- * the name that the kind had in them, are read for ever; tests/links.txt holds links of each.
+ * the name that the kind had in them, are read for ever; tests/links.txt holds links of each. A mechanism of the
+ * catalogue that nothing was changed in has its name instead, and of the view what is unusual: `#jansen&v.speed=2`.
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-const PARTS = /** @type {const} */ ({ "d.": "document", "v.": "view" });
+const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
 /** Longer and deeper ones are none of ours. */
 const LONGEST = 100_000;
 const DEEPEST = 8;
+
+/** Where the driver stands: left out of a short address while it moves. */
+const PLACES = Object.freeze(["phi_deg", "s", "t"]);
 
 /** @returns {Refusal} the text is no state, whatever is in it */
 function unreadable() {
@@ -24,26 +28,37 @@ function unreadable() {
 
 /**
  * @param {State} state
+ * @param {{ id: string, usual: State["view"] } | null} preset of the catalogue that the document is, with the view that is left out
  * @returns {string} what follows the # of an address
  */
-export function toAddress(state) {
-  const pairs = [`kind=${encode(state.kind)}`];
-  for (const [prefix, part] of Object.entries(PARTS)) {
-    const entries = Object.entries(state[part]).filter(([, value]) => value !== null && value !== undefined);
-    for (const [key, value] of entries) pairs.push(`${prefix}${encodeURIComponent(key)}=${encode(value)}`);
-  }
-  return [VERSION, ...pairs].join("&");
+export function toAddress({ kind, document, view }, preset) {
+  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view)].join("&");
+  const usual = /** @type {Record<string, unknown>} */ (preset.usual);
+  const unusual = Object.entries(view).filter(([key, value]) => value !== usual[key] && !(view.playing && PLACES.includes(key)));
+  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual))].join("&");
+}
+
+/**
+ * @param {"document" | "view"} part
+ * @param {object} values
+ * @returns {string[]}
+ */
+function pairs(part, values) {
+  const entries = Object.entries(values).filter(([, value]) => value !== null && value !== undefined);
+  return entries.map(([key, value]) => `${PREFIXES[part]}${encodeURIComponent(key)}=${encode(value)}`);
 }
 
 /**
  * @param {string} hash what follows the #
+ * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset of the catalogue, with the usual view
  * @returns {unknown} for the engine to check
  */
-export function fromAddress(hash) {
+export function fromAddress(hash, preset) {
   if (hash.length > LONGEST) throw unreadable();
   const [version, ...pairs] = hash.split("&");
   const kind = Object.hasOwn(KINDS, version) ? KINDS[version] : undefined;
-  if (kind === undefined) throw unreadable();
+  const whole = kind === undefined ? preset(plain(version)) : undefined;
+  if (kind === undefined && !whole) throw unreadable();
   const entries = pairs.map((pair) => {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
@@ -53,8 +68,10 @@ export function fromAddress(hash) {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
   };
+  const view = part(PREFIXES.view);
+  if (whole) return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view } });
   const named = Object.fromEntries(entries.filter(([key]) => key === kind));
-  return shallow({ format: Number(version), ...named, document: part("d."), view: part("v.") });
+  return shallow({ format: Number(version), ...named, document: part(PREFIXES.document), view });
 }
 
 /**

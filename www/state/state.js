@@ -39,7 +39,7 @@ export const TRACERS = Object.freeze({ most: 6 });
  * @param {Partial<View>} view
  * @returns {View} with what it says, else the usual
  */
-function completeView(view) {
+export function usualView(view) {
   return Object.freeze({
     phi_deg: 62,
     s: 0,
@@ -75,7 +75,7 @@ function completeView(view) {
  * @returns {State}
  */
 export function initialState(kind, document, view) {
-  return stateOf(kind, document, completeView(view));
+  return stateOf(kind, document, usualView(view));
 }
 
 /**

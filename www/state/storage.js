@@ -1,5 +1,5 @@
 // Where the state outlives the page: the address and the browser's own store. Both may be forbidden; the page then does without.
-import { toAddress, toFile } from "assur/state/codec.js";
+import { toFile } from "assur/state/codec.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -11,14 +11,6 @@ const ASIDE = "assur.state.unread";
 
 /** Not more often than this, in milliseconds: browsers limit how often an address may change. */
 const PERIOD = 400;
-
-/**
- * @param {string} address
- * @returns {string} what follows the # in it, or nothing
- */
-export function addressed(address) {
-  return address.split("#").slice(1).join("#");
-}
 
 /** @returns {string | null} what was kept last */
 export function stored() {
@@ -47,24 +39,12 @@ export function putAside(text) {
 }
 
 /**
- * @param {State} state
- * @returns {string} the whole address that shows it
- */
-export function linkTo(state) {
-  return `${location.href.split("#")[0]}#${toAddress(state)}`;
-}
-
-/** @param {State} state */
-export function showInAddress(state) {
-  guarded(() => history.replaceState(null, "", linkTo(state)));
-}
-
-/**
- * From now on every change is kept: in the browser at once, in the address when the crank is at rest.
+ * From now on every change is kept, in the browser and in the address; a turning crank alone is none.
  * @param {import("assur/state/store.js").Store<State>} store
+ * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  */
-export function persist(store, sound) {
+export function persist(store, address, sound) {
   let timer = 0;
   let changed = false;
   const save = () => {
@@ -74,7 +54,7 @@ export function persist(store, sound) {
     if (!changed || !sound(state)) return;
     changed = false;
     guarded(() => localStorage.setItem(KEY, toFile(state)));
-    if (!state.view.playing) showInAddress(state);
+    address.show(state);
   };
   store.subscribe((state, previous) => {
     changed = true;
@@ -93,7 +73,7 @@ export function persist(store, sound) {
  * @param {() => T} work
  * @returns {T | null} null where the browser forbids it
  */
-function guarded(work) {
+export function guarded(work) {
   try {
     return work();
   } catch {

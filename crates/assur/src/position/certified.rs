@@ -244,7 +244,7 @@ impl Group {
                 }
             }
             for (most, [x, y]) in most.iter_mut().zip(parts) {
-                *most = most.max(x.hypot(y) / unit);
+                *most = most.max(Vector::new(x, y).norm() / unit);
             }
         }
         most

@@ -163,7 +163,7 @@ impl Enclosure {
 
     /// What the second derivative of a direction of a body is at most.
     pub(crate) fn sway(&self, from: &Predictor, body: BodyId) -> f64 {
-        self.spin(body).hypot(self.pace(from, body).powi(2))
+        Vector::new(self.spin(body), self.pace(from, body).powi(2)).norm()
     }
 
     /// The way of a place on a body.

@@ -114,11 +114,7 @@ impl<const N: usize> State<N> {
     pub(crate) fn angle(&self, body: BodyId) -> Jet<N> {
         match self.angle[body] {
             Angle::Known(angle) => angle,
-            Angle::Turned => {
-                let near = self.near[body];
-                let turned = self.turn[body].by(conjugate(near.turn));
-                turned.y().unit_atan2(turned.x()) + near.angle
-            }
+            Angle::Turned => angle_near(self.turn[body], self.near[body]),
         }
     }
 
@@ -136,10 +132,12 @@ impl<const N: usize> State<N> {
 
     /// How a body is turned.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
-        Orientation {
-            angle: self.angle(body).value(),
-            turn: self.turn[body].value(),
-        }
+        let turn = self.turn[body].value();
+        let angle = match self.angle[body] {
+            Angle::Known(angle) => angle.value(),
+            Angle::Turned => angle_near(Complex::<1>::constant(turn), self.near[body]).value(),
+        };
+        Orientation { angle, turn }
     }
 
     /// How all bodies are turned.
@@ -155,4 +153,11 @@ impl<const N: usize> State<N> {
         self.turn[body] = turn;
         self.origin[body] = self.place(at) - turn.by(hinge);
     }
+}
+
+/// The angle of a turn that is less than half a turn from that of a pose nearby.
+#[inline(always)]
+fn angle_near<const N: usize>(turn: Complex<N>, near: Orientation) -> Jet<N> {
+    let turned = turn.by(conjugate(near.turn));
+    turned.y().unit_atan2(turned.x()) + near.angle
 }

@@ -1,0 +1,57 @@
+// The address bar: what is shown is in it, and Back returns to the mechanism before.
+import { toAddress } from "assur/state/codec.js";
+import { guarded } from "assur/state/storage.js";
+import { usualView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+/**
+ * @param {string} address
+ * @returns {string} what follows the # in it, or nothing
+ */
+export function addressed(address) {
+  return address.split("#").slice(1).join("#");
+}
+
+export class Address {
+  #engine;
+  #usual;
+
+  /**
+   * @param {import("assur/engine.js").Engine} engine
+   * @param {string} lang of the reader's browser
+   */
+  constructor(engine, lang) {
+    this.#engine = engine;
+    this.#usual = usualView({ lang });
+  }
+
+  /**
+   * @param {State} state
+   * @returns {string} the whole address that shows it; a short one where it is a mechanism of the catalogue as it stands there
+   */
+  link(state) {
+    const preset = this.#engine.presetOf(state);
+    const unchanged = preset && JSON.stringify(preset.document) === JSON.stringify(state.document);
+    const hash = toAddress(state, unchanged ? { id: preset.id, usual: this.#usual } : null);
+    return `${location.href.split("#")[0]}#${hash}`;
+  }
+
+  /** @param {State} state */
+  show(state) {
+    guarded(() => history.replaceState(null, "", this.link(state)));
+  }
+
+  /**
+   * Another mechanism has been chosen: Back leads to the one before.
+   * @param {State} before
+   * @param {State} now
+   */
+  enter(before, now) {
+    if (before.kind === now.kind && before.document === now.document) return;
+    this.show(before);
+    guarded(() => history.pushState(null, "", this.link(now)));
+  }
+}
