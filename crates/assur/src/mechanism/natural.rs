@@ -114,7 +114,8 @@ struct Plan<'a> {
     size: f64,
 }
 
-/// Two points closer together, relative to the group, tell a direction with fewer digits.
+/// Two points closer together, relative to the group, tell a direction with fewer digits; relative to their link,
+/// they do not tell where its other points are.
 const CLOSE: f64 = 1.0 / 32.0;
 
 impl Plan<'_> {
@@ -171,7 +172,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // Two points close to each other tell little of the direction. Of equals the first.
+            // Of equals the first.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -183,9 +184,26 @@ impl Plan<'_> {
                         best
                     }
                 });
+                let longest =
+                    longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
             }
         }
+    }
+
+    /// How far any point of a body is from a place on it.
+    fn reach(&self, body: BodyId, from: Vector) -> f64 {
+        let points = self.bodies.of(body).iter();
+        points.fold(0.0, |most, (_, at)| most.max((at - from).norm()))
+    }
+
+    /// Whether a place on a body is so far from its known points that it tells with them where all of it is.
+    fn is_far(&self, body: BodyId, at: Vector) -> bool {
+        let mut known = self.bodies.of(body).iter();
+        known.all(|(point, other)| {
+            !self.points.contains_key(point)
+                || (at - other).norm() >= CLOSE * self.reach(body, *other)
+        })
     }
 
     /// How little is lacking to place a body: a guide or a point known, then the
@@ -208,11 +226,13 @@ impl Plan<'_> {
                 .filter(|other| self.bodies.local(**other, point).is_some())
                 .count()
         };
-        let free = self.bodies.of(body).iter().map(|(point, _)| *point);
-        let free = free.filter(|point| !self.points.contains_key(point));
+        let free = self.bodies.of(body).iter();
+        let free = free.filter(|(point, _)| !self.points.contains_key(point));
         // Of equals the first: `max_by_key` takes the last.
-        let best = free.rev().max_by_key(|point| joints(*point));
-        if let Some(point) = best {
+        let best = free
+            .rev()
+            .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
+        if let Some((point, _)) = best.copied() {
             let form = self.unknown(drawn(point), self.size);
             self.points.insert(point, form);
             return;

@@ -1,5 +1,7 @@
 //! Where all bodies are, while the groups are solved one after the other.
 
+use std::f64::consts::TAU;
+
 use super::group::Input;
 use super::work::Work;
 use super::{Anchor, Arm, Complex, Track, conjugate};
@@ -132,12 +134,18 @@ impl<const N: usize> State<N> {
         self.angle[body] = Angle::Turned;
     }
 
-    /// How a body is turned.
+    /// How a body is turned. An angle that is told from a pose nearby is told anew from the turn, to a whole turn:
+    /// what is rounded does not add up from pose to pose.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
-        Orientation {
-            angle: self.angle(body).value(),
-            turn: self.turn[body].value(),
-        }
+        let turn = self.turn[body].value();
+        let angle = match self.angle[body] {
+            Angle::Known(angle) => angle.value(),
+            Angle::Turned => {
+                let own = turn.y.atan2(turn.x);
+                own + TAU * ((self.angle(body).value() - own) / TAU).round()
+            }
+        };
+        Orientation { angle, turn }
     }
 
     /// How all bodies are turned.
