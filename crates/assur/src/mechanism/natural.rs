@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
-use crate::position::{Anchor, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
+use crate::position::{Anchor, CLOSE, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
 
 use super::body::Bodies;
 use super::draft::extent;
@@ -113,10 +113,6 @@ struct Plan<'a> {
     /// The size of the group.
     size: f64,
 }
-
-/// Two points closer together, relative to the group, tell a direction with fewer digits; relative to their link,
-/// they do not tell where its other points are.
-const CLOSE: f64 = 1.0 / 32.0;
 
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
