@@ -134,15 +134,15 @@ impl<const N: usize> State<N> {
         self.angle[body] = Angle::Turned;
     }
 
-    /// How a body is turned. An angle that is told from a pose nearby is told anew from the turn, to a whole turn:
-    /// what is rounded does not add up from pose to pose.
+    /// How a body is turned. What is told of its turn is told anew, to a whole turn: rounding does not add up from one
+    /// pose nearby to the next.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let turn = self.turn[body].value();
         let angle = match self.angle[body] {
             Angle::Known(angle) => angle.value(),
             Angle::Turned => {
-                let own = turn.y.atan2(turn.x);
-                own + TAU * ((self.angle(body).value() - own) / TAU).round()
+                let angle = turn.y.atan2(turn.x);
+                angle + TAU * ((self.near[body].angle - angle) / TAU).round()
             }
         };
         Orientation { angle, turn }
