@@ -180,6 +180,7 @@ impl Plan<'_> {
                         best
                     }
                 });
+                // Two close together do not tell where one far off is: that is known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -187,10 +188,25 @@ impl Plan<'_> {
         }
     }
 
-    /// How far any point of a body is from a place on it.
+    /// How far any hinge or guide of a body is from a place on it: by these other bodies follow from it.
     fn reach(&self, body: BodyId, from: Vector) -> f64 {
-        let points = self.bodies.of(body).iter();
-        points.fold(0.0, |most, (_, at)| most.max((at - from).norm()))
+        let bodies = self.bodies;
+        let others = move |point| {
+            bodies
+                .ids()
+                .filter(move |id| bodies.local(*id, point).is_some())
+        };
+        let hinges = bodies
+            .of(body)
+            .iter()
+            .filter(|(point, _)| others(*point).count() > 1);
+        let guides = bodies
+            .slides
+            .iter()
+            .filter(|slide| slide.joins(body).is_some());
+        let guides = guides.map(|slide| slide.line_on(body).0);
+        let places = hinges.map(|(_, at)| *at).chain(guides);
+        places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
     /// Whether a place on a body is so far from its known points that it tells with them where all of it is.
