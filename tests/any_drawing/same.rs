@@ -273,6 +273,14 @@ impl Comparison<'_> {
         self.is_undetermined(None, own) || self.is_undetermined(Some(motion), other)
     }
 
+    /// Whether on the way to a pose there is one beyond which either branch may be meant.
+    fn is_open_before(&mut self, motion: &Motion, known: &Known) -> bool {
+        match motion.cycle().is_full() {
+            true => self.is_open_somewhere(motion),
+            false => self.is_undetermined(None, known.input),
+        }
+    }
+
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
         let told = f64::EPSILON * (known.input.abs() + self.drawn_at.input.abs());
         let error = self.error(&known.shown) + self.error(&self.drawn_at.shown) + told;
@@ -283,6 +291,7 @@ impl Comparison<'_> {
         let input = self.input(motion, known.input);
         let pose = match motion.pose::<3>(input) {
             Ok(pose) => pose,
+            Err(_) if self.is_open_before(motion, known) => return true,
             Err(unsolved) => {
                 self.fail("no pose", format!("at {}: {unsolved:?}", known.input));
                 return false;
@@ -326,12 +335,7 @@ impl Comparison<'_> {
                 });
             }
             if worst.0 > allowed[order] {
-                // Beyond such a pose either branch may be meant.
-                let open = match motion.cycle().is_full() {
-                    true => self.is_open_somewhere(motion),
-                    false => self.is_undetermined(None, known.input),
-                };
-                if open {
+                if self.is_open_before(motion, known) {
                     return true;
                 }
                 let kind = ["places", "first derivatives", "second derivatives"][order];

@@ -24,6 +24,9 @@ pub(crate) fn way(at: impl Fn(f64) -> Option<Condition>, [from, to]: [f64; 2], e
     let Some(mut here) = at(from) else {
         return found;
     };
+    // Where an error of the equations may make the pose singular its determinant's sign is that of rounding.
+    let sign = |condition: &Condition| (error * condition.pose < 0.5).then_some(condition.sign);
+    let mut told = sign(&here);
     let (mut input, sense) = (from, (to - from).signum());
     let mut width = (0.1 * (to - from).abs()).min(0.01);
     for _ in 0..4_000 {
@@ -48,8 +51,9 @@ pub(crate) fn way(at: impl Fn(f64) -> Option<Condition>, [from, to]: [f64; 2], e
         }
         if let Some(there) = there {
             found.open |= !determined(there, error);
-            found.passed |= there.sign != here.sign;
-            here = there;
+            let now = sign(&there).or(told);
+            found.passed |= told.is_some() && now != told;
+            (here, told) = (there, now);
         }
         input = next;
         if changes < 1.2 {

@@ -135,17 +135,24 @@ impl Bodies {
     /// Adds the points of a link that is fixed to a body; the angle of the link on it.
     fn fix(&mut self, draft: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
-        for point in points {
-            if self.local(body, *point).is_none() {
-                let local = product(draft.places[*point] - origin, conjugate(turn));
-                self.points[body].push((*point, local));
+        let own = |way: Vector| product(way, conjugate(turn));
+        let is_new = |point: &PointId| self.local(body, *point).is_none();
+        let place = |point: PointId| {
+            let known = self.local(body, point);
+            known.unwrap_or_else(|| own(draft.places[point] - origin))
+        };
+        let way = match *points {
+            // Of two points close together rounding of their places on the body would blur the direction.
+            [first, second, ..] if is_new(&first) && is_new(&second) => {
+                own(draft.places[second] - draft.places[first])
             }
-        }
-        let ends = points.iter().filter_map(|point| self.local(body, *point));
-        match ends.take(2).collect::<Vec<_>>()[..] {
-            [first, second] => (second - first).y.atan2((second - first).x),
-            _ => 0.0,
-        }
+            [first, second, ..] => place(second) - place(first),
+            _ => Vector::x(),
+        };
+        let new = points.iter().copied().filter(is_new);
+        let new: Vec<_> = new.map(|point| (point, place(point))).collect();
+        self.points[body].extend(new);
+        way.y.atan2(way.x)
     }
 
     pub(super) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {

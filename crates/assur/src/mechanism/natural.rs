@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
-use crate::position::{Anchor, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
+use crate::position::{Anchor, CLOSE, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
 
 use super::body::Bodies;
 use super::draft::extent;
@@ -114,9 +114,6 @@ struct Plan<'a> {
     size: f64,
 }
 
-/// Two points closer together, relative to the group, tell a direction with fewer digits.
-const CLOSE: f64 = 1.0 / 32.0;
-
 impl Plan<'_> {
     fn input(&mut self, input: Input) -> Form {
         // The frame does not move.
@@ -171,7 +168,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // Two points close to each other tell little of the direction. Of equals the first.
+            // Of equals the first.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -183,9 +180,42 @@ impl Plan<'_> {
                         best
                     }
                 });
+                // Two close together do not tell where one far off is: that is known first.
+                let longest =
+                    longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
             }
         }
+    }
+
+    /// How far any hinge or guide of a body is from a place on it: by these other bodies follow from it.
+    fn reach(&self, body: BodyId, from: Vector) -> f64 {
+        let bodies = self.bodies;
+        let others = move |point| {
+            bodies
+                .ids()
+                .filter(move |id| bodies.local(*id, point).is_some())
+        };
+        let hinges = bodies
+            .of(body)
+            .iter()
+            .filter(|(point, _)| others(*point).count() > 1);
+        let guides = bodies
+            .slides
+            .iter()
+            .filter(|slide| slide.joins(body).is_some());
+        let guides = guides.map(|slide| slide.line_on(body).0);
+        let places = hinges.map(|(_, at)| *at).chain(guides);
+        places.fold(0.0, |most, at| most.max((at - from).norm()))
+    }
+
+    /// Whether a place on a body is so far from its known points that it tells with them where all of it is.
+    fn is_far(&self, body: BodyId, at: Vector) -> bool {
+        let mut known = self.bodies.of(body).iter();
+        known.all(|(point, other)| {
+            !self.points.contains_key(point)
+                || (at - other).norm() >= CLOSE * self.reach(body, *other)
+        })
     }
 
     /// How little is lacking to place a body: a guide or a point known, then the
@@ -208,11 +238,13 @@ impl Plan<'_> {
                 .filter(|other| self.bodies.local(**other, point).is_some())
                 .count()
         };
-        let free = self.bodies.of(body).iter().map(|(point, _)| *point);
-        let free = free.filter(|point| !self.points.contains_key(point));
+        let free = self.bodies.of(body).iter();
+        let free = free.filter(|(point, _)| !self.points.contains_key(point));
         // Of equals the first: `max_by_key` takes the last.
-        let best = free.rev().max_by_key(|point| joints(*point));
-        if let Some(point) = best {
+        let best = free
+            .rev()
+            .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
+        if let Some((point, _)) = best.copied() {
             let form = self.unknown(drawn(point), self.size);
             self.points.insert(point, form);
             return;

@@ -12,7 +12,8 @@ use crate::{Point, Vector};
 pub(super) struct Resolved<'a> {
     pub(super) draft: &'a Draft,
     /// The place from which all others are told while a mechanism is solved: far from the origin of the drawing
-    /// they would lose digits.
+    /// they would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
+    /// may tell a direction.
     pub(super) origin: Vector,
     /// Where points are drawn.
     pub(super) places: List<PointId, Vector>,
@@ -120,7 +121,9 @@ impl<'a> Resolved<'a> {
         let tracers = draft.tracers.iter();
         let tracers = tracers.map(|tracer| Ok((names.link(&tracer.link)?, tracer)));
         let hinge = draft.frame.first().and_then(|name| draft.place(name));
-        let origin = hinge.map_or(Vector::zeros(), |hinge| hinge.coords);
+        let size = draft.size();
+        let far = |x: f64| if x.abs() > 2.0 * size { x } else { 0.0 };
+        let origin = hinge.map_or(Vector::zeros(), |hinge| hinge.coords.map(far));
         let places = draft.points.iter().map(|point| point.at.coords - origin);
         Ok(Self {
             draft,

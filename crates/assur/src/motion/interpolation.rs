@@ -1,6 +1,8 @@
 //! Samples of a motion, and between them by Hermite interpolation the guess from
 //! which groups are solved.
 
+use std::f64::consts::TAU;
+
 use crate::Cycle;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::Signs;
@@ -122,8 +124,10 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
+        // Whole turns: where a pose is nearly singular the two are not the same to the last digit.
         let turned = last.orientations.iter().zip(first.orientations.iter());
-        let gained: Vec<f64> = turned.map(|(b, a)| b.angle - a.angle).collect();
+        let gained = turned.map(|(b, a)| TAU * ((b.angle - a.angle) / TAU).round());
+        let gained: Vec<f64> = gained.collect();
         let later = |knot: &Knot, periods: f64| {
             let mut later = knot.clone();
             later.input += period * periods;

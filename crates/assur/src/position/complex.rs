@@ -82,6 +82,11 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
+    /// The same direction with a length of 1; none of a vector that vanishes.
+    pub(crate) fn unit(self) -> Self {
+        self.scaled(self.norm_squared().sqrt().recip())
+    }
+
     /// The scalar product.
     pub(crate) fn dot(self, other: Self) -> Jet<N> {
         self.x() * other.x() + self.y() * other.y()

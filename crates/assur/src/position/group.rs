@@ -356,7 +356,7 @@ impl Group {
         {
             let [mut origin, mut turn] = [origin, turn].map(|form| state.work.values[*form]);
             if let Some(at) = close {
-                let unit = turn.scaled(turn.norm_squared().sqrt().recip());
+                let unit = turn.unit();
                 origin = origin + (turn - unit).by(*at);
                 turn = unit;
             }

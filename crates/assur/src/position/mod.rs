@@ -55,6 +55,9 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Given, Sign, Solvable, Step};
 
+/// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
+pub(crate) const CLOSE: f64 = 1.0 / 32.0;
+
 /// A place on a body, in its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Anchor {

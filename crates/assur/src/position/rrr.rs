@@ -1,9 +1,9 @@
 //! The dyad RRR: two links hinged on each other and on two solved points.
 
 use super::complex::Complex;
-use super::{Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, clear};
-use crate::Jet;
+use super::{Arm, CLOSE, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, clear};
 use crate::index::{BodyId, StepId};
+use crate::{Jet, Vector};
 
 /// Links i and j with the joint C between them, i hinged at B, j at D.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,8 +61,16 @@ impl<const N: usize> Triangle<N> {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let to_c = to_c.scaled(self.square.recip());
-        state.lay(i, self.b, to_c);
-        state.lay(j, self.d, to_c - self.diagonal);
+        let legs = [(i, self.b, to_c), (j, self.d, to_c - self.diagonal)];
+        for (arm, at, along) in legs {
+            // Rounding of the longer arm leaves the shorter one its direction only.
+            let along = if arm.length() < CLOSE * self.sum {
+                along.unit().by(Vector::new(arm.length(), 0.0))
+            } else {
+                along
+            };
+            state.lay(arm, at, along);
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! Where all bodies are, while the groups are solved one after the other.
 
+use std::f64::consts::TAU;
+
 use super::group::Input;
 use super::work::Work;
 use super::{Anchor, Arm, Complex, Passing, Track, conjugate};
@@ -114,7 +116,11 @@ impl<const N: usize> State<N> {
     pub(crate) fn angle(&self, body: BodyId) -> Jet<N> {
         match self.angle[body] {
             Angle::Known(angle) => angle,
-            Angle::Turned => angle_near(self.turn[body], self.near[body]),
+            Angle::Turned => {
+                let near = self.near[body];
+                let turned = self.turn[body].by(conjugate(near.turn));
+                turned.y().unit_atan2(turned.x()) + near.angle
+            }
         }
     }
 
@@ -130,12 +136,16 @@ impl<const N: usize> State<N> {
         self.angle[body] = Angle::Turned;
     }
 
-    /// How a body is turned.
+    /// How a body is turned. What is told of its turn is told anew, to a whole turn: rounding does not add up from one
+    /// pose nearby to the next.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let turn = self.turn[body].value();
         let angle = match self.angle[body] {
             Angle::Known(angle) => angle.value(),
-            Angle::Turned => angle_near(Complex::<1>::constant(turn), self.near[body]).value(),
+            Angle::Turned => {
+                let angle = turn.y.atan2(turn.x);
+                angle + TAU * ((self.near[body].angle - angle) / TAU).round()
+            }
         };
         Orientation { angle, turn }
     }
@@ -153,11 +163,4 @@ impl<const N: usize> State<N> {
         self.turn[body] = turn;
         self.origin[body] = self.place(at) - turn.by(hinge);
     }
-}
-
-/// The angle of a turn that is less than half a turn from that of a pose nearby.
-#[inline(always)]
-fn angle_near<const N: usize>(turn: Complex<N>, near: Orientation) -> Jet<N> {
-    let turned = turn.by(conjugate(near.turn));
-    turned.y().unit_atan2(turned.x()) + near.angle
 }
