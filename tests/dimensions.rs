@@ -3,7 +3,7 @@
 //! works.
 #![cfg(not(target_family = "wasm"))]
 
-use assur::mechanism::{ConstraintKind, Dimension, Mechanism, Pose, Quantity};
+use assur::mechanism::{ConstraintKind, Dimension, DraftDriver, Mechanism, Pose, Quantity};
 use assur::motion::{Changed, Motion, OutputProfile, Refusal};
 use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
@@ -253,7 +253,8 @@ fn a_hinge_is_moved() {
     }
 }
 
-/// Whatever can drive drives from the pose at hand: links hinged on the frame, slides on it.
+/// Whatever can drive drives from the pose at hand: links hinged on the frame, slides on it,
+/// and what drives already.
 #[test]
 fn every_driver_of_the_catalogue() {
     for name in gallery() {
@@ -268,7 +269,11 @@ fn every_driver_of_the_catalogue() {
                 let after = changed.motion.mechanism();
                 let draft = after.draft();
                 assert_eq!(draft.driven(&draft.drivers[0]), Some(link), "{at}");
-                let driven = format!("I(frame,{link})");
+                let base = match &draft.drivers[0] {
+                    DraftDriver::Crank { base, .. } => base,
+                    DraftDriver::Slide { slide, .. } => &draft.slides[*slide].on,
+                };
+                let driven = format!("I({base},{link})");
                 assert!(after.terms().contains(&driven), "{at}");
                 let pose = changed.motion.pose(changed.input).unwrap();
                 assert!(residual(after, &pose) < 1e-9, "{at}");

@@ -186,3 +186,19 @@ fn a_wheel_on_a_link_of_a_group() {
         );
     }
 }
+
+/// A deltoid repeats after two turns of its crank; of what hangs on one the motion, which ends sooner, is that of
+/// the drawing, by whatever turns it is told.
+#[test]
+fn a_deltoid_is_told_by_two_turns() {
+    let motion = motion("deltoid-in-part");
+    let (mechanism, home) = (motion.mechanism(), motion.home());
+    assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
+    for input in [home, home + 2.0 * TAU, home - 2.0 * TAU] {
+        let pose = motion.pose::<1>(input).unwrap();
+        for (point, drawn) in mechanism.point_ids().zip(&mechanism.draft().points) {
+            let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
+            assert!(off < 1e-9, "{} {input}: {off}", drawn.name);
+        }
+    }
+}

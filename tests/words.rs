@@ -27,7 +27,8 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 48] = [
+const BUILT: [(&str, &[&str]); 49] = [
+    ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
     (
@@ -146,14 +147,23 @@ const LINKS: &[&str] = &[
     "crates/assur-file/src/kinds/mixer.rs",
     "crates/assur-file/catalogue/chebyshev.json",
     "crates/assur-file/catalogue/class3-platform.json",
+    "crates/assur-file/catalogue/elliptic-trammel.json",
+    "crates/assur-file/catalogue/evans.json",
+    "crates/assur-file/catalogue/jaw-crusher.json",
     "crates/assur-file/catalogue/jansen.json",
     "crates/assur-file/catalogue/klann.json",
+    "crates/assur-file/catalogue/oldham.json",
     "crates/assur-file/catalogue/planetary.json",
+    "crates/assur-file/catalogue/pump-jack.json",
     "crates/assur-file/catalogue/scotch-yoke.json",
     "crates/assur-file/catalogue/slider-crank.json",
     "crates/assur-file/catalogue/sun-and-planet.json",
+    "crates/assur-file/catalogue/toggle-press.json",
+    "crates/assur-file/catalogue/triple-rocker.json",
+    "crates/assur-file/catalogue/v-twin.json",
     "crates/assur-file/catalogue/watt-2.json",
     "crates/assur-file/catalogue/whitworth.json",
+    "crates/assur-file/catalogue/wiper.json",
 ];
 
 /// The tables of all that the page says.

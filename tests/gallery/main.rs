@@ -2,7 +2,10 @@
 //! closes, and has a number that is published or follows exactly.
 #![cfg(not(target_family = "wasm"))]
 
+mod four_bars;
 mod groups;
+mod lines;
+mod machines;
 mod numbers;
 
 use assur::JetPoint;
@@ -11,7 +14,34 @@ use assur::motion::{Motion, OutputProfile};
 use assur_file::{catalogue, from_catalogue};
 
 /// Name, structural formula, and whether its crank turns fully.
-const GALLERY: [(&str, &str, bool); 23] = [
+const GALLERY: [(&str, &str, bool); 43] = [
+    ("crank-rocker", "I(frame,crank) → II₂(coupler,rocker)", true),
+    (
+        "double-crank",
+        "I(frame,crank) → II₂(coupler,follower)",
+        true,
+    ),
+    (
+        "double-rocker",
+        "I(left rocker,coupler) → II₂(left rocker+coupler,right rocker)",
+        true,
+    ),
+    (
+        "triple-rocker",
+        "I(frame,left rocker) → II₂(coupler,right rocker)",
+        false,
+    ),
+    (
+        "parallelogram",
+        "I(frame,crank) → II₂(coupler,follower)",
+        true,
+    ),
+    (
+        "antiparallelogram",
+        "I(frame,crank) → II₂(coupler,follower)",
+        true,
+    ),
+    ("pump-jack", "I(frame,crank) → II₂(pitman,beam)", true),
     ("slider-crank", "I(frame,crank) → II₂(rod,slider)", true),
     (
         "slider-crank-offset",
@@ -29,6 +59,41 @@ const GALLERY: [(&str, &str, bool); 23] = [
         true,
     ),
     ("scotch-yoke", "I(frame,crank) → II₂(block,yoke)", true),
+    (
+        "elliptic-trammel",
+        "I(horizontal slider,rod) → II₂(horizontal slider+rod,vertical slider)",
+        true,
+    ),
+    (
+        "oldham",
+        "I(frame,input shaft) → II₂(disc,output shaft)",
+        true,
+    ),
+    (
+        "shaper",
+        "I(frame,crank) → II₂(block,lever) → II₂(rod,ram)",
+        true,
+    ),
+    (
+        "jaw-crusher",
+        "I(frame,crank) → II₂(pitman,rear toggle) → II₂(front toggle,jaw)",
+        true,
+    ),
+    (
+        "toggle-press",
+        "I(frame,crank) → II₂(rod,upper toggle) → II₂(lower toggle,slider)",
+        true,
+    ),
+    (
+        "v-twin",
+        "I(frame,crank) → II₂(right rod,right piston) → II₂(left rod,left piston)",
+        true,
+    ),
+    (
+        "wiper",
+        "I(frame,crank) → II₂(rod,left wiper) → II₂(link,right wiper)",
+        true,
+    ),
     (
         "watt-1",
         "I(frame,crank) → II₂(coupler,rocker) → II₂(EG,FG)",
@@ -55,10 +120,32 @@ const GALLERY: [(&str, &str, bool); 23] = [
         true,
     ),
     ("chebyshev", "I(frame,lever) → II₂(coupler,follower)", false),
+    ("hoeken", "I(frame,crank) → II₂(coupler,rocker)", true),
+    (
+        "roberts",
+        "I(frame,left rocker) → II₂(coupler,right rocker)",
+        false,
+    ),
+    (
+        "watt-line",
+        "I(frame,left rocker) → II₂(coupler,right rocker)",
+        false,
+    ),
+    (
+        "evans",
+        "I(frame,short rocker) → II₂(beam,long rocker)",
+        false,
+    ),
+    ("scott-russell", "I(frame,crank) → II₂(rod,slider)", true),
     (
         "peaucellier",
         "I(frame,crank) → II₂(OB,CB) → II₂(OD,CD) → II₂(BE,DE)",
         false,
+    ),
+    (
+        "pantograph",
+        "I(frame,crank) → II₂(coupler,rocker) → II₂(OF,EP) → II₂(FQ,PG)",
+        true,
     ),
     (
         "klann",
@@ -145,6 +232,12 @@ fn range(motion: &Motion, name: &str) -> [f64; 2] {
         [f64::INFINITY, f64::NEG_INFINITY],
         |[low, high], [_, value]| [low.min(value), high.max(value)],
     )
+}
+
+/// By how much an angle has grown after a turn of the input.
+fn full_turn(motion: &Motion, name: &str) -> f64 {
+    let [start, end] = [0.0, 360.0].map(|degrees| at(motion, name, degrees)[0]);
+    end - start
 }
 
 /// The slow stroke by the quick one, at constant speed.

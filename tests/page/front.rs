@@ -172,6 +172,8 @@ async fn mechanisms_are_found() {
     assert!(third.contains(&"class3-platform".to_owned()), "{third:?}");
     assert!(!third.contains(&"class5".to_owned()), "{third:?}");
     assert_eq!(search(&page, "scotch").await, ["scotch-yoke"]);
+    // By what they are good for, too.
+    assert_eq!(search(&page, "lifts oil").await, ["pump-jack"]);
     assert_eq!(search(&page, "perpetuum").await, [""; 0]);
     assert!(page.text("gallery-none").await.contains("perpetuum"));
     page.click("gallery-close").await;
@@ -211,9 +213,9 @@ async fn the_gallery_goes_by_keys() {
     page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-lesson-mobility");
     page.keys(Key::Down + "").await;
-    assert_eq!(focused().await, "gallery-slider-crank");
+    assert_eq!(focused().await, "gallery-crank-rocker");
     page.keys(Key::Down + "").await;
-    assert_eq!(focused().await, "gallery-whitworth");
+    assert_eq!(focused().await, "gallery-antiparallelogram");
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;

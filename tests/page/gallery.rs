@@ -24,11 +24,16 @@ pub(crate) fn document(name: &str) -> LinkageDocument {
     from_catalogue(name).unwrap().unwrap()
 }
 
-/// What the gallery calls a mechanism.
-fn called(name: &str) -> String {
+/// What the page says in English.
+fn word(key: &str) -> String {
     let words = include_str!("../../lang/en.json");
     let words: BTreeMap<String, String> = serde_json::from_str(words).unwrap();
-    words[&format!("gallery.{name}")].clone()
+    words[key].clone()
+}
+
+/// What the gallery calls a mechanism.
+fn called(name: &str) -> String {
+    word(&format!("gallery.{name}"))
 }
 
 /// Whether this mechanism of the gallery is on the page, its structure said.
@@ -181,14 +186,14 @@ async fn a_mechanism_opens_by_keys_and_is_undone() {
     page.keys(Key::Down + "").await;
     page.keys(Key::Enter + "").await;
     page.until("the first mechanism", async || {
-        shows(&page, "slider-crank").await
+        shows(&page, "crank-rocker").await
     })
     .await;
     page.focus("step-forward").await;
     page.keys(Key::Enter + "").await;
     page.settle().await;
     assert_eq!(page.value("out-input").await, 76.0);
-    agrees(&page, &document("slider-crank"), "C.x").await;
+    agrees(&page, &document("crank-rocker"), "rocker.angle").await;
     page.chord(&[Key::Control], 'z').await;
     page.settle().await;
     assert_eq!(page.text("mechanism-name").await, called("mixer-a"));
@@ -196,7 +201,27 @@ async fn a_mechanism_opens_by_keys_and_is_undone() {
     assert_eq!(page.value("out-rocker").await, rocker);
     page.click("redo").await;
     page.settle().await;
-    assert!(shows(&page, "slider-crank").await);
+    assert!(shows(&page, "crank-rocker").await);
+    page.close().await;
+}
+
+/// What a machine tool is chosen by stands below the drawing, and what it is good for at its name.
+#[tokio::test]
+async fn strokes_and_time_ratios_are_said() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    for (name, stroke, ratio) in [
+        ("whitworth", "2 (F.x)", "2.000 (F.x)"),
+        ("shaper", "4.375 (F.x)", "1.507 (F.x); 1.507 (lever)"),
+    ] {
+        open(&page, name).await;
+        assert_eq!(page.text("out-linkage-stroke").await, stroke);
+        assert_eq!(page.text("out-linkage-time-ratio").await, ratio);
+        let good = page
+            .ask("return document.getElementById('mechanism-name').title")
+            .await;
+        assert_eq!(good.as_str(), Some(word(&format!("about.{name}")).as_str()));
+    }
     page.close().await;
 }
 

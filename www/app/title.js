@@ -1,4 +1,4 @@
-// The name of the mechanism in the header, and what is called by it.
+// The name of the mechanism in the header, with what it is good for, and what is called by it.
 import { byId, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 
@@ -16,21 +16,21 @@ export class Title {
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, words }) {
     if (this.#shown.same(state.document, words)) return;
-    const name = this.#name(state, words);
+    const preset = this.#engine.presetOf(state);
+    const name = preset ? words.text(`gallery.${preset.id}`) : named(state, words);
     write(this.#place, name);
+    this.#place.title = preset ? words.text(`about.${preset.id}`) : "";
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);
   }
+}
 
-  /**
-   * @param {import("assur/state/state.js").State} state
-   * @param {import("assur/core/words.js").Words} words
-   * @returns {string} its name in the catalogue, else the title it has itself, else what its kind is called
-   */
-  #name(state, words) {
-    const preset = this.#engine.presetOf(state);
-    if (preset) return words.text(`gallery.${preset.id}`);
-    const title = "title" in state.document && state.document.title;
-    return title || words.text(`kind.${state.kind}`);
-  }
+/**
+ * @param {import("assur/state/state.js").State} state
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} the title of what is not in the catalogue, else what its kind is called
+ */
+function named({ document, kind }, words) {
+  const title = "title" in document && document.title;
+  return title || words.text(`kind.${kind}`);
 }

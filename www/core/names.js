@@ -16,12 +16,12 @@ export function called(link, words) {
 }
 
 /**
- * @param {string} formula of a structure, or a term of it: `I(frame,crank) → II₂(rod,slider)`
+ * @param {string} formula of a structure, or a term of it: `I(frame,crank) → II₂(rod,slider)`, links that are solved as one joined by `+`
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the same with what the links are called
  */
 export function calledIn(formula, words) {
-  return formula.replace(/(?<=[(,])[^(),]+(?=[,)])/g, (link) => called(link, words));
+  return formula.replace(/(?<=[(,+])[^(),+]+(?=[,)+])/g, (link) => called(link, words));
 }
 
 /** @typedef {(index: number) => string} Numbering of the entries of a list in a document, by their place from 0 */

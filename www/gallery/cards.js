@@ -50,11 +50,13 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const { kind, document } = preset;
   const key = `gallery.${id}`;
   const line = (/** @type {Words} */ table) => (highest ? table.text("gallery.class", { class: highest }) : table.text(`kind.${kind}`));
-  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words));
+  const about = make("small", { class: "about" }, [words.text(`about.${id}`)]);
+  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
   // The numeral in the name of a group is not that of each in it.
-  const texts = [words, english].flatMap((table) => [table.text(key), table.text(group).replace(/[IVX]+/, ""), line(table)]);
+  const texts = [words, english].flatMap((table) =>
+    [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
   return [{ button, words: findable(texts, highest ?? "") }];
 }
 

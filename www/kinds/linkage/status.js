@@ -20,11 +20,8 @@ const ENTRIES = Object.freeze({
     words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
   "linkage-grashof": ({ four_bars: bars }, words) =>
     bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${listed(links, words)})` : "")).join("; "),
-  "linkage-swing": ({ outputs }, words) =>
-    outputs.filter(({ name, swing }) => name.endsWith(".angle") && swing.every((one) => one !== null)).map(({ name, swing }) => {
-      const strokes = swing.map((one) => angle(one?.stroke ?? 0, words)).join(", ");
-      return `${strokes} (${called(name.replace(/\.angle$/, ""), words)})`;
-    }).join("; "),
+  "linkage-swing": ({ outputs }, words) => strokes(outputs, true, words),
+  "linkage-stroke": ({ outputs }, words) => strokes(outputs, false, words),
   "linkage-time-ratio": ({ outputs }, words) =>
     outputs.flatMap(({ name, time_ratio: ratio }) =>
       ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${called(name.replace(/\.angle$/, ""), words)})`],
@@ -38,7 +35,8 @@ const ENTRIES = Object.freeze({
 });
 
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
-  "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-time-ratio": "time-ratio",
+  "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-stroke": "stroke",
+  "linkage-time-ratio": "time-ratio",
   "linkage-transmission": "transmission", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
 }));
 
@@ -57,6 +55,19 @@ export function linkageStatus() {
 function coloured(groups, words) {
   const swatch = (/** @type {string} */ role) => make("i", { class: "swatch", style: `--accent: var(--role-${role})`, "data-role": role, "aria-hidden": "true" });
   return groups.flatMap(({ term, role }, i) => [...(i > 0 ? [" → "] : []), make("span", { class: "group" }, [swatch(role), calledIn(term, words)])]);
+}
+
+/**
+ * @param {Summary["outputs"]} outputs
+ * @param {boolean} angles whether of links that swing, else of points that go to and fro
+ * @param {Words} words
+ * @returns {string} from end to end, for every arc of the motion
+ */
+function strokes(outputs, angles, words) {
+  const said = (/** @type {number} */ stroke) => (angles ? angle(stroke, words) : words.numbers.short(stroke));
+  return outputs.filter(({ name, swing }) => name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
+    `${swing.map((one) => said(one?.stroke ?? 0)).join(", ")} (${called(name.replace(/\.angle$/, ""), words)})`,
+  ).join("; ");
 }
 
 /**

@@ -42,7 +42,7 @@ pub use multiple::Multiple;
 pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
-pub(crate) use rate::{NEVER, common};
+pub(crate) use rate::NEVER;
 pub use tracer::DraftTracer;
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};

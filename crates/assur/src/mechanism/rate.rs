@@ -88,7 +88,7 @@ fn denominator(ratio: f64) -> Option<usize> {
 }
 
 /// The least common multiple; none where it is beyond [`NEVER`].
-pub(crate) fn common(a: usize, b: usize) -> Option<usize> {
+fn common(a: usize, b: usize) -> Option<usize> {
     let (mut divisor, mut rest) = (a, b);
     while rest > 0 {
         (divisor, rest) = (rest, divisor % rest);
@@ -168,8 +168,15 @@ impl Mechanism {
         self.rounds.filter(|turns| alone && *turns < NEVER)
     }
 
-    /// What the input can be told by without another pose, where the motion does not repeat: its period, unless that
-    /// is never over or a group reckons with how often the crank has turned.
+    /// After how many turns a motion may repeat, and no sooner: as the drivers and wheels do, and each four-bar in
+    /// closed form, one at a change point after two turns; none where that is never over.
+    pub(crate) fn least_turns(&self) -> Option<usize> {
+        let turns = self.closed_steps().map(|closed| closed.turns());
+        common(turns.max().unwrap_or(1), self.rounds())
+    }
+
+    /// What the input can be told by without another pose, where the motion does not repeat: the turns after which
+    /// it might, unless that is never over or a group reckons with how often the crank has turned.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.rates_of_bodies();
         let mut counted = self.steps.iter().flat_map(|step| match step {
@@ -177,7 +184,7 @@ impl Mechanism {
             _ => Vec::new(),
         });
         let counts_turns = counted.any(|body| rates[body].is_some_and(|rate| rate != 0.0));
-        self.period()
-            .filter(|_| !counts_turns && self.rounds() < NEVER)
+        let turns = self.least_turns().filter(|_| !counts_turns)?;
+        self.rounds.map(|_| TAU * turns as f64)
     }
 }

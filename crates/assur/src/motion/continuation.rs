@@ -7,7 +7,7 @@ use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::Knots;
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{Cause, Mechanism, NEVER, Signs, common};
+use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
 use crate::position::{Enclosure, Nearby, Orientation, Passing, Predictor, State, Step};
 
 /// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
@@ -98,10 +98,7 @@ impl<'a> Continuation<'a> {
         knots.push(self.input, &self.signs, &self.here);
         let home = self.input;
         let cell = self.mechanism.span() / GRID as f64;
-        // A four-bar in closed form repeats after its own cycle, and drivers and wheels after theirs, no sooner.
-        let turns = self.mechanism.closed_steps().map(|closed| closed.turns());
-        let least = common(turns.max().unwrap_or(1), self.mechanism.rounds());
-        let least = least.unwrap_or(NEVER);
+        let least = self.mechanism.least_turns().unwrap_or(NEVER);
         let mut sample = 0;
         loop {
             sample += 1;
