@@ -160,6 +160,12 @@ impl Page {
         self.goto(url).await;
     }
 
+    /// Goes back, to the address before.
+    pub(crate) async fn back(&self) {
+        self.driver.back().await.unwrap();
+        self.settle().await;
+    }
+
     pub(crate) async fn reload(&self) {
         self.driver.refresh().await.unwrap();
         self.ready().await;

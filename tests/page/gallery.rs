@@ -37,7 +37,7 @@ fn called(name: &str) -> String {
 }
 
 /// Whether this mechanism of the gallery is on the page, its structure said.
-async fn shows(page: &Page, name: &str) -> bool {
+pub(crate) async fn shows(page: &Page, name: &str) -> bool {
     page.text("mechanism-name").await == called(name)
         && page.count("#out-formula").await > 0
         && !page.text("out-formula").await.is_empty()
@@ -279,7 +279,7 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
     page.stop_at("33").await;
     page.until("the address to follow", async || {
         let address = page.address().await;
-        address.contains("kind=linkage") && address.contains("v.phi_deg=33&")
+        address.contains("#whitworth&") && address.contains("v.phi_deg=33&")
     })
     .await;
     let link = page.address().await;
@@ -292,6 +292,13 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
     assert_eq!(page.value("out-input").await, 33.0);
     agrees(&page, &document("whitworth"), "lever.angle").await;
 
+    // Of a changed one all is in the link.
+    page.write("field-length-0", "2.1").await;
+    page.until("the whole address", async || {
+        page.address().await.contains("kind=linkage")
+    })
+    .await;
+    let link = page.address().await;
     let broken = link.replace("%22crank%22", "%22crunk%22");
     assert_ne!(broken, link);
     page.anew(&setting("ASSUR_URL")).await;

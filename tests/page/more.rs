@@ -18,7 +18,7 @@ async fn a_lesson_without_motion() {
     let page = Page::open_at(&setting("ASSUR_MORE_URL"), "en-US").await;
     page.stop_at("62").await;
     page.until("the address", async || {
-        page.address().await.contains("v.speed")
+        page.address().await.contains("v.playing=false")
     })
     .await;
     let lesson = "%7B%22id%22%3A%22still%22%2C%22step%22%3A1%7D";

@@ -6,6 +6,7 @@ use std::fs;
 use assur_tests::assert_near;
 
 use crate::browser::{Page, setting};
+use crate::gallery;
 
 /// Links that were given out, and what each must show: they open for ever.
 const LINKS: &str = include_str!("../links.txt");
@@ -234,5 +235,70 @@ async fn damaged_addresses_are_sentences() {
         page.click("notice-close").await;
     }
     assert!(page.picture("mechanism").await.difference(&picture) < 20);
+    page.close().await;
+}
+
+/// A mechanism of the gallery in which nothing was changed has its name for an address, also in motion; Back returns to
+/// the one before.
+#[tokio::test]
+async fn mechanisms_of_the_gallery_have_short_addresses() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    page.write("field-l2", "0.9").await;
+    gallery::open(&page, "jansen").await;
+    page.stop_at("33").await;
+    let ends = async |end: &str| page.address().await.ends_with(end);
+    page.until("where it stands", async || {
+        ends("#jansen&v.phi_deg=33&v.playing=false").await
+    })
+    .await;
+    let link = page.address().await;
+    page.click("play").await;
+    page.until("the name alone", async || ends("#jansen").await)
+        .await;
+    gallery::open(&page, "whitworth").await;
+    page.until("another name", async || ends("#whitworth").await)
+        .await;
+    page.back().await;
+    page.until("the mechanism before", async || {
+        gallery::shows(&page, "jansen").await
+    })
+    .await;
+    page.back().await;
+    page.until("the first, as it was changed", async || {
+        page.count("#field-l2").await == 1 && page.written("field-l2").await == "0.9"
+    })
+    .await;
+    page.close().await;
+
+    let page = Page::open_at(&link, "en-US").await;
+    assert!(gallery::shows(&page, "jansen").await);
+    assert_eq!(page.value("out-input").await, 33.0);
+    page.goto(&link.replace("jansen", "janssen")).await;
+    assert_ne!(page.text("notice-text").await, "");
+    assert!(gallery::shows(&page, "jansen").await);
+    page.close().await;
+}
+
+/// A driver that has to turn back does so by itself: the reader's direction stays, here and in the next mechanism.
+#[tokio::test]
+async fn turning_back_is_not_the_readers_direction() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    gallery::open(&page, "chebyshev").await;
+    page.choose("speed", "4").await;
+    page.click("play").await;
+    let last = std::cell::Cell::new(f64::NEG_INFINITY);
+    page.until("the way back", async || {
+        let now = page.value("out-input").await;
+        let back = now < last.get();
+        last.set(now);
+        back
+    })
+    .await;
+    let reversed = async || page.attribute("reverse", "aria-pressed").await;
+    assert_eq!(reversed().await.as_deref(), Some("false"));
+    gallery::open(&page, "jansen").await;
+    assert_eq!(reversed().await.as_deref(), Some("false"));
     page.close().await;
 }
