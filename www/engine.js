@@ -97,6 +97,14 @@ export class Engine {
     });
   }
 
+  /**
+   * @param {string} text
+   * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; none where it is too long
+   */
+  code(text) {
+    return module.qr_code(text);
+  }
+
   /** @returns {Promise<Engine>} */
   static async load() {
     await init({ module_or_path: fetchWasm() });

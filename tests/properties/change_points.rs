@@ -100,7 +100,8 @@ fn four_bars_behind_a_wheel() {
                     let rocker = pose.rocker;
                     let scale =
                         (1..6).map(|order| rocker.derivative(order).abs().powf(1.0 / order as f64));
-                    let scale = scale.fold(1.0, f64::max);
+                    // The diagonal turns as fast as that, whether or not it shows.
+                    let scale = scale.fold(l1.max(l4) / diagonal, f64::max);
                     let off = (0..6).map(|order| {
                         let sense = (-1.0_f64).powi(order as i32);
                         let off = found.derivative(order) - sense * rocker.derivative(order);

@@ -39,6 +39,11 @@ function fileCommands(page) {
       if (part) part.openExport(page);
       else notices.tell(LOST);
     },
+    print: async () => {
+      const part = await import("assur/export/worksheet.js").catch(() => null);
+      if (part) window.print();
+      else notices.tell(LOST);
+    },
     gallery: async () => {
       const part = await import("assur/gallery/gallery.js").catch(() => null);
       if (part) part.openGallery(page);

@@ -2,7 +2,7 @@
 import { byId, setData } from "assur/core/dom.js";
 
 /** Buttons that do what a command of their name does. */
-const BUTTONS = Object.freeze(["undo", "redo", "gallery", "open", "save", "copy", "export", "reset", "projector"]);
+const BUTTONS = Object.freeze(["undo", "redo", "gallery", "open", "save", "copy", "export", "print", "reset", "projector"]);
 
 export class Header {
   #undo = byId("undo", HTMLButtonElement);

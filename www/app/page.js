@@ -71,6 +71,7 @@ export class Page {
     const commands = makeCommands(this);
     const header = new Header(this.history, commands);
     const lesson = new Lesson(this);
+    this.lesson = lesson;
     this.#toLesson = () => {
       header.fold(true);
       lesson.call();
@@ -112,7 +113,14 @@ export class Page {
     requestAnimationFrame(() => requestAnimationFrame(() => {
       setData(document.documentElement, "ready", "true");
       performance.mark("ready");
+      this.#prepareToPrint();
     }));
+  }
+
+  /** What the browser prints by itself has to be there before. */
+  async #prepareToPrint() {
+    const part = await import("assur/export/worksheet.js").catch(() => null);
+    part?.printWorksheets(this);
   }
 
   redraw() {

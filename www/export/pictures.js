@@ -12,6 +12,8 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
  */
 
+const SVG = "image/svg+xml";
+
 /** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */
 const SHARPNESS = 3;
 
@@ -43,9 +45,29 @@ export function paperTheme(roles) {
  * @param {string} title what it shows, in words
  */
 export function toSvg(picture, theme, title) {
+  return new Blob([svgText(picture, theme, title)], { type: SVG });
+}
+
+/**
+ * The same as an element of a page.
+ * @param {Picture} picture
+ * @param {Theme} theme
+ * @param {string} title what it shows, in words
+ * @returns {Element}
+ */
+export function toSvgElement(picture, theme, title) {
+  return new DOMParser().parseFromString(svgText(picture, theme, title), SVG).documentElement;
+}
+
+/**
+ * @param {Picture} picture
+ * @param {Theme} theme
+ * @param {string} title
+ */
+function svgText(picture, theme, title) {
   const svg = new Svg(picture.size, title);
   picture.paint({ context: svg, ratio: 1 }, theme, () => new SvgPath());
-  return new Blob([svg.toString()], { type: "image/svg+xml" });
+  return svg.toString();
 }
 
 /**

@@ -47,6 +47,11 @@ export class Lesson {
     this.#page.redraw();
   }
 
+  /** @returns {readonly import("assur/lesson/panel.js").Asked[]} what the open lesson asks, step by step */
+  questions() {
+    return (this.#open && this.#panel?.questions()) || [];
+  }
+
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, words } = snapshot;

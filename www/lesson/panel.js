@@ -62,6 +62,7 @@ import { withView } from "assur/state/state.js";
  *
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
  * @typedef {{ verdict: Verdict, document: State["document"] }} Judged the document that the verdict was given of
+ * @typedef {Readonly<{ title: string, text: string, choices: readonly string[] }>} Asked a question, with what may be chosen
  */
 
 export class LessonPanel {
@@ -144,6 +145,26 @@ export class LessonPanel {
     this.#words = words;
   }
 
+  /** @returns {Asked[]} */
+  questions() {
+    const words = this.#words;
+    return this.#steps.map(({ id, question }) => ({
+      title: words.text(`${id}.title`),
+      text: this.#asked(id, question),
+      choices: (question.choices ?? []).map((choice) => words.text(`${id}.choice.${choice}`)),
+    }));
+  }
+
+  /**
+   * @param {string} id
+   * @param {Question} question
+   */
+  #asked(id, { within, unit = "" }) {
+    const words = this.#words;
+    const tolerance = within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(within, 3) + unit })}` : "";
+    return words.text(`${id}.question`) + tolerance;
+  }
+
   /** Where a reader who opened it by a key goes on. */
   focus() {
     this.#title.focus();
@@ -213,8 +234,7 @@ export class LessonPanel {
     }));
     write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;
-    const within = question.within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(question.within, 3) + (question.unit ?? "") })}` : "";
-    write(this.#legend, words.text(`${id}.question`) + within);
+    write(this.#legend, this.#asked(id, question));
     this.#fields.replaceChildren(...this.#inputs());
     write(this.#check, words.text("lesson.check"));
     write(this.#reveal, words.text("lesson.reveal"));

@@ -15,6 +15,7 @@ mod here;
 mod kinds;
 mod moving;
 mod profile;
+mod qr;
 mod simulator;
 mod summary;
 mod table;
@@ -23,4 +24,5 @@ mod thin;
 mod types;
 
 pub use design::Design;
+pub use qr::qr_code;
 pub use simulator::{Simulator, catalogue, check_keys, read_state, role_names, shelves, task};

@@ -1,0 +1,118 @@
+// The worksheet that is printed instead of the page: what is shown, its dimensions and values, the questions of the lesson with
+// lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
+import { byId, make } from "assur/core/dom.js";
+import { withSubscripts } from "assur/core/subscripts.js";
+import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
+import "assur/export/style.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ */
+
+/** What belongs to another mechanism, or is not said of this one; a lesson hides the whole rail. */
+const ELSEWHERE = ".elsewhere, [hidden]:not(#rail)";
+
+/** Of a cell of the code, in millimetres: a telephone reads it from the paper. */
+const CELL = 0.45;
+/** The quiet zone around it, in cells. */
+const QUIET = 4;
+
+/**
+ * From now on a worksheet is what is printed.
+ * @param {Page} page
+ */
+export function printWorksheets(page) {
+  const clear = () => document.getElementById("worksheet")?.remove();
+  addEventListener("beforeprint", () => {
+    clear();
+    document.body.append(worksheet(page));
+  });
+  addEventListener("afterprint", clear);
+}
+
+/** @param {Page} page */
+function worksheet(page) {
+  const { engine, model, mechanism, chart, words, address, lesson } = page;
+  const theme = paperTheme(engine.roles);
+  const title = byId("mechanism-name", HTMLElement);
+  const line = (/** @type {string} */ key) => make("span", { class: "blank" }, [words.text(key)]);
+  const figure = (/** @type {import("assur/export/pictures.js").Picture} */ picture, /** @type {string} */ canvas) => {
+    const said = byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
+    return make("figure", {}, [toSvgElement(picture, theme, said)]);
+  };
+  const figures = [figure(mechanism, "mechanism")];
+  if (model.summary.moves !== null) figures.push(figure(withLegend(chart, theme, words), "charts"));
+  const questions = lesson.questions();
+  return make("section", { id: "worksheet", class: "paper", lang: words.lang }, [
+    make("header", {}, [
+      make("h1", {}, [title.textContent ?? ""]),
+      make("p", {}, [title.title]),
+      make("p", { class: "blanks" }, [line("print.name"), line("print.date")]),
+    ]),
+    make("div", { class: "figures" }, figures),
+    make("div", { class: "tables" }, [dimensions(), values()]),
+    ...(questions.length > 0 ? [make("ol", {}, questions.map(question))] : []),
+    foot(address.link(model.good), engine),
+  ]);
+}
+
+/** @returns {HTMLElement} every number of the rail with its symbol and name */
+function dimensions() {
+  const rows = [...document.querySelectorAll("#rail .row:has(input.number)")].filter((row) => !row.closest(ELSEWHERE));
+  return make("table", {}, [make("tbody", {}, rows.map((row) => {
+    const input = row.querySelector("input.number");
+    const value = input instanceof HTMLInputElement ? input.value : "";
+    return make("tr", {}, [make("th", { scope: "row" }, [row.querySelector(".name")?.textContent?.trim() ?? ""]), make("td", {}, [value])]);
+  }))]);
+}
+
+/** @returns {HTMLElement} the read-outs and the status line as they are read on the page: what a lesson withholds stays so */
+function values() {
+  const table = make("table");
+  const copied = document.querySelectorAll("#readouts > :not(caption) tr");
+  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", {}, [cell.textContent?.trim() ?? ""]))));
+  const entries = [...document.querySelectorAll("#status > .entry")].filter((entry) => !entry.matches(ELSEWHERE));
+  const said = entries.map((entry) => make("p", {}, [entry.textContent?.replace(/\s+/g, " ").trim() ?? ""]));
+  table.append(make("tbody", {}, rows));
+  return make("div", {}, [table, ...said]);
+}
+
+/**
+ * @param {{ title: string, text: string, choices: readonly string[] }} asked
+ * @returns {HTMLElement}
+ */
+function question({ title, text, choices }) {
+  const blanks = choices.length > 0
+    ? choices.map((choice) => make("p", { class: "choice" }, withSubscripts(choice)))
+    : [make("p", { class: "blank" }), make("p", { class: "blank" })];
+  return make("li", {}, [make("b", {}, [title]), make("p", {}, withSubscripts(text)), ...blanks]);
+}
+
+/**
+ * @param {string} link
+ * @param {import("assur/engine.js").Engine} engine
+ */
+function foot(link, engine) {
+  const cells = engine.code(link);
+  const parts = cells ? [code(cells)] : [];
+  return make("footer", {}, [...parts, make("p", {}, [link])]);
+}
+
+/**
+ * @param {Uint8Array} cells of the code, row by row; 1 is dark
+ * @returns {Element}
+ */
+function code(cells) {
+  const side = Math.sqrt(cells.length);
+  const whole = side + 2 * QUIET;
+  const path = [...cells].map((dark, at) => (dark ? `M${at % side} ${Math.floor(at / side)}h1v1h-1z` : "")).join("");
+  const namespace = "http://www.w3.org/2000/svg";
+  const svg = document.createElementNS(namespace, "svg");
+  svg.setAttribute("viewBox", `${-QUIET} ${-QUIET} ${whole} ${whole}`);
+  svg.setAttribute("style", `width: ${whole * CELL}mm`);
+  svg.setAttribute("class", "code");
+  const drawn = document.createElementNS(namespace, "path");
+  drawn.setAttribute("d", path);
+  svg.append(drawn);
+  return svg;
+}
