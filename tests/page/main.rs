@@ -38,6 +38,7 @@ mod picture;
 mod pixels;
 mod plots;
 mod pointer;
+mod print;
 mod random_user;
 mod readme;
 mod share;

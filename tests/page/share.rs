@@ -202,6 +202,16 @@ fn damaged(good: &str) -> Vec<String> {
     all.push(format!("{good}&d.l1={}", "9".repeat(110_000)));
     let [open, close] = ["[", "]"].map(|bracket| bracket.repeat(20_000));
     all.push(format!("{good}&d.x={open}{close}"));
+    let short = [
+        "__proto__",
+        "constructor&v.speed=1",
+        "janssen",
+        "jansen&v.speed=1e300",
+        "jansen&v.phi_deg=[[null]]",
+        "jansen&d.title=Leg",
+        "%E0%A4%A",
+    ];
+    all.extend(short.map(String::from));
     all
 }
 
@@ -209,6 +219,8 @@ fn damaged(good: &str) -> Vec<String> {
 async fn damaged_addresses_are_sentences() {
     let page = Page::open().await;
     page.stop_at("75").await;
+    // Of a changed one all is in the link.
+    page.write("field-l2", "0.9").await;
     let link = link(&page).await;
     let (home, good) = link.split_once('#').unwrap();
     let picture = page.picture("mechanism").await;

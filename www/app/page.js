@@ -121,6 +121,7 @@ export class Page {
   async #prepareToPrint() {
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
+    performance.mark("printable");
   }
 
   redraw() {

@@ -68,10 +68,14 @@ export function fromAddress(hash, preset) {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
   };
-  const view = part(PREFIXES.view);
-  if (whole) return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view } });
+  const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
+  if (whole) {
+    // Else what is said of the document would be passed over.
+    if (Object.keys(document).length > 0) throw unreadable();
+    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view } });
+  }
   const named = Object.fromEntries(entries.filter(([key]) => key === kind));
-  return shallow({ format: Number(version), ...named, document: part(PREFIXES.document), view });
+  return shallow({ format: Number(version), ...named, document, view });
 }
 
 /**
