@@ -124,7 +124,8 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Whole turns: where a pose is nearly singular the two are not the same to the last digit.
+        // Whole turns: where a pose is nearly singular the two are not the same to the last digit. An idle wheel that may
+        // stand otherwise is told by what turns it.
         let turned = last.orientations.iter().zip(first.orientations.iter());
         let gained = turned.map(|(b, a)| TAU * ((b.angle - a.angle) / TAU).round());
         let gained: Vec<f64> = gained.collect();

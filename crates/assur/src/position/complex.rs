@@ -82,7 +82,7 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
-    /// The same direction with a length of 1; none of a vector that vanishes.
+    /// The same direction with a length of 1; not finite where it vanishes.
     pub(crate) fn unit(self) -> Self {
         self.scaled(self.norm_squared().sqrt().recip())
     }

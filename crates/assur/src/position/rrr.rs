@@ -61,15 +61,17 @@ impl<const N: usize> Triangle<N> {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let to_c = to_c.scaled(self.square.recip());
-        let legs = [(i, self.b, to_c), (j, self.d, to_c - self.diagonal)];
-        for (arm, at, along) in legs {
-            // Rounding of the longer arm leaves the shorter one its direction only.
-            let along = if arm.length() < CLOSE * self.sum {
-                along.unit().by(Vector::new(arm.length(), 0.0))
-            } else {
-                along
-            };
-            state.lay(arm, at, along);
+        state.lay(i, self.b, self.leg(i, to_c));
+        state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
+    }
+
+    /// A leg of the triangle as long as its arm: where the other one is much longer, rounding leaves the direction only.
+    #[inline(always)]
+    fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
+        if arm.length() < CLOSE * self.sum {
+            along.unit().by(Vector::new(arm.length(), 0.0))
+        } else {
+            along
         }
     }
 }
