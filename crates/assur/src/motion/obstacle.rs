@@ -92,15 +92,12 @@ impl Continuation<'_> {
         }
         if passing.turns_over {
             self.change_points.push(passing.input);
-            if (passing.input - self.input) * sense > 0.0 {
-                knots.push(passing.input, &self.signs, &self.here);
-            } else {
-                knots.amend(&self.signs);
-            }
+            // Where they have just passed it is here, in the pose of the last knot.
+            let passed = passing.input * sense;
+            let turns_over = passed.max(self.input * sense) * sense;
+            knots.push(turns_over, &self.signs, &self.here, self.turned());
         }
-        self.input = past;
-        std::mem::swap(&mut self.here, &mut self.there);
-        knots.push(self.input, &self.signs, &self.here);
+        self.take(past, knots);
         true
     }
 
