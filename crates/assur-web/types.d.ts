@@ -522,7 +522,7 @@ export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: numb
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
- * Of a link or a point.
+ * Of two points, as in `A-B`, or of one.
  */
 of: string, value: number, };
 export type SweepColumn = { 

@@ -207,7 +207,7 @@ async fn the_table_is_written_as_chosen() {
     let page = open().await;
     let plain = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
     assert!(
-        plain.starts_with("# length of crank = 0.37\n"),
+        plain.starts_with("# length of A-B = 0.37\n"),
         "{plain:.200}"
     );
     let header = plain.lines().find(|line| !line.starts_with("# ")).unwrap();

@@ -27,6 +27,9 @@ const COLUMNS = Object.freeze({
 
 const UNITS = Object.freeze({ rad: "export.unit.rad", deg: "export.unit.deg", length: "export.unit.length" });
 
+/** Digits of a dimension: no more than what it was before it was drawn. */
+const DIGITS = 12;
+
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
 /**
@@ -40,7 +43,7 @@ export function toCsv({ dimensions, columns, rows }, coordinate, choices, words)
   const number = (/** @type {number} */ value) => (choices.comma ? `${value}`.replace(".", ",") : `${value}`);
   const line = (/** @type {readonly string[]} */ cells) => `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
   const comments = choices.dimensions
-    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: called(dimension.of, words), value: number(dimension.value) }))}\n`)
+    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value: number(Number(dimension.value.toPrecision(DIGITS))) }))}\n`)
     : [];
   const names = columns.map((column) => named(column, coordinate, choices, words));
   const scales = columns.map((column) => scale(column, coordinate, choices));

@@ -1,6 +1,6 @@
 //! The table of a motion, under names of the page.
 
-use assur::mechanism::{Dimension, Mechanism, Quantity};
+use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{Column, Grid};
 use assur_file::Problem;
 use serde::Serialize;
@@ -16,13 +16,13 @@ pub(crate) struct SweepTable {
     pub(crate) rows: Vec<SweepRow>,
 }
 
-/// A dimension of the linkage: the length of a link, a coordinate of a hinge.
+/// A dimension of the linkage: how far two points of a link are apart, or a coordinate of a point of the frame.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepDimension {
     #[cfg_attr(test, ts(type = "\"length\" | \"x\" | \"y\""))]
     kind: &'static str,
-    /// Of a link or a point.
+    /// Of two points, as in `A-B`, or of one.
     of: String,
     value: f64,
 }
@@ -85,11 +85,8 @@ impl SweepTable {
                 reason: row.reason.map(|unsolved| moving.problem(&unsolved)),
             }
         });
-        let dimensions = mechanism.dimensions().into_iter();
         Self {
-            dimensions: dimensions
-                .filter_map(|dimension| SweepDimension::of(mechanism, dimension))
-                .collect(),
+            dimensions: SweepDimension::all(moving),
             rows: rows.collect(),
             columns: columns
                 .iter()
@@ -100,15 +97,40 @@ impl SweepTable {
 }
 
 impl SweepDimension {
-    fn of(mechanism: &Mechanism, dimension: Dimension) -> Option<Self> {
-        let (kind, of) = match dimension {
-            Dimension::Length(link) => ("length", mechanism.link_name(link)),
-            Dimension::X(point) => ("x", mechanism.point_name(point)),
-            Dimension::Y(point) => ("y", mechanism.point_name(point)),
+    /// Of each link the distances of its points from the first, then where the points of the frame are.
+    fn all(moving: &Moving) -> Vec<Self> {
+        let (motion, mechanism) = (moving.motion(), moving.mechanism());
+        let Ok(pose) = motion.pose::<1>(motion.home()) else {
+            return Vec::new();
         };
-        let value = mechanism.value(dimension)?;
-        let of = of.to_owned();
-        Some(Self { kind, of, value })
+        let draft = mechanism.draft();
+        let place = |name: &String| {
+            let point = mechanism.point(name)?;
+            Some(mechanism.place(&pose, point).place())
+        };
+        let bars = draft.links.iter().flat_map(|link| {
+            let first = link.points.iter().take(1);
+            first.flat_map(|first| link.points.iter().skip(1).map(move |other| [first, other]))
+        });
+        let lengths = bars.filter_map(|[a, b]| {
+            let value = (place(b)? - place(a)?).norm();
+            let of = format!("{a}-{b}");
+            let kind = "length";
+            Some(Self { kind, of, value })
+        });
+        let fixed = draft.frame.iter().flat_map(|name| {
+            let coordinates = place(name).map(|at| [("x", at.x), ("y", at.y)]);
+            let of = name.clone();
+            coordinates
+                .into_iter()
+                .flatten()
+                .map(move |(kind, value)| Self {
+                    kind,
+                    of: of.clone(),
+                    value,
+                })
+        });
+        lengths.chain(fixed).collect()
     }
 }
 
