@@ -1,11 +1,16 @@
-//! Samples of a motion allocate nothing.
+//! Samples of a motion allocate nothing, and the whole of it little.
 #![cfg(not(target_family = "wasm"))]
 
+use std::fs;
 use std::hint::black_box;
 
 use allocation_counter::measure;
-use assur::motion::Motion;
-use assur_file::from_catalogue;
+use assur::mechanism::Quantity;
+use assur::motion::{Input, Motion};
+use assur_draw::chart::Settings;
+use assur_draw::{Figure, View};
+use assur_file::{from_catalogue, from_text};
+use assur_tests::files::root;
 
 /// What is allocated while a motion is sampled all around, with two derivatives of
 /// every place and angle, in a pose that was made before.
@@ -47,6 +52,34 @@ fn samples_allocate_nothing() {
         "class5",
     ] {
         assert_eq!(allocated(name), 0, "{name}");
+    }
+}
+
+/// Motions of very many turns and of very short steps were kept with every sample, and drawn with every pose, in
+/// hundreds of megabytes.
+#[test]
+fn motions_and_their_drawings_take_little_room() {
+    for name in [
+        "hunting-wheels",
+        "followed-far",
+        "many-turns",
+        "offset-10000",
+    ] {
+        let path = root().join(format!("tests/data/drawings/{name}.json"));
+        let text = fs::read_to_string(path).unwrap();
+        let room = measure(|| {
+            let motion = from_text(&text).unwrap().motion().unwrap();
+            let figure = Figure::new(&motion, &View::default()).unwrap();
+            let mechanism = motion.mechanism();
+            let angles = mechanism.link_ids().map(Quantity::Angle);
+            let settings = Settings {
+                input: Input::ANALOGUES,
+                physical: false,
+                differenced: false,
+            };
+            black_box(figure.chart(&angles.collect::<Vec<_>>(), settings));
+        });
+        assert!(room.bytes_max < 56 << 20, "{name}: {}", room.bytes_max);
     }
 }
 

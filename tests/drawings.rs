@@ -4,7 +4,9 @@
 use std::f64::consts::TAU;
 use std::fs;
 
-use assur::motion::{DeadPointKind, Motion};
+use assur::mechanism::Quantity;
+use assur::motion::{DeadPointKind, Features, Input, Motion};
+use assur_draw::{Figure, View};
 use assur_file::from_text;
 use assur_tests::files::root;
 
@@ -134,6 +136,26 @@ fn motions_of_many_turns() {
         );
         last = Some(angle);
     }
+}
+
+/// Two wheels that mesh anew only after 974 153 turns: the drawing and its plots come to an end.
+#[test]
+fn motions_of_very_many_turns_are_drawn() {
+    let motion = motion("hunting-wheels");
+    assert_eq!(motion.cycle().period(), Some(974_153.0 * TAU));
+    let tip = motion.mechanism().point("T").unwrap();
+    let view = View {
+        traced: vec![tip],
+        ..View::default()
+    };
+    let figure = Figure::new(&motion, &view).unwrap();
+    // The ring of 997 teeth of √4.25/3 goes around all.
+    let rim = 0.5 * 997.0 * 4.25_f64.sqrt() / 3.0;
+    for side in figure.bounds() {
+        assert!((rim..rim + 3.0).contains(&side.abs()), "{side}");
+    }
+    let found = motion.features(&[Quantity::X(tip)], Input::ANALOGUES);
+    assert!(found[0].iter().all(|order| *order == Features::default()));
 }
 
 /// What takes more turns than can be followed is not called closed.

@@ -519,7 +519,22 @@ export type SeriesLayout = { name: string,
  */
 number: string | null, role: string, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
-export type SweepTable = { columns: Array<string>, rows: Array<SweepRow>, };
+export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, };
+export type SweepDimension = { kind: "length" | "x" | "y", 
+/**
+ * Of two points, as in `A-B`, or of one.
+ */
+of: string, value: number, };
+export type SweepColumn = { 
+/**
+ * As in all tables: `rocker.dangle`.
+ */
+name: string, 
+/**
+ * None where the name is all that is told.
+ */
+quantity: SweepQuantity | null, };
+export type SweepQuantity = { kind: "angle" | "x" | "y", of: string, order: number, };
 export type SweepRow = { 
 /**
  * Degrees of a crank, else in the unit of the lengths.

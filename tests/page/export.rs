@@ -54,15 +54,27 @@ impl Csv {
         Self::parse(&save_text(page, "export-table-csv", name).await)
     }
 
+    /// With a comma as decimal sign cells are apart by semicolons. Comments come first.
     fn parse(text: &str) -> Self {
-        let cells = |line: &str| line.split(',').map(str::to_owned).collect();
-        let mut rows: Vec<Vec<String>> = text.lines().map(cells).collect();
-        let header = rows.remove(0);
-        assert!(["phi_deg", "s", "t"].contains(&&*header[0]), "{header:?}");
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut lines = text.lines().skip_while(|line| line.starts_with("# "));
+        let header = lines.next().unwrap();
+        let comma = header.contains(';');
+        let separator = if comma { ';' } else { ',' };
+        let cells = |line: &str| -> Vec<String> {
+            let cells = line.split(separator);
+            cells.map(|cell| cell.replace(',', ".")).collect()
+        };
+        let header = cells(header);
+        let rows: Vec<Vec<String>> = lines.map(cells).collect();
+        assert!(
+            ["phi_deg", "s_length", "t_s"].contains(&&*header[0]),
+            "{header:?}"
+        );
         assert_eq!(header.last().unwrap(), "reason");
         for row in &rows {
             assert_eq!(row.len(), header.len(), "{row:?}");
-            // The shortest text of a number, with a point.
+            // The shortest text of a number.
             for cell in row[..row.len() - 1].iter().filter(|cell| !cell.is_empty()) {
                 let value: f64 = cell.parse().unwrap();
                 assert!(
@@ -71,9 +83,15 @@ impl Csv {
                 );
             }
         }
-        let columns = header.into_iter().enumerate();
+        // By their names without units, but for degrees of the crank.
+        let columns = header.into_iter().enumerate().map(|(index, name)| {
+            let units = ["_rad", "_deg", "_length", "_s"];
+            let ends = units.iter().filter_map(|unit| name.find(unit));
+            let end = ends.min().filter(|_| name != "phi_deg");
+            (name[..end.unwrap_or(name.len())].to_owned(), index)
+        });
         Self {
-            columns: columns.map(|(index, name)| (name, index)).collect(),
+            columns: columns.collect(),
             rows,
         }
     }
@@ -145,7 +163,7 @@ async fn the_table_has_the_golden_numbers() {
     page.close().await;
 }
 
-/// Where there is no pose a row says so; a dead point has places only.
+/// A motion to and fro is told from one dead point to the other, where there are places only.
 #[tokio::test]
 async fn the_table_says_why_values_are_missing() {
     let page = Page::open().await;
@@ -156,20 +174,18 @@ async fn the_table_says_why_values_are_missing() {
     open_dialog(&page).await;
     page.choose("export-step", "72").await;
     let csv = Csv::save(&page, "assur-mixer.csv").await;
-    assert_eq!(csv.rows.len(), 73);
-    for row in 0..73 {
-        assert_eq!(csv.value(row, "phi_deg"), 5.0 * row as f64);
-        let (reason, place, velocity) = match row {
-            18 | 54 => ("dead_point", true, false),
-            19..54 => ("apart", false, false),
-            _ => ("", true, true),
-        };
+    assert_eq!(csv.rows.len(), 37);
+    for row in 0..37 {
+        let expected = 5.0 * row as f64 - 90.0;
+        assert_near(csv.value(row, "phi_deg"), expected, 1e-12, "the input");
+        let turns_back = [0, 36].contains(&row);
+        let reason = if turns_back { "dead_point" } else { "" };
         assert_eq!(csv.cell(row, "reason"), reason, "row {row}");
         for (column, given) in [
-            ("C.x", place),
-            ("coupler.angle", place),
-            ("C2.dy", velocity),
-            ("wheel5.ddangle", velocity),
+            ("C.x", true),
+            ("coupler.angle", true),
+            ("C2.dy", !turns_back),
+            ("wheel5.ddangle", !turns_back),
         ] {
             assert_eq!(
                 !csv.cell(row, column).is_empty(),
@@ -180,8 +196,63 @@ async fn the_table_says_why_values_are_missing() {
     }
     page.choose("export-step", "3600").await;
     let csv = Csv::save(&page, "assur-mixer.csv").await;
-    assert_eq!(csv.rows.len(), 3601);
-    assert_eq!(csv.cell(3, "phi_deg"), "0.3");
+    assert_eq!(csv.rows.len(), 1801);
+    assert_eq!(csv.cell(903, "phi_deg"), "0.3");
+    page.close().await;
+}
+
+/// Decimal sign, degrees, names in words, dimensions: as the reader chooses.
+#[tokio::test]
+async fn the_table_is_written_as_chosen() {
+    let page = open().await;
+    let plain = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
+    assert!(
+        plain.starts_with("# length of A-B = 0.37\n"),
+        "{plain:.200}"
+    );
+    let header = plain.lines().find(|line| !line.starts_with("# ")).unwrap();
+    for name in [
+        "phi_deg,crank.angle_rad,crank.dangle_rad_per_rad,crank.ddangle_rad_per_rad2,",
+        ",C1.x_length,C1.y_length,C1.dx_length_per_rad,",
+        ",C1.ddy_length_per_rad2,",
+    ] {
+        assert!(header.contains(name), "{name} in {header}");
+    }
+    let radians = Csv::parse(&plain);
+
+    page.choose("export-decimal", "comma").await;
+    page.choose("export-angles", "deg").await;
+    page.choose("export-dimensions", "none").await;
+    let chosen = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
+    let header = chosen.lines().next().unwrap();
+    let begins = "phi_deg;crank.angle_deg;crank.dangle_deg_per_deg;crank.ddangle_deg_per_deg2;";
+    assert!(header.starts_with(begins), "{header}");
+    let degrees = Csv::parse(&chosen);
+    let degree = 1_f64.to_radians();
+    for (column, scale) in [
+        ("rocker.angle", 1.0 / degree),
+        ("rocker.dangle", 1.0),
+        ("rocker.ddangle", degree),
+        ("C2.y", 1.0),
+        ("C2.dy", degree),
+        ("C2.ddy", degree * degree),
+    ] {
+        let expected = radians.value(75, column) * scale;
+        let off = degrees.value(75, column) / expected - 1.0;
+        assert!(off.abs() < 1e-14, "{column}: {off:e}");
+    }
+
+    page.choose("export-names", "words").await;
+    let worded = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
+    let header: Vec<&str> = worded.lines().next().unwrap().split(';').collect();
+    for name in [
+        "angle of rocker, deg",
+        "angular acceleration analogue of rocker, deg/deg²",
+        "velocity analogue of C2 along x, length/deg",
+    ] {
+        let called = |cell: &&str| cell.trim_start_matches('\u{feff}') == name;
+        assert!(header.iter().any(called), "{name} in {header:?}");
+    }
     page.close().await;
 }
 
@@ -418,9 +489,13 @@ async fn exports_by_keys() {
     page.focus("play").await;
     page.keys("e").await;
     wait_for_dialog(&page).await;
-    // The table is at hand at once; its numbers are written alike in all languages.
+    // The table is at hand at once, with the decimal sign of the language.
     page.keys(Key::Enter + "").await;
     let csv = String::from_utf8(page.saved("assur-mixer.csv").await).unwrap();
+    assert!(
+        csv.contains("\n90;") && csv.contains(";0,37;"),
+        "{csv:.200}"
+    );
     assert_eq!(Csv::parse(&csv).value(90, "B.y"), 0.37);
     while page.focused().await.as_deref() != Some("export-drawing-svg") {
         page.keys(Key::Tab + "").await;

@@ -34,6 +34,11 @@ export class Numbers {
     this.#plurals = new Intl.PluralRules(lang);
   }
 
+  /** Whether the decimal sign is a comma. */
+  get comma() {
+    return this.fixed(0.5, 1).includes(",");
+  }
+
   /**
    * The form of a noun beside a number, as the language has them: one, few, many, other.
    * @param {number} count

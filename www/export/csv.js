@@ -1,11 +1,115 @@
-// The table of a sweep as CSV: numbers with a decimal point, so short that they read back as the very same.
+// The table of a sweep as CSV: numbers so short that they read back as the very same.
+import { degrees, radians } from "assur/core/angles.js";
+import { called } from "assur/core/names.js";
 
 /**
- * @param {import("assur/engine.js").SweepTable} table
- * @param {string} input what its column is called
+ * @typedef {import("assur/engine.js").SweepTable} SweepTable
+ * @typedef {import("assur/state/coordinate.js").Coordinate} Coordinate
+ * @typedef {SweepTable["columns"][number]} Column
+ * @typedef {import("assur/core/words.js").Words} Words
  */
-export function toCsv({ columns, rows }, input) {
-  const lines = rows.map(({ input: at, values, reason }) => [at, ...values.map((value) => value ?? ""), reason?.code ?? ""]);
-  const text = [[input, ...columns, "reason"], ...lines].map((cells) => `${cells.join(",")}\n`);
-  return new Blob(text, { type: "text/csv" });
+
+/**
+ * How a table is written.
+ * @typedef {object} Choices
+ * @property {boolean} comma 0,5 for 0.5, and so a semicolon between cells
+ * @property {boolean} degrees angles in degrees, else in radians; derivatives by a crank's angle alike
+ * @property {boolean} worded columns are called in words, else as in the terminal
+ * @property {boolean} dimensions those of the linkage stand first, as comments
+ */
+
+/** What columns are called in words, by their order. */
+const COLUMNS = Object.freeze({
+  angle: Object.freeze(["export.column.angle", "export.column.omega", "export.column.epsilon"]),
+  x: Object.freeze(["export.column.x", "export.column.vx", "export.column.ax"]),
+  y: Object.freeze(["export.column.y", "export.column.vy", "export.column.ay"]),
+});
+
+const UNITS = Object.freeze({ rad: "export.unit.rad", deg: "export.unit.deg", length: "export.unit.length" });
+
+/** Digits of a dimension: no more than what it was before it was drawn. */
+const DIGITS = 12;
+
+const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
+
+/**
+ * @param {SweepTable} table
+ * @param {Coordinate} coordinate how the input is counted
+ * @param {Choices} choices
+ * @param {Words} words
+ */
+export function toCsv({ dimensions, columns, rows }, coordinate, choices, words) {
+  const separator = choices.comma ? ";" : ",";
+  const number = (/** @type {number} */ value) => (choices.comma ? `${value}`.replace(".", ",") : `${value}`);
+  const line = (/** @type {readonly string[]} */ cells) => `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
+  const comments = choices.dimensions
+    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value: number(Number(dimension.value.toPrecision(DIGITS))) }))}\n`)
+    : [];
+  const names = columns.map((column) => named(column, coordinate, choices, words));
+  const scales = columns.map((column) => scale(column, coordinate, choices));
+  const header = line([inputName(coordinate), ...names, "reason"]);
+  const lines = rows.map(({ input, values, reason }) => {
+    const cells = values.map((value, index) => (value === null ? "" : number(value * scales[index])));
+    return line([number(input), ...cells, reason?.code ?? ""]);
+  });
+  const text = [...comments, header, ...lines].join("");
+  // A spreadsheet takes letters beyond ASCII for others, unless a byte order mark tells that it is UTF-8.
+  const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
+  return new Blob([mark, text], { type: "text/csv" });
+}
+
+/**
+ * @param {Column} column
+ * @param {Coordinate} coordinate
+ * @param {Choices} choices
+ * @param {Words} words
+ * @returns {string} what it is called, with its unit
+ */
+function named({ name, quantity }, { moves }, { degrees: inDegrees, worded }, words) {
+  if (!quantity) return name;
+  const { kind, of, order } = quantity;
+  const angle = inDegrees ? "deg" : "rad";
+  const unit = kind === "angle" ? angle : "length";
+  const by = moves === "angle" ? angle : "length";
+  if (worded) {
+    const power = order > 1 ? "²" : "";
+    const per = order > 0 ? `/${words.text(UNITS[by])}${power}` : "";
+    return `${words.text(COLUMNS[kind][order], { of: called(of, words) })}, ${words.text(UNITS[unit])}${per}`;
+  }
+  const power = order > 1 ? `${order}` : "";
+  const per = order > 0 ? `_per_${by}${power}` : "";
+  return `${name}_${unit}${per}`;
+}
+
+/** @param {Coordinate} coordinate */
+function inputName({ field, moves }) {
+  const units = { angle: "", length: "_length", time: "_s" };
+  return `${field}${units[moves]}`;
+}
+
+/**
+ * @param {Column} column
+ * @param {Coordinate} coordinate
+ * @param {Choices} choices
+ * @returns {number} what a value, of radians, counts by in its unit
+ */
+function scale({ quantity }, { moves }, choices) {
+  if (!quantity || !choices.degrees) return 1;
+  const of = quantity.kind === "angle" ? 1 : 0;
+  const by = moves === "angle" ? quantity.order : 0;
+  // What is of an angle by an angle is the same number in both.
+  return of < by ? radians(1) ** (by - of) : degrees(1) ** (of - by);
+}
+
+/**
+ * @param {string} cell
+ * @param {string} separator
+ */
+function quoted(cell, separator) {
+  return cell.includes(separator) || /["\n\r]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
+}
+
+/** @param {string} text */
+function oneLine(text) {
+  return text.replace(/\s+/g, " ");
 }

@@ -27,6 +27,44 @@ export function openExport(page) {
   dialog.showModal();
 }
 
+/**
+ * How the table is written: the decimal sign is that of the page's language, unless another is chosen.
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate
+ * @param {import("assur/core/words.js").Words} words
+ */
+function tableChoices({ moves }, words) {
+  const select = (/** @type {string} */ choice, /** @type {Readonly<Record<string, string>>} */ keys, /** @type {string} */ usual) => {
+    const made = make("select", { id: `export-${choice}`, class: "control", "aria-labelledby": `export-${choice}-name` });
+    made.append(...Object.entries(keys).map(([value, key]) => make("option", { value, "data-t": key })));
+    made.value = usual;
+    return made;
+  };
+  const usual = words.numbers.comma ? "comma" : "point";
+  const decimal = select("decimal", { point: "export.decimal.point", comma: "export.decimal.comma" }, usual);
+  const angles = select("angles", { rad: "export.angles.rad", deg: "export.angles.deg" }, "rad");
+  const names = select("names", { short: "export.names.short", words: "export.names.words" }, "short");
+  const dimensions = select("dimensions", { first: "export.dimensions.first", none: "export.dimensions.none" }, "first");
+  const row = (/** @type {HTMLSelectElement} */ made, /** @type {string} */ key) => [
+    make("span", { id: `${made.id}-name`, "data-t": key }),
+    make("div", {}, [made]),
+  ];
+  const signs = row(decimal, "export.decimal");
+  // What goes by time is no linkage: its columns have units of their own.
+  const rows = moves === "time" ? signs : [
+    ...signs,
+    ...row(angles, "export.angles"),
+    ...row(names, "export.names"),
+    ...row(dimensions, "export.dimensions"),
+  ];
+  const chosen = () => ({
+    comma: decimal.value === "comma",
+    degrees: angles.value === "deg",
+    worded: names.value === "words",
+    dimensions: dimensions.value === "first",
+  });
+  return { rows, chosen };
+}
+
 /** @param {Page} page */
 function makeDialog({ engine, model, mechanism, chart, words }) {
   const theme = paperTheme(engine.roles);
@@ -51,15 +89,17 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
   const step = make("select", { id: "export-step", class: "control", "aria-labelledby": "export-table export-step-name" });
   step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [coordinate.share(steps, words)])));
   step.value = `${USUAL}`;
+  const choices = tableChoices(coordinate, words);
   const saveTable = () => {
     const { value } = attempt(() => engine.ask((simulator) => simulator.sweep(Number(step.value))));
-    if (value) download(toCsv(value, coordinate.field), `${name}.csv`);
+    if (value) download(toCsv(value, coordinate, choices.chosen(), words), `${name}.csv`);
   };
   const drawn = [head("export-drawing", "export.drawing"), pictures("drawing", "mechanism", drawing)];
   // What does not move has neither a turn nor plots of it.
   const exports = model.summary.moves === null ? drawn : [
     head("export-table", "export.table"),
     make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),
+    ...choices.rows,
     ...drawn,
     head("export-plots", "export.plots"),
     pictures("plots", "charts", plots),

@@ -45,8 +45,9 @@ enum Command {
     /// The first column is the input: `phi_deg`, degrees of a crank, or `s`, the length of a driven slide. Then for
     /// each link LINK.angle (radians, never folded), LINK.dangle, LINK.ddangle; for each point P.x, P.y, P.dx, P.dy,
     /// P.ddx, P.ddy, in the unit of the file's lengths. Derivatives are by the input, by radians of a crank. With
-    /// --omega they are by time, in seconds: LINK.omega, LINK.epsilon, P.vx, P.vy, P.ax, P.ay. The last column,
-    /// `reason`, says why there is no pose, or none of its derivatives.
+    /// --omega they are by time, in seconds: LINK.omega, LINK.epsilon, P.vx, P.vy, P.ax, P.ay. With --degrees angles
+    /// are in degrees, and derivatives by degrees of a crank. The last column, `reason`, says why there is no pose, or
+    /// none of its derivatives.
     Sweep(sweep::Asked),
     /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
     /// with its dead points and change points.

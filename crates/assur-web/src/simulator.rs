@@ -217,9 +217,9 @@ impl Simulator {
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 
-    /// The motion as a table `{columns, rows: [{phi_deg, values, reason}]}`, with
-    /// `steps` rows to a turn of the crank and its end; `null` where there is no
-    /// value, with the reason.
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}]}`, with
+    /// `steps` rows to a turn of the crank, and rows where it ends or turns back; `null` where
+    /// there is no value, with the reason.
     ///
     /// # Errors
     /// Before the first `set`.

@@ -1,8 +1,7 @@
 //! The table of a motion, under names of the page.
 
-use std::f64::consts::TAU;
-
-use assur::motion::Column;
+use assur::mechanism::{Mechanism, Quantity};
+use assur::motion::{Column, Grid};
 use assur_file::Problem;
 use serde::Serialize;
 
@@ -12,8 +11,39 @@ use crate::moving::Moving;
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepTable {
-    pub(crate) columns: Vec<String>,
+    pub(crate) dimensions: Vec<SweepDimension>,
+    pub(crate) columns: Vec<SweepColumn>,
     pub(crate) rows: Vec<SweepRow>,
+}
+
+/// A dimension of the linkage: how far two points of a link are apart, or a coordinate of a point of the frame.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SweepDimension {
+    #[cfg_attr(test, ts(type = "\"length\" | \"x\" | \"y\""))]
+    kind: &'static str,
+    /// Of two points, as in `A-B`, or of one.
+    of: String,
+    value: f64,
+}
+
+/// A quantity of a link or a point, or its derivative of an order by the input.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SweepColumn {
+    /// As in all tables: `rocker.dangle`.
+    name: String,
+    /// None where the name is all that is told.
+    quantity: Option<SweepQuantity>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct SweepQuantity {
+    #[cfg_attr(test, ts(type = "\"angle\" | \"x\" | \"y\""))]
+    kind: &'static str,
+    of: String,
+    order: usize,
 }
 
 #[derive(Serialize)]
@@ -27,43 +57,100 @@ pub(crate) struct SweepRow {
 }
 
 impl SweepTable {
-    /// The motion as a table with this many rows to a turn of the crank, or to the range of
-    /// a driven slide.
+    /// The motion as a table with this many steps to a turn of the crank, or to the range of
+    /// a driven slide: each pose once, and where it turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let columns = Column::all(mechanism);
-        let steps = steps.max(1);
+        let steps = f64::from(steps.max(1));
         let [start, end] = motion.cycle().axis();
-        let turns = if mechanism.turns() {
-            ((end - start) / TAU).round().max(1.0) as u32
+        let grid = if mechanism.turns() {
+            Grid {
+                unit: 1_f64.to_radians(),
+                origin: 0.0,
+                step: 360.0 / steps,
+            }
         } else {
-            1
+            Grid {
+                unit: 1.0,
+                origin: start,
+                step: (end - start) / steps,
+            }
         };
-        let row = |step: u32| {
-            let part = f64::from(step) / f64::from(steps);
-            let input = if mechanism.turns() {
-                TAU * part
-            } else {
-                start + (end - start) * part
-            };
-            let row = motion.row(&columns, input);
+        let rows = motion.rows(grid).map(|at| {
+            let row = motion.row(&columns, at.input);
             SweepRow {
-                // Not from radians: whole degrees stay whole.
-                input: if mechanism.turns() {
-                    360.0 * f64::from(step) / f64::from(steps)
-                } else {
-                    input
-                },
+                input: at.counted,
                 values: row.values,
                 reason: row.reason.map(|unsolved| moving.problem(&unsolved)),
             }
-        };
+        });
         Self {
-            rows: (0..=turns * steps).map(row).collect(),
+            dimensions: SweepDimension::all(moving),
+            rows: rows.collect(),
             columns: columns
                 .iter()
-                .map(|column| column.name(mechanism))
+                .map(|column| SweepColumn::of(mechanism, *column))
                 .collect(),
         }
+    }
+}
+
+impl SweepDimension {
+    /// Of each link the distances of its points from the first, then where the points of the frame are.
+    fn all(moving: &Moving) -> Vec<Self> {
+        let (motion, mechanism) = (moving.motion(), moving.mechanism());
+        let Ok(pose) = motion.pose::<1>(motion.home()) else {
+            return Vec::new();
+        };
+        let draft = mechanism.draft();
+        let place = |name: &String| {
+            let point = mechanism.point(name)?;
+            Some(mechanism.place(&pose, point).place())
+        };
+        let bars = draft.links.iter().flat_map(|link| {
+            let first = link.points.iter().take(1);
+            first.flat_map(|first| link.points.iter().skip(1).map(move |other| [first, other]))
+        });
+        let lengths = bars.filter_map(|[a, b]| {
+            let value = (place(b)? - place(a)?).norm();
+            let of = format!("{a}-{b}");
+            let kind = "length";
+            Some(Self { kind, of, value })
+        });
+        let fixed = draft.frame.iter().flat_map(|name| {
+            let coordinates = place(name).map(|at| [("x", at.x), ("y", at.y)]);
+            let of = name.clone();
+            coordinates
+                .into_iter()
+                .flatten()
+                .map(move |(kind, value)| Self {
+                    kind,
+                    of: of.clone(),
+                    value,
+                })
+        });
+        lengths.chain(fixed).collect()
+    }
+}
+
+impl SweepColumn {
+    fn of(mechanism: &Mechanism, column: Column) -> Self {
+        let (kind, of) = match column.quantity {
+            Quantity::Angle(link) => ("angle", mechanism.link_name(link)),
+            Quantity::X(point) => ("x", mechanism.point_name(point)),
+            Quantity::Y(point) => ("y", mechanism.point_name(point)),
+        };
+        let (of, order) = (of.to_owned(), column.order);
+        Self {
+            name: column.name(mechanism),
+            quantity: Some(SweepQuantity { kind, of, order }),
+        }
+    }
+
+    /// One of which the name is all that is told.
+    pub(crate) fn named(name: String) -> Self {
+        let quantity = None;
+        Self { name, quantity }
     }
 }

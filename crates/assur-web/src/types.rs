@@ -31,7 +31,7 @@ use crate::summary::{
     GroupSummary, HandleSummary, LimitSummary, ListedSummary, MotionSummary, OutputSummary,
     StructureSummary, TransmissionSummary,
 };
-use crate::table::{SweepRow, SweepTable};
+use crate::table::{SweepColumn, SweepDimension, SweepQuantity, SweepRow, SweepTable};
 
 #[test]
 fn the_scripts_know_what_crosses_the_border() {
@@ -98,6 +98,9 @@ fn the_scripts_know_what_crosses_the_border() {
         SeriesLayout::decl(&config),
         MarkLayout::decl(&config),
         SweepTable::decl(&config),
+        SweepDimension::decl(&config),
+        SweepColumn::decl(&config),
+        SweepQuantity::decl(&config),
         SweepRow::decl(&config),
         Wishes::decl(&config),
         Movement::decl(&config),

@@ -481,6 +481,10 @@ fn the_table_has_a_row_for_every_step() {
             _ => name.clone(),
         };
         let columns: Vec<String> = names[1..].iter().map(column).collect();
+        let columns: Vec<Value> = columns
+            .iter()
+            .map(|name| json!({"name": name, "quantity": null}))
+            .collect();
         assert_eq!(table["columns"], json!(columns));
         let rows = table["rows"].as_array().unwrap();
         assert_eq!(rows.len(), 9);

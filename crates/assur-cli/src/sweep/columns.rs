@@ -11,6 +11,8 @@ pub(super) struct Names<'a> {
     pub(super) mechanism: &'a Mechanism,
     /// Derivatives are by time, not by the input.
     pub(super) by_time: bool,
+    /// Angles are in degrees.
+    pub(super) degrees: bool,
     /// With units.
     pub(super) units: bool,
 }
@@ -45,7 +47,8 @@ impl Names<'_> {
 
     /// Lengths are in any one unit, which only the reader knows.
     fn unit(self, column: Column) -> String {
-        let unit = |turns: bool| if turns { "rad" } else { "length" };
+        let angle = if self.degrees { "deg" } else { "rad" };
+        let unit = |turns: bool| if turns { angle } else { "length" };
         let of = unit(column.quantity.is_angle());
         let by = if self.by_time {
             "s"
@@ -56,6 +59,18 @@ impl Names<'_> {
             0 => of.to_owned(),
             1 => format!("{of}_per_{by}"),
             order => format!("{of}_per_{by}{order}"),
+        }
+    }
+
+    /// What a value of a column counts by in its unit, as the engine has it.
+    pub(super) fn scale(self, column: Column) -> f64 {
+        let by_angle = !self.by_time && self.mechanism.turns();
+        let of = i32::from(column.quantity.is_angle());
+        let by = if by_angle { column.order as i32 } else { 0 };
+        match of - by {
+            0 => 1.0,
+            _ if !self.degrees => 1.0,
+            angles => 1_f64.to_degrees().powi(angles),
         }
     }
 

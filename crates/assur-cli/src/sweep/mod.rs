@@ -48,7 +48,10 @@ pub(crate) struct Asked {
     /// With the driver's acceleration, rad/s², of a slide lengths/s² [default: 0]
     #[arg(long, value_name = "X", allow_hyphen_values = true, requires = "omega")]
     epsilon: Option<f64>,
-    /// Names of columns end in their units, as in rocker.angle_rad or C.vx_length_per_s
+    /// Angles of the columns in degrees, their derivatives too, and derivatives by a crank's angle by degrees of it
+    #[arg(long)]
+    degrees: bool,
+    /// Names of columns end in their units, as in rocker.angle_rad, with --degrees rocker.angle_deg, or C.vx_length_per_s
     #[arg(long)]
     header_units: bool,
     /// 0,5 for 0.5, and a semicolon between cells
@@ -69,6 +72,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let names = Names {
         mechanism,
         by_time: asked.omega.is_some(),
+        degrees: asked.degrees,
         units: asked.header_units,
     };
     let columns = match &asked.columns {
@@ -87,18 +91,22 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let csv = Csv {
         decimal_comma: asked.decimal_comma,
     };
+    let scales: Vec<f64> = columns.iter().map(|column| names.scale(*column)).collect();
     let headers = columns.iter().map(|column| names.header(*column));
     let first = [names.input().to_owned()].into_iter();
     csv.line(out, first.chain(headers).chain(["reason".to_owned()]))?;
     let words = Words::english()?;
     for at in inputs {
         let row = motion.row_by_time(&columns, at.input, driven);
-        let values = row.values.iter();
-        let values = values.map(|value| value.map(|one| csv.number(one)).unwrap_or_default());
+        let values = row.values.iter().zip(&scales);
+        let values = values.map(|(value, scale)| {
+            let written = value.map(|one| csv.number(one * scale));
+            written.unwrap_or_default()
+        });
         let reason = row
             .reason
             .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into()));
-        let first = [csv.number(at.written)].into_iter();
+        let first = [csv.number(at.counted)].into_iter();
         let last = [reason.transpose()?.unwrap_or_default()];
         csv.line(out, first.chain(values).chain(last))?;
     }

@@ -204,6 +204,91 @@ fn units_in_the_header() {
     );
 }
 
+/// q′ and q″ by radians and by degrees of the crank, and by time; a slide's derivatives stay by its lengths.
+#[test]
+fn angles_in_degrees() {
+    let degree = 1_f64.to_radians();
+    let slide = data("linkages/driven-slide.json");
+    let timed = ["--omega", "-2.5", "--epsilon", "4"];
+    for (arguments, scales) in [
+        (
+            &["mixer-a", "--step", "40"][..],
+            &[
+                ("rocker.angle", 1.0 / degree),
+                ("rocker.dangle", 1.0),
+                ("rocker.ddangle", degree),
+                ("C2.x", 1.0),
+                ("C2.dx", degree),
+                ("C2.ddy", degree * degree),
+            ][..],
+        ),
+        (
+            &[&["mixer-a", "--step", "40"][..], &timed].concat(),
+            &[
+                ("rocker.angle", 1.0 / degree),
+                ("rocker.omega", 1.0 / degree),
+                ("rocker.epsilon", 1.0 / degree),
+                ("C2.vx", 1.0),
+                ("C2.ay", 1.0),
+            ],
+        ),
+        (
+            &[&slide, "--at", "0.5,1.25"],
+            &[("H.y", 1.0), ("H.dy", 1.0), ("H.ddy", 1.0)],
+        ),
+    ] {
+        let plain = table(arguments);
+        let turned = table(&[arguments, &["--degrees"]].concat());
+        assert_eq!(turned.header, plain.header);
+        assert_eq!(inputs(&turned), inputs(&plain));
+        for row in 0..plain.rows.len() {
+            for (name, scale) in scales {
+                let expected = plain.number(row, name) * scale;
+                let off = turned.number(row, name) - expected;
+                assert!(off.abs() <= 1e-14 * expected.abs(), "{name}: {off:e}");
+            }
+        }
+    }
+    let crank = table(&["mixer-a", "--at", "30", "--degrees"]);
+    assert!((crank.number(0, "crank.angle") - 30.0).abs() < 1e-13);
+    assert_eq!(crank.number(0, "crank.dangle"), 1.0);
+}
+
+/// Units in the header and the decimal sign follow what is asked for beside them.
+#[test]
+fn degrees_units_and_a_decimal_comma_together() {
+    let asked = ["--degrees", "--header-units", "--decimal-comma"];
+    let columns = ["--columns", "crank.angle,rocker.ddangle,C1.dx"];
+    let arguments = [&["sweep", "mixer-a", "--at", "0.5"][..], &asked, &columns];
+    let text = said(&arguments.concat());
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some("phi_deg;crank.angle_deg;rocker.ddangle_deg_per_deg2;C1.dx_length_per_deg;reason")
+    );
+    let cells: Vec<&str> = lines.next().unwrap().split(';').collect();
+    assert_eq!((cells.len(), &cells[..2]), (5, &["0,5", "0,5"][..]));
+    let columns = ["--columns", "rocker.epsilon,C1.ax", "--omega", "1"];
+    let arguments = [&["sweep", "mixer-a", "--at", "0.5"][..], &asked, &columns];
+    let text = said(&arguments.concat());
+    let header = "phi_deg;rocker.epsilon_deg_per_s2;C1.ax_length_per_s2;reason";
+    assert_eq!(text.lines().next(), Some(header));
+    let slide = data("linkages/driven-slide.json");
+    let text = said(
+        &[
+            &["sweep", &slide, "--at", "0.5", "--columns", "H.dy"][..],
+            &asked,
+        ]
+        .concat(),
+    );
+    // A rod of 2.5 that leans on two walls.
+    let [header, row] = [0, 1].map(|line| text.lines().nth(line).unwrap());
+    assert_eq!(header, "s_length;H.dy_length_per_length;reason");
+    let slope = row.split(';').nth(1).unwrap().replace(',', ".");
+    let off = slope.parse::<f64>().unwrap() + 0.5 / 6_f64.sqrt();
+    assert!(off.abs() < 1e-15 && row.starts_with("0,5;-0,204"), "{row}");
+}
+
 #[test]
 fn a_decimal_comma() {
     let asked = [

@@ -13,6 +13,11 @@ use crate::list::{List, Look, Role};
 const TURN: usize = 720;
 /// Fewest places on an arc.
 const LEAST: f64 = 90.0;
+/// No more bodies are placed in all poses together, a pose by itself counted as some. Over so many turns paths cover
+/// each other: they are drawn coarser, and of those beyond that the first stand for all.
+const MOST_PLACED: usize = 150_000;
+const OF_A_POSE: usize = 8;
+const COARSEST_TURN: usize = 60;
 /// Poses of an arc of a motion that goes to and fro.
 const SWING: usize = 360;
 /// A link that turns through so much turns all round: at its ends the motion may
@@ -60,16 +65,19 @@ impl Path {
 /// Poses over the motion, a run for each arc; crowded towards dead points.
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
-    let count = if cycle.is_full() {
+    let (count, shown) = if cycle.is_full() {
         let turns = cycle.period().unwrap_or(TAU) / TAU;
-        TURN * turns.round().max(1.0) as usize
+        let turns = turns.round().max(1.0) as usize;
+        let most = MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE);
+        let shown = turns.min(most / COARSEST_TURN);
+        ((TURN * shown).min(most), shown as f64 / turns as f64)
     } else {
-        SWING
+        (SWING, 1.0)
     };
     let runs = cycle.arcs().iter().map(|[from, to]| {
         let inputs = (0..=count).map(|i| {
             let share = i as f64 / count as f64;
-            from + (to - from) * placed(cycle, share)
+            from + (to - from) * shown * placed(cycle, share)
         });
         let poses = inputs.filter_map(|input| Some((input, motion.pose(input).ok()?)));
         poses.collect()

@@ -4,16 +4,14 @@
 //! one.
 
 use super::dead_point::{DeadPoint, DeadPointKind};
-use super::interpolation::Knots;
+use super::interpolation::{Knots, MOST_TURNED};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
 use crate::position::{Enclosure, Nearby, Orientation, Passing, Predictor, State, Step};
 
 /// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
-const GRID: usize = 360;
-/// A body turns by less than this in a step, radians, so that its whole turns are counted.
-const MOST_TURNED: f64 = 1.0;
+pub(super) const GRID: usize = 360;
 /// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 pub(super) const HALVINGS: i32 = 24;
 /// … nor for a group, which may be drawn close to a singular pose and leave it.
@@ -92,10 +90,10 @@ impl<'a> Continuation<'a> {
         }
     }
 
-    /// Goes on until the motion repeats or ends, and leaves a knot at each sample.
+    /// Goes on until the motion repeats or ends, and leaves knots.
     pub(super) fn go(&mut self, sense: f64, knots: &mut Knots) -> End {
         let start = self.here.clone();
-        knots.push(self.input, &self.signs, &self.here);
+        knots.push(self.input, &self.signs, &self.here, 0.0);
         let home = self.input;
         let cell = self.mechanism.span() / GRID as f64;
         let least = self.mechanism.least_turns().unwrap_or(NEVER);
@@ -135,9 +133,7 @@ impl<'a> Continuation<'a> {
             };
             self.work = work;
             let Err(step) = self.step_to(next) else {
-                self.input = next;
-                std::mem::swap(&mut self.here, &mut self.there);
-                knots.push(self.input, &self.signs, &self.here);
+                self.take(next, knots);
                 // Where one step was too long the next ones will be.
                 taken += 1;
                 if taken % BEFORE_LONGER == 0 {
@@ -184,7 +180,7 @@ impl<'a> Continuation<'a> {
         let width = next - self.input;
         cell.certify(mechanism.steps(), here, width)?;
         for body in &self.winding {
-            if cell.reach() * cell.pace(here, *body) > MOST_TURNED {
+            if cell.turned(here, *body) > MOST_TURNED {
                 return Err(mechanism.placed_by(*body).unwrap_or(StepId::FIRST));
             }
         }
@@ -198,6 +194,21 @@ impl<'a> Continuation<'a> {
             .ids()
             .find(strayed)
             .map_or(Ok(()), Err)
+    }
+
+    /// Takes a certified step to the second pose, and leaves a knot there.
+    pub(super) fn take(&mut self, next: f64, knots: &mut Knots) {
+        let turned = self.turned();
+        self.input = next;
+        std::mem::swap(&mut self.here, &mut self.there);
+        knots.push(self.input, &self.signs, &self.here, turned);
+    }
+
+    /// How far bodies turn at most, of which whole turns are counted, in the step that was certified last.
+    pub(super) fn turned(&self) -> f64 {
+        let winding = self.winding.iter();
+        let turned = winding.map(|body| self.cell.turned(&self.here, *body));
+        turned.fold(0.0, f64::max)
     }
 
     /// The pose at an input, from the one that is predicted there.

@@ -29,6 +29,10 @@ impl Features {
 /// Samples a turn; between two of them an extremum is found by the signs of two
 /// more derivatives.
 const GRID: usize = 360;
+/// Of a motion of more turns nothing is told: in no plot could two turns be told apart.
+const MOST_TURNS: f64 = 256.0;
+/// No more samples are kept at once, of all quantities together.
+const MOST_SAMPLES: usize = 1 << 18;
 /// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
 /// vanishing diagonal, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
@@ -52,12 +56,17 @@ impl Motion {
         }
         let size = mechanism.size();
         let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
-        let units: Vec<f64> = bases.iter().map(unit).collect();
-        let jets = |input: f64| -> Option<Vec<Jet<5>>> {
-            let pose = self.pose::<5>(input).ok()?;
-            Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
-        };
-        let found = features(self.cycle(), &jets, &units, input);
+        let samples: usize = stretches(self.cycle()).iter().map(Vec::len).sum();
+        let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
+        let found = bases.chunks(at_once).flat_map(|bases| {
+            let units: Vec<f64> = bases.iter().map(unit).collect();
+            let jets = |input: f64| -> Option<Vec<Jet<5>>> {
+                let pose = self.pose::<5>(input).ok()?;
+                Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
+            };
+            features(self.cycle(), &jets, &units, input)
+        });
+        let found: Vec<[Features; 3]> = found.collect();
         let scaled = |(base, factor): (Quantity, f64)| {
             let mut known = bases.iter().zip(&found);
             let found = known.find(|(one, _)| **one == base);
@@ -87,7 +96,7 @@ impl Motion {
 /// coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded
-/// Newton steps with the exact one after that. None where it is constant.
+/// Newton steps with the exact one after that. None where it is constant, nor over hundreds of turns.
 pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
@@ -302,6 +311,9 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
     if cycle.is_full() {
         let [start, end] = cycle.axis();
         let half = 0.5 * (end - start);
+        if half > MOST_TURNS * PI {
+            return Vec::new();
+        }
         return vec![graded(&[start - half, start + half])];
     }
     cycle.arcs().iter().map(graded).collect()

@@ -144,25 +144,25 @@ impl Continuation<'_> {
             self.signs[passing.step] = signs[passing.step].opposite();
         }
         self.passings.extend_from_slice(&found.passings);
-        let Some(between) = self.past(&found, target) else {
+        let Some((between, past)) = self.past(&found, target) else {
             self.signs = signs;
             self.passings.truncate(known);
             return false;
         };
         if !found.passings.is_empty() {
-            knots.push(found.input, &self.signs, &between);
+            knots.push(found.input, &self.signs, &between, self.turned());
         }
         let turned_over = found.passings.iter().map(|passing| passing.step);
         self.passed
             .extend(turned_over.map(|step| (step, found.input)));
-        std::mem::swap(&mut self.here, &mut self.there);
-        knots.push(self.input, &self.signs, &self.here);
+        self.take(past, knots);
         true
     }
 
     /// Solves the second pose as far beyond where links are in line as this one is before, or at the target, with the
-    /// signs that they go on by. Returned is the pose in which they are in line; none where it cannot be shown that nothing else happens.
-    fn past(&mut self, found: &InLine, target: f64) -> Option<Predictor> {
+    /// signs that they go on by. Returned are the pose in which they are in line and the input of the second; none where
+    /// it cannot be shown that nothing else happens.
+    fn past(&mut self, found: &InLine, target: f64) -> Option<(Predictor, f64)> {
         self.try_next(found.input).ok()?;
         let between = self.there.clone();
         let least = PASSED * self.mechanism.span();
@@ -192,8 +192,7 @@ impl Continuation<'_> {
         if !(expected && certified.is_ok() && held) {
             return None;
         }
-        self.input = past;
-        Some(between)
+        Some((between, past))
     }
 }
 

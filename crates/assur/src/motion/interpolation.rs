@@ -1,13 +1,24 @@
-//! Samples of a motion, and between them by Hermite interpolation the guess from
-//! which groups are solved.
+//! Samples of a motion, and between them by Hermite interpolation the guess from which groups are solved. Of the
+//! samples only those are kept that the interpolation between others does not tell.
 
 use std::f64::consts::TAU;
 
 use crate::Cycle;
+use crate::Vector;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::Signs;
 use crate::position::{Nearby, Orientation, Passing, Predictor, Sign};
 use crate::sorting::sort_by;
+
+/// A body turns by less than this from knot to knot, radians, so that its whole turns are counted.
+pub(super) const MOST_TURNED: f64 = 1.0;
+/// A knot that the interpolation meets within this part of the way between those beside it tells nothing …
+const MET: f64 = 1e-8;
+/// … or within what rounding leaves of a place.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+/// Of two stretches that become one neither is so many times as long as the other: the error of the interpolation is
+/// greatest about the middle, where the knot between them is.
+const UNEVEN: f64 = 2.5;
 
 /// Samples in ascending inputs (or descending, while a motion is followed back):
 /// which way each group is joined, how the bodies are turned, and the unknowns of
@@ -17,12 +28,18 @@ pub(super) struct Knots {
     list: Vec<Knot>,
     /// Where links pass through in line, in ascending inputs.
     passings: Vec<Passing>,
+    /// How far apart samples are at most.
+    cell: f64,
+    /// The least and the greatest first margin of each step over all samples, those not kept among them.
+    margins: List<StepId, [f64; 2]>,
 }
 
 #[derive(Clone, Debug)]
 struct Knot {
     input: f64,
     signs: Signs,
+    /// How far bodies turn at most on the way from the knot before it.
+    turned: f64,
     /// The first margin of each step: of a group its determinant.
     margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
@@ -31,21 +48,49 @@ struct Knot {
 }
 
 impl Knots {
-    pub(super) fn push(&mut self, input: f64, signs: &Signs, state: &Predictor) {
+    pub(super) fn new(cell: f64) -> Self {
+        Self {
+            cell,
+            ..Self::default()
+        }
+    }
+
+    /// Goes on to a pose, to which bodies turn by no more than `turned`.
+    pub(super) fn push(&mut self, input: f64, signs: &Signs, state: &Predictor, turned: f64) {
         let natural = state.natural.iter().flat_map(|place| {
             [0, 1].map(|axis| [0, 1, 2, 3].map(|order: usize| place[order][axis]))
         });
-        self.list.push(Knot {
+        let margins = state.margins.iter().map(|[margin, _]| margin.value());
+        let knot = Knot {
             input,
             signs: signs.clone(),
-            margins: state
-                .margins
-                .iter()
-                .map(|[margin, _]| margin.value())
-                .collect(),
+            turned,
+            margins: margins.collect(),
             orientations: state.orientations(),
             natural: natural.collect(),
-        });
+        };
+        self.span(knot.margins.iter().map(|margin| [*margin; 2]).collect());
+        self.list.push(knot);
+        while let [.., a, b, c] = &self.list[..]
+            && b.is_told_by(a, c, self.cell)
+        {
+            let turned = b.turned + c.turned;
+            self.list.swap_remove(self.list.len() - 2);
+            if let Some(last) = self.list.last_mut() {
+                last.turned = turned;
+            }
+        }
+    }
+
+    /// With the margins of other samples.
+    fn span(&mut self, others: List<StepId, [f64; 2]>) {
+        if self.margins.len() == 0 {
+            self.margins = others;
+            return;
+        }
+        for ([low, high], other) in self.margins.iter_mut().zip(others.iter()) {
+            (*low, *high) = (low.min(other[0]), high.max(other[1]));
+        }
     }
 
     /// The one knot that a motion in closed form needs.
@@ -58,20 +103,29 @@ impl Knots {
             list: vec![Knot {
                 input,
                 signs: signs.clone(),
+                turned: 0.0,
                 margins: signs.alike(1.0),
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
             passings: Vec::new(),
+            cell: 0.0,
+            margins: signs.alike([1.0; 2]),
         }
     }
 
     /// With the knots of another motion over other inputs.
     pub(super) fn join(&mut self, mut other: Self) {
+        self.span(other.margins);
         self.list.append(&mut other.list);
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
         self.passings.append(&mut other.passings);
         sort_by(&mut self.passings, |a, b| a.input.total_cmp(&b.input));
+    }
+
+    /// Between which values the determinant of a group of higher class is over the motion.
+    pub(super) fn range(&self, step: StepId) -> [f64; 2] {
+        self.margins[step]
     }
 
     /// The inputs with the determinants of a group of higher class, the last first.
@@ -87,7 +141,8 @@ impl Knots {
         back.list.reverse();
         back.list.pop();
         back.list.append(&mut self.list);
-        *self = back;
+        self.list = back.list;
+        self.span(back.margins);
     }
 
     pub(super) fn shift(&mut self, by: f64) {
@@ -159,7 +214,7 @@ impl Knots {
         let knot = &self.list[at];
         guess.clear();
         match self.list.get(at + 1) {
-            Some(next) => between(knot, next, input, guess),
+            Some(next) => guess.extend(between(knot, next, input)),
             None => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
         }
         let near = Nearby {
@@ -172,37 +227,53 @@ impl Knots {
 
     /// The last knot that is not after an input, or the first.
     fn before(&self, input: f64) -> usize {
-        // They are as many as the samples of a grid, but for halved steps.
-        if let [first, .., last] = &self.list[..] {
-            let cells = (self.list.len() - 1) as f64;
-            let at = (input - first.input) / (last.input - first.input) * cells;
-            // However far from them all the input is.
-            let at = at as usize;
-            if let Some([a, b]) = self.list.get(at..at.saturating_add(2))
-                && (a.input..b.input).contains(&input)
-            {
-                return at;
-            }
-        }
         let after = self.list.partition_point(|knot| knot.input <= input);
         after.saturating_sub(1)
     }
 }
 
+impl Knot {
+    /// Whether the two knots beside it tell what it tells.
+    fn is_told_by(&self, before: &Self, after: &Self, cell: f64) -> bool {
+        let ways = [before, after].map(|knot| (knot.input - self.input).abs());
+        let even = ways[0] <= UNEVEN * ways[1] && ways[1] <= UNEVEN * ways[0];
+        let few = self.turned + after.turned <= MOST_TURNED;
+        let joined = [before, after].iter().all(|knot| knot.signs == self.signs);
+        // Longer than a cell the guess would not be as good as Newton's method makes it.
+        let in_cell = ways[0] + ways[1] <= cell;
+        let meets = || {
+            let mut guesses = between(before, after, self.input);
+            self.places().enumerate().all(|(k, place)| {
+                let guess = [guesses.next(), guesses.next()].map(|x| x.unwrap_or(f64::NAN));
+                let way = after.place(k) - before.place(k);
+                let met = (MET * way.norm()).max(ROUNDED * place.norm());
+                (Vector::from(guess) - place).norm() <= met
+            })
+        };
+        even && few && joined && (self.natural.is_empty() || in_cell && meets())
+    }
+
+    /// The unknowns of groups, in their places.
+    fn places(&self) -> impl Iterator<Item = Vector> {
+        (0..self.natural.len() / 2).map(|k| self.place(k))
+    }
+
+    fn place(&self, k: usize) -> Vector {
+        Vector::new(self.natural[2 * k][0], self.natural[2 * k + 1][0])
+    }
+}
+
 /// The polynomial of degree 7 that has the values and three derivatives of both
 /// knots.
-fn between(a: &Knot, b: &Knot, input: f64, guess: &mut Vec<f64>) {
-    if a.natural.is_empty() {
-        return;
-    }
+fn between(a: &Knot, b: &Knot, input: f64) -> impl Iterator<Item = f64> {
     let width = b.input - a.input;
     let u = ((input - a.input) / width).clamp(0.0, 1.0);
     let start = weights(u, width);
     let end = weights(1.0 - u, -width);
-    guess.extend(a.natural.iter().zip(&b.natural).map(|(a, b)| {
+    a.natural.iter().zip(&b.natural).map(move |(a, b)| {
         let terms = (0..4).map(|order| start[order] * a[order] + end[order] * b[order]);
         terms.sum::<f64>()
-    }));
+    })
 }
 
 /// By what the Taylor coefficients of one end count, `u` of the `width` from it:

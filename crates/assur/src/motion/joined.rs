@@ -1,6 +1,9 @@
 //! Motions over arcs of the driver that nothing joins, in one.
 
+use std::sync::Arc;
+
 use super::Motion;
+use super::interpolation::Knots;
 use crate::mechanism::Quantity;
 use crate::sorting::sort_by;
 
@@ -21,15 +24,16 @@ impl Motion {
     ///
     /// # Errors
     /// Why they are not two motions of one linkage over different inputs.
-    pub fn joined(mut self, mut other: Self) -> Result<Self, Unjoinable> {
+    pub fn joined(mut self, other: Self) -> Result<Self, Unjoinable> {
         if !self.mechanism.is_redrawn_as(&other.mechanism) {
             return Err(Unjoinable::OtherLinkage);
         }
         let joined = self.cycle.joined(&other.cycle);
         let (cycle, shift) = joined.ok_or(Unjoinable::Overlap)?;
-        other.knots.shift(shift);
         let theirs = other.home;
-        self.knots.join(other.knots.clone());
+        let mut knots = Knots::clone(&other.knots);
+        knots.shift(shift);
+        Arc::make_mut(&mut self.knots).join(knots);
         let dead_points = other.dead_points.iter().map(|dead| super::DeadPoint {
             input: dead.input + shift,
             ..*dead
@@ -42,7 +46,6 @@ impl Motion {
         self.cycle = cycle;
         self.end_in_poses();
         // What is told of the other linkage must be so of this one.
-        other.knots.shift(-shift);
         let same = match (self.pose::<1>(theirs + shift), other.pose::<1>(theirs)) {
             (Ok(ours), Ok(theirs)) => {
                 let size = 1e-6 * self.mechanism.size();

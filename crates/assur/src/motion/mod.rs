@@ -8,6 +8,7 @@ mod cyclogram;
 mod dead_point;
 mod extremum;
 mod features;
+mod grid;
 mod in_line;
 mod input;
 mod interpolation;
@@ -26,6 +27,7 @@ pub use cyclogram::{Phase, PhaseKind};
 pub use dead_point::{DeadPoint, DeadPointKind};
 pub use extremum::{Extremum, Kind};
 pub use features::{Features, features};
+pub use grid::{At, Grid};
 pub use input::Input;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
@@ -35,11 +37,12 @@ pub use table::{Column, Row};
 pub use transmission::LeastTransmission;
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use crate::Cycle;
 use crate::mechanism::{Mechanism, Pose, Unsolved};
 use crate::position::Step;
-use continuation::{Continuation, End};
+use continuation::{Continuation, End, GRID};
 use interpolation::Knots;
 
 /// So often the way back from an end to a pose is doubled, from the rounding of the input on.
@@ -52,7 +55,8 @@ const BACK: u32 = 24;
 pub struct Motion {
     mechanism: Mechanism,
     cycle: Cycle,
-    knots: Knots,
+    /// Shared by all copies: of a motion that is followed far there are many.
+    knots: Arc<Knots>,
     dead_points: Vec<DeadPoint>,
     change_points: Vec<f64>,
     home: f64,
@@ -73,7 +77,8 @@ impl Motion {
 
     fn followed(mut mechanism: Mechanism) -> Self {
         let mut forth = Continuation::new(&mechanism);
-        let mut knots = Knots::default();
+        let cell = mechanism.span() / GRID as f64;
+        let mut knots = Knots::new(cell);
         let mut turned = 0.0;
         let (cycle, dead_points) = match forth.go(1.0, &mut knots) {
             End::Closed(turns) => {
@@ -82,7 +87,7 @@ impl Motion {
             }
             End::Dead(last) => {
                 let mut back = Continuation::new(&mechanism);
-                let mut before = Knots::default();
+                let mut before = Knots::new(cell);
                 let first = match back.go(-1.0, &mut before) {
                     End::Dead(first) => first,
                     // It cannot turn fully one way only.
@@ -134,7 +139,7 @@ impl Motion {
             change_points: change_points.collect(),
             mechanism,
             cycle,
-            knots,
+            knots: Arc::new(knots),
             dead_points,
             home,
         };
@@ -213,10 +218,7 @@ impl Motion {
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, placing)| matches!(placing, Step::Group(_)));
-        let ranges = groups.filter_map(|(step, _)| {
-            let determinants = self.knots.determinants(step).map(|[_, value]| [value; 2]);
-            determinants.reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
-        });
+        let ranges = groups.map(|(step, _)| self.knots.range(step));
         let ratios = ranges.map(|[low, high]| {
             if low > 0.0 {
                 low / high

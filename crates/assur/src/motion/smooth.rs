@@ -1,5 +1,7 @@
 //! Change points of dyads off the driven crank: the motion goes through them smoothly.
 
+use std::sync::Arc;
+
 use super::Motion;
 use crate::Jet;
 use crate::index::StepId;
@@ -21,7 +23,7 @@ impl Motion {
             let input = self.cycle.wrap(input);
             self.change_points.push(input);
             if let Some(passing) = self.passing(step, input) {
-                self.knots.passes(passing, &self.cycle);
+                Arc::make_mut(&mut self.knots).passes(passing, &self.cycle);
             }
         }
         sort_by(&mut self.change_points, f64::total_cmp);

@@ -122,11 +122,6 @@ impl Enclosure {
         }
     }
 
-    /// How far the input goes.
-    pub(crate) fn reach(&self) -> f64 {
-        self.reach
-    }
-
     /// Whether a step of the plan came out at the end of the step where it was shown to be.
     pub(crate) fn holds(
         &self,
@@ -159,6 +154,11 @@ impl Enclosure {
     /// How fast a body turns at most.
     pub(crate) fn pace(&self, from: &Predictor, body: BodyId) -> f64 {
         self.turning(from, body).abs() + self.reach * self.spin(body)
+    }
+
+    /// How far a body turns at most.
+    pub(crate) fn turned(&self, from: &Predictor, body: BodyId) -> f64 {
+        self.reach * self.pace(from, body)
     }
 
     /// What the second derivative of a direction of a body is at most.

@@ -14,7 +14,7 @@ use super::GearTrain;
 use super::quantity::{BODIES, NUMBERS, Quantity, plotted};
 use crate::capabilities::Moves;
 use crate::here::Here;
-use crate::table::{SweepRow, SweepTable};
+use crate::table::{SweepColumn, SweepRow, SweepTable};
 
 /// A curve of what is not under load has so many samples.
 const SAMPLES: usize = 240;
@@ -342,8 +342,10 @@ impl Moves for GearTrain {
             }
         };
         let columns = self.course.quantities().flat_map(Quantity::columns);
+        let columns = columns.chain(self.course.names_of_run());
         SweepTable {
-            columns: columns.chain(self.course.names_of_run()).collect(),
+            dimensions: Vec::new(),
+            columns: columns.map(SweepColumn::named).collect(),
             rows: (0..=steps).map(row).collect(),
         }
     }

@@ -1,0 +1,151 @@
+//! At which inputs a table of a motion has its rows: each pose once, in the order of the motion's own range.
+
+use super::Motion;
+
+/// Inputs nearer to each other, in steps, are one.
+const NEAR: f64 = 1e-9;
+
+/// The input of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct At {
+    /// As the reader counts it.
+    pub counted: f64,
+    /// As the engine has it: radians of a crank, else in the unit of the lengths.
+    pub input: f64,
+}
+
+/// Inputs at whole steps from an origin.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid {
+    /// What the reader counts in, as the engine has it.
+    pub unit: f64,
+    /// From where steps are counted, as the reader counts.
+    pub origin: f64,
+    /// The step, greater than zero, as the reader counts.
+    pub step: f64,
+}
+
+impl At {
+    /// An input that the reader names.
+    pub fn counted(counted: f64, unit: f64) -> Self {
+        let input = counted * unit;
+        Self { counted, input }
+    }
+
+    /// An input of the engine.
+    pub fn of(input: f64, unit: f64) -> Self {
+        let counted = decimal(input / unit);
+        Self { counted, input }
+    }
+}
+
+impl Motion {
+    /// The arcs of the motion, ascending, in a unit of the reader.
+    pub fn arcs_in(&self, unit: f64) -> Vec<[At; 2]> {
+        let arcs = self.cycle.arcs().iter();
+        arcs.map(|arc| arc.map(|end| At::of(end, unit))).collect()
+    }
+
+    /// The inputs at which the motion turns back, ascending, in a unit of the reader.
+    pub fn ends_in(&self, unit: f64) -> Vec<At> {
+        let turns_back = !self.cycle.is_full();
+        let arcs = self.arcs_in(unit).into_iter().filter(|_| turns_back);
+        arcs.flatten().collect()
+    }
+
+    /// The inputs of a grid over the whole motion, with those at which it turns back.
+    pub fn rows(&self, grid: Grid) -> impl Iterator<Item = At> + use<> {
+        let ends = self.ends_in(grid.unit);
+        let arcs = self.arcs_in(grid.unit).into_iter();
+        arcs.flat_map(move |arc| grid.rows(arc, &ends))
+    }
+}
+
+impl Grid {
+    /// Its inputs within a stretch and those of the ends that are within, ascending.
+    pub fn rows(self, [first, last]: [At; 2], ends: &[At]) -> impl Iterator<Item = At> + use<> {
+        let Self { unit, origin, step } = self;
+        let within = |end: &&At| (first.input..=last.input).contains(&end.input);
+        let ends: Vec<At> = ends.iter().filter(within).copied().collect();
+        let index = |at: At| (at.counted - origin) / step;
+        let [low, high] = [(index(first) - NEAR).ceil(), (index(last) + NEAR).floor()];
+        let count = (high - low + 1.0).max(0.0) as u64;
+        let beside: Vec<f64> = ends.iter().map(|end| index(*end)).collect();
+        let rows = (0..count).map(move |k| low + k as f64);
+        let rows = rows.filter(move |k| beside.iter().all(|end| (end - k).abs() > NEAR));
+        let rows = rows.map(move |k| {
+            let At { counted, input } = At::counted(decimal(origin + decimal(k * step)), unit);
+            At {
+                counted: counted.max(first.counted).min(last.counted),
+                input: input.max(first.input).min(last.input),
+            }
+        });
+        merged(rows, ends)
+    }
+}
+
+/// Both in one, ascending.
+fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item = At> {
+    let mut rows = rows.peekable();
+    let mut ends = ends.into_iter().peekable();
+    std::iter::from_fn(move || match (rows.peek(), ends.peek()) {
+        (Some(row), Some(end)) if row.input < end.input => rows.next(),
+        (_, Some(_)) => ends.next(),
+        (_, None) => rows.next(),
+    })
+}
+
+/// A multiple of a decimal step as it is written: 3 × 0.1 is 0.3.
+fn decimal(value: f64) -> f64 {
+    let rounded = (value * 1e9).round() / 1e9;
+    if (rounded - value).abs() <= 1e-14 * value.abs() {
+        rounded
+    } else {
+        value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn multiples_of_decimal_steps_are_as_they_are_written() {
+        assert_eq!(decimal(3.0 * 0.1), 0.3);
+        assert_eq!(decimal(89.99999999999999), 90.0);
+        assert_eq!(decimal(89.999999999), 89.999999999);
+    }
+
+    #[test]
+    fn a_grid_with_its_ends() {
+        let grid = |origin, step| Grid {
+            unit: 1.0,
+            origin,
+            step,
+        };
+        let rows = |grid: Grid, from, to, ends: &[f64]| -> Vec<f64> {
+            let at = |input: &f64| At::of(*input, 1.0);
+            let ends: Vec<At> = ends.iter().map(at).collect();
+            let rows = grid.rows([at(&from), at(&to)], &ends);
+            rows.map(|at| at.input).collect()
+        };
+        let none: &[f64] = &[];
+        assert_eq!(rows(grid(0.0, 7.0), 0.0, 20.0, none), [0.0, 7.0, 14.0]);
+        assert_eq!(
+            rows(grid(0.0, 10.0), -12.5, 15.0, &[-12.5, 15.0]),
+            [-12.5, -10.0, 0.0, 10.0, 15.0]
+        );
+        // An end on the grid is one row, as the engine has it.
+        let near = 20.0 - 1e-12;
+        assert_eq!(
+            rows(grid(0.0, 10.0), 0.0, near, &[0.0, near]),
+            [0.0, 10.0, near]
+        );
+        // Ends outside are none, those between are rows too.
+        assert_eq!(
+            rows(grid(1.5, 1.0), 1.5, 4.0, &[-3.0, 2.25, 5.0]),
+            [1.5, 2.25, 2.5, 3.5]
+        );
+        assert_eq!(rows(grid(0.0, 10.0), 11.0, 19.0, none), none);
+    }
+}
