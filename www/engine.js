@@ -98,6 +98,14 @@ export class Engine {
   }
 
   /**
+   * @param {State} state
+   * @returns {string} what files of it are called: `jansen`, of what comes from no preset `linkage`
+   */
+  fileName(state) {
+    return this.presetOf(state)?.id ?? state.kind;
+  }
+
+  /**
    * @param {string} text
    * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; none where it is too long
    */

@@ -265,6 +265,10 @@ async fn mechanisms_of_the_gallery_have_short_addresses() {
     })
     .await;
     let link = page.address().await;
+    // Files are called by it, too.
+    page.click("menu").await;
+    page.click("save").await;
+    assert!(!page.saved("jansen.assur.json").await.is_empty());
     page.click("play").await;
     page.until("the name alone", async || ends("#jansen").await)
         .await;

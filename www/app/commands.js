@@ -32,7 +32,7 @@ function fileCommands(page) {
   const { engine, model, notices, habits } = page;
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, habits))),
-    save: () => saveFile(model.good),
+    save: () => saveFile(model.good, engine.fileName(model.good)),
     copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
     export: async () => {
       const part = await import("assur/export/dialog.js").catch(() => null);

@@ -27,9 +27,12 @@ export async function copyLink(state, address, copied) {
   }
 }
 
-/** @param {State} state */
-export function saveFile(state) {
-  download(new Blob([toFile(state)], { type: "application/json" }), `${state.kind}.assur.json`);
+/**
+ * @param {State} state
+ * @param {string} name of the file
+ */
+export function saveFile(state, name) {
+  download(new Blob([toFile(state)], { type: "application/json" }), `${name}.assur.json`);
 }
 
 /**

@@ -68,7 +68,7 @@ function tableChoices({ moves }, words) {
 /** @param {Page} page */
 function makeDialog({ engine, model, mechanism, chart, words }) {
   const theme = paperTheme(engine.roles);
-  const name = fileName(engine, model);
+  const name = `assur-${engine.fileName(model.good)}`;
   const drawing = () => mechanism;
   const plots = () => withLegend(chart, theme, words);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
@@ -112,13 +112,4 @@ function makeDialog({ engine, model, mechanism, chart, words }) {
       make("button", { id: "export-close", class: "control", "data-t": "dialog.close" }),
     ]),
   ]);
-}
-
-/**
- * @param {import("assur/engine.js").Engine} engine
- * @param {import("assur/state/model.js").Model} model
- * @returns {string} `assur-jansen`, of what comes from no preset `assur-linkage`
- */
-function fileName(engine, { good }) {
-  return `assur-${engine.presetOf(good)?.id ?? good.kind}`;
 }
