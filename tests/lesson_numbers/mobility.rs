@@ -8,16 +8,16 @@ use super::{LANGUAGES, Lesson};
 
 const LESSON: Lesson = Lesson("mobility");
 
-/// What a preset of the lesson or the catalogue has.
+/// What a preset of the lesson has, or of the catalogue: as the page does, it looks for its own first.
 fn document(name: &str) -> SchemeDocument {
-    if let Some(document) = assur_file::document(name) {
-        let Document::Scheme(scheme) = document.unwrap() else {
-            panic!("{name} is no scheme");
-        };
-        return scheme;
-    }
     let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    serde_json::from_value(presets[name]["document"].clone()).unwrap()
+    if let Some(own) = presets.get(name) {
+        return serde_json::from_value(own["document"].clone()).unwrap();
+    }
+    let Some(Ok(Document::Scheme(scheme))) = assur_file::document(name) else {
+        panic!("{name} is no scheme");
+    };
+    scheme
 }
 
 fn scheme(name: &str) -> Scheme {

@@ -14,15 +14,15 @@ use crate::layout::defects;
 
 /// A document of the lesson or of the catalogue.
 pub(crate) fn document(name: &str) -> SchemeDocument {
-    if let Some(document) = assur_file::document(name) {
-        let Document::Scheme(document) = document.unwrap() else {
-            panic!("{name} is no scheme");
-        };
-        return document;
-    }
     let presets: Value =
         serde_json::from_str(include_str!("../../www/lessons/mobility/presets.json")).unwrap();
-    serde_json::from_value(presets[name]["document"].clone()).unwrap()
+    if let Some(own) = presets.get(name) {
+        return serde_json::from_value(own["document"].clone()).unwrap();
+    }
+    let Some(Ok(Document::Scheme(document))) = assur_file::document(name) else {
+        panic!("{name} is no scheme");
+    };
+    document
 }
 
 pub(crate) fn scheme(name: &str) -> Scheme {

@@ -31,7 +31,6 @@ export function chooseLanguage(page) {
  */
 export function speak(words) {
   document.documentElement.lang = words.lang;
-  document.title = words.text("page.title");
   words.fill(document);
   byId("help-keys", HTMLElement).replaceChildren(...helpRows(words));
 }

@@ -19,6 +19,7 @@ export class Title {
     const preset = this.#engine.presetOf(state);
     const name = preset ? words.text(`gallery.${preset.id}`) : named(state, words);
     write(this.#place, name);
+    document.title = `${name} · Assur`;
     this.#place.title = preset ? words.text(`about.${preset.id}`) : "";
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);

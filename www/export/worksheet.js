@@ -58,9 +58,9 @@ function worksheet(page) {
 
 /** @returns {HTMLElement} every number of the rail with its symbol and name */
 function dimensions() {
-  const rows = [...document.querySelectorAll("#rail .row:has(input.number)")].filter((row) => !row.closest(ELSEWHERE));
+  const rows = [...document.querySelectorAll("#rail .row:has(.number)")].filter((row) => !row.closest(ELSEWHERE));
   return make("table", {}, [make("tbody", {}, rows.map((row) => {
-    const input = row.querySelector("input.number");
+    const input = row.querySelector(".number");
     const value = input instanceof HTMLInputElement ? input.value : "";
     return make("tr", {}, [make("th", { scope: "row" }, [row.querySelector(".name")?.textContent?.trim() ?? ""]), make("td", {}, [value])]);
   }))]);

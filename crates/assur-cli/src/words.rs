@@ -144,7 +144,7 @@ fn plain(detail: &str) -> String {
 /// A number with four digits that count.
 pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    // The greatest numbers there are, rounded, are none.
+    // Rounded up, the greatest number would be infinite.
     let rounded = if rounded.is_finite() { rounded } else { value };
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         format!("{}", rounded + 0.0)

@@ -58,7 +58,7 @@ pub(crate) struct SweepRow {
 
 impl SweepTable {
     /// The motion as a table with this many steps to a turn of the crank, or to the range of
-    /// a driven slide: each pose once, and where it turns back.
+    /// a driven slide, and where it turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let columns = Column::all(mechanism);

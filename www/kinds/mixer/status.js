@@ -48,7 +48,7 @@ export function mixerStatus() {
     const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
     return {
       name,
-      title: wheel ? "name.wheels.z" : `status.${name}`,
+      title: wheel ? "status.swing-wheel" : `status.${name}`,
       n: wheel,
       class: name === "overlaps" ? "warning" : "",
       say: ({ summary, words, state }) => say(summary, words, state),

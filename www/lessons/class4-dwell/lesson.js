@@ -27,7 +27,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "driver",
     formula: "3n − 2p₁ = 0",
-    shows: [{ preset: PRESET, drive: "CD", at: ({ home }) => home, overlays: ["traces", "groups"] }],
+    shows: [{ preset: PRESET, drive: "CD", at: ({ home }) => home, overlays: ["traces", "groups"], plot: "AB.angle" }],
     readouts: ["formula"],
     question: { hides: ["class"], choices: ["ii", "iii", "iv"], answer: classOf },
   },

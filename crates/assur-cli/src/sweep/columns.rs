@@ -62,7 +62,7 @@ impl Names<'_> {
         }
     }
 
-    /// What a value of a column counts by in its unit, as the engine has it.
+    /// By what the engine's value of a column is multiplied to be in its unit.
     pub(super) fn scale(self, column: Column) -> f64 {
         let by_angle = !self.by_time && self.mechanism.turns();
         let of = i32::from(column.quantity.is_angle());

@@ -69,7 +69,7 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
         let turns = cycle.period().unwrap_or(TAU) / TAU;
         let turns = turns.round().max(1.0) as usize;
         let most = MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE);
-        let shown = turns.min(most / COARSEST_TURN);
+        let shown = turns.min(most / COARSEST_TURN).max(1);
         ((TURN * shown).min(most), shown as f64 / turns as f64)
     } else {
         (SWING, 1.0)

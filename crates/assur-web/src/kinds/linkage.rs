@@ -30,7 +30,10 @@ impl Linkage {
         let moving = Moving::new(
             &state.view,
             moved,
-            Annotations::default(),
+            Annotations {
+                input: Some("φ₁".to_owned()),
+                ..Annotations::default()
+            },
             quantities,
             Box::new(explain),
         )?;

@@ -71,8 +71,8 @@ impl Cycle {
         self.full
     }
 
-    /// What the input grows by until the motion repeats: whole turns of a crank
-    /// that turns fully, one turn of another, none for a driven slide.
+    /// What the input grows by until the motion repeats, or may be told by without another pose: whole turns of a
+    /// crank, none for a driven slide.
     pub fn period(&self) -> Option<f64> {
         self.period
     }

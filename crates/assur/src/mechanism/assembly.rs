@@ -32,7 +32,7 @@ impl Mechanism {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
-            passings: &[],
+            smooth_roots: &[],
         }
     }
 
@@ -116,7 +116,7 @@ impl Mechanism {
                 let near = Nearby {
                     orientations: drawn,
                     natural: &self.natural,
-                    passings: &[],
+                    smooth_roots: &[],
                 };
                 let given = Given {
                     step,

@@ -249,7 +249,7 @@ impl Plan<'_> {
             self.points.insert(point, form);
             return;
         }
-        // A block with one point: its direction is the unknown.
+        // A block with one point, or with known points that are too close to each other: its direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions.push(Condition::Unit(turn.clone(), 0.0));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {

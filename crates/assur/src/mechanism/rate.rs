@@ -169,7 +169,7 @@ impl Mechanism {
     }
 
     /// After how many turns a motion may repeat, and no sooner: as the drivers and wheels do, and each four-bar in
-    /// closed form, one at a change point after two turns; none where that is never over.
+    /// closed form, one that is in its other assembly after a turn after two; none where that is never over.
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.rounds())

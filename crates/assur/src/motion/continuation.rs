@@ -8,7 +8,7 @@ use super::interpolation::{Knots, MOST_TURNED};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
-use crate::position::{Enclosure, Nearby, Orientation, Passing, Predictor, State, Step};
+use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
 
 /// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
 pub(super) const GRID: usize = 360;
@@ -48,7 +48,7 @@ pub(super) struct Continuation<'a> {
     /// Which steps of the plan have passed through in line, and where.
     pub(super) passed: Vec<(StepId, f64)>,
     /// The same, as exactly as poses just beside are to be solved.
-    pub(super) passings: Vec<Passing>,
+    pub(super) smooth_roots: Vec<SmoothRoot>,
     /// What may still be tried.
     work: usize,
 }
@@ -60,11 +60,11 @@ pub(super) struct Prediction {
 }
 
 impl Prediction {
-    pub(super) fn near<'a>(&'a self, passings: &'a [Passing]) -> Nearby<'a> {
+    pub(super) fn near<'a>(&'a self, smooth_roots: &'a [SmoothRoot]) -> Nearby<'a> {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
-            passings,
+            smooth_roots,
         }
     }
 }
@@ -85,7 +85,7 @@ impl<'a> Continuation<'a> {
             cell: mechanism.enclosure(),
             winding: mechanism.bodies().filter(winds).collect(),
             passed: Vec::new(),
-            passings: Vec::new(),
+            smooth_roots: Vec::new(),
             work: MOST_WORK,
         }
     }
@@ -218,14 +218,18 @@ impl<'a> Continuation<'a> {
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
         let predicted = self.predicted(input);
-        self.mechanism
-            .solve(input, &self.signs, predicted.near(&self.passings), state)
+        self.mechanism.solve(
+            input,
+            &self.signs,
+            predicted.near(&self.smooth_roots),
+            state,
+        )
     }
 
     /// The same into the second pose.
     pub(super) fn try_next(&mut self, input: f64) -> Result<(), StepId> {
         let predicted = self.predicted(input);
-        let near = predicted.near(&self.passings);
+        let near = predicted.near(&self.smooth_roots);
         let solved = self
             .mechanism
             .solve(input, &self.signs, near, &mut self.there);

@@ -43,7 +43,7 @@ const NO_OFFSET: f64 = 1e-12;
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives by time,
-    /// as of [`features`]: found once for all that are multiples of the same one.
+    /// as of [`features`], of a motion of no more than 256 turns: found once for all that are multiples of the same one.
     pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
@@ -96,7 +96,7 @@ impl Motion {
 /// coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded
-/// Newton steps with the exact one after that. None where it is constant, nor over hundreds of turns.
+/// Newton steps with the exact one after that. None where it is constant, nor over more than 256 turns.
 pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,

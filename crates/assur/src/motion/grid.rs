@@ -1,4 +1,5 @@
-//! At which inputs a table of a motion has its rows: each pose once, in the order of the motion's own range.
+//! At which inputs a table of a motion has its rows: in the order of the motion's own range, both its ends
+//! among them.
 
 use super::Motion;
 
@@ -17,7 +18,7 @@ pub struct At {
 /// Inputs at whole steps from an origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// What the reader counts in, as the engine has it.
+    /// One unit of the reader's in the engine's: π/180 where degrees are counted.
     pub unit: f64,
     /// From where steps are counted, as the reader counts.
     pub origin: f64,

@@ -1,10 +1,10 @@
 //! Links that pass through in line where a motion is followed: a change point.
 
 use super::continuation::Continuation;
-use super::interpolation::Knots;
+use super::interpolation::{Knots, MOST_TURNED};
 use crate::Jet;
 use crate::index::StepId;
-use crate::position::{KNOWN, Passing, Predictor, ROUNDING, State, Step};
+use crate::position::{KNOWN, Predictor, ROUNDING, SmoothRoot, State, Step};
 
 /// Within this part of a turn, or of a slide's range, of where links come into line it is told whether they pass
 /// through; as far beyond the motion is taken up again.
@@ -23,7 +23,7 @@ pub(super) struct InLine {
     input: f64,
     steps: Vec<StepId>,
     /// Of those that go on joined the other way; the closed form of a four-bar passes by itself.
-    passings: Vec<Passing>,
+    smooth_roots: Vec<SmoothRoot>,
 }
 
 impl Continuation<'_> {
@@ -35,9 +35,11 @@ impl Continuation<'_> {
         }
         let sense = width.signum();
         let upstream = self.mechanism.steps().ids();
-        let mut upstream = upstream.take_while(|step| step.index() <= doubtful.index());
+        let upstream = upstream.take_while(|step| step.index() <= doubtful.index());
         let comes = |step| Some((step, self.comes_into_line(step, sense)?));
-        let (first, input) = upstream.find_map(comes)?;
+        let nearest =
+            |(_, a): &(StepId, f64), (_, b): &(StepId, f64)| (a * sense).total_cmp(&(b * sense));
+        let (first, input) = upstream.filter_map(comes).min_by(nearest)?;
         let mut found = InLine::nothing(input);
         let mut next = Some(first);
         while let Some(step) = next {
@@ -51,8 +53,8 @@ impl Continuation<'_> {
                     self.signs[step]
                 };
                 let window = [found.input, 4.0 * PASSED * self.mechanism.span()];
-                let passing = Passing::beside((step, after.factor()), window, square);
-                found.passings.push(passing);
+                let smooth = SmoothRoot::beside((step, after.factor()), window, square);
+                found.smooth_roots.push(smooth);
             }
             let state = self.at(&found);
             let others = self.mechanism.steps().ids();
@@ -75,7 +77,7 @@ impl Continuation<'_> {
     fn at(&self, found: &InLine) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
         let predicted = self.predicted(found.input);
-        let near = predicted.near(&found.passings);
+        let near = predicted.near(&found.smooth_roots);
         // A step that fails leaves those after it as they are in the blank state: nothing is in line.
         let _ = self
             .mechanism
@@ -139,20 +141,23 @@ impl Continuation<'_> {
 
     /// Goes through to where the links have passed, on the way to a target; whether nothing happens to others meanwhile.
     pub(super) fn pass(&mut self, found: InLine, target: f64, knots: &mut Knots) -> bool {
-        let (signs, known) = (self.signs.clone(), self.passings.len());
-        for passing in &found.passings {
-            self.signs[passing.step] = signs[passing.step].opposite();
+        let (signs, known) = (self.signs.clone(), self.smooth_roots.len());
+        for smooth in &found.smooth_roots {
+            self.signs[smooth.step] = signs[smooth.step].opposite();
         }
-        self.passings.extend_from_slice(&found.passings);
+        self.smooth_roots.extend_from_slice(&found.smooth_roots);
         let Some((between, past)) = self.past(&found, target) else {
             self.signs = signs;
-            self.passings.truncate(known);
+            self.smooth_roots.truncate(known);
             return false;
         };
-        if !found.passings.is_empty() {
-            knots.push(found.input, &self.signs, &between, self.turned());
+        if !found.smooth_roots.is_empty() {
+            // A knot tells the signs from it on, in ascending inputs.
+            let ascending = target > self.input;
+            let from_it_on = if ascending { &self.signs } else { &signs };
+            knots.push(found.input, from_it_on, &between, self.turned());
         }
-        let turned_over = found.passings.iter().map(|passing| passing.step);
+        let turned_over = found.smooth_roots.iter().map(|smooth| smooth.step);
         self.passed
             .extend(turned_over.map(|step| (step, found.input)));
         self.take(past, knots);
@@ -163,12 +168,15 @@ impl Continuation<'_> {
     /// signs that they go on by. Returned are the pose in which they are in line and the input of the second; none where
     /// it cannot be shown that nothing else happens.
     fn past(&mut self, found: &InLine, target: f64) -> Option<(Predictor, f64)> {
-        self.try_next(found.input).ok()?;
-        let between = self.there.clone();
         let least = PASSED * self.mechanism.span();
         let sense = (target - self.input).signum();
         let [way, left] = [found.input - self.input, target - found.input].map(|way| way * sense);
+        if left < -SAME * self.mechanism.span() {
+            return None;
+        }
         let past = found.input + sense * way.min(left).max(least);
+        self.try_next(found.input).ok()?;
+        let between = self.there.clone();
         self.try_next(past).ok()?;
         let Self {
             mechanism,
@@ -178,21 +186,17 @@ impl Continuation<'_> {
             ..
         } = self;
         let plan = mechanism.steps();
-        let expected = found.passings.iter().all(|passing| {
-            let square = plan[passing.step]
-                .square(there.margins[passing.step])
-                .value();
-            let root = passing.root(Jet::<1>::constant(past)).value();
+        let expected = found.smooth_roots.iter().all(|smooth| {
+            let square = plan[smooth.step].square(there.margins[smooth.step]).value();
+            let root = smooth.at(Jet::<1>::constant(past)).value();
             (root * root - square).abs() <= AGREED * square
         });
         let width = past - self.input;
         let certified = cell.certify_beside(plan, here, width, (&found.steps, there));
         let mut held = plan.enumerate();
         let held = held.all(|(step, placing)| cell.holds(step, placing, here, there));
-        if !(expected && certified.is_ok() && held) {
-            return None;
-        }
-        Some((between, past))
+        let shown = expected && certified.is_ok() && held;
+        (shown && self.turned() <= MOST_TURNED).then_some((between, past))
     }
 }
 
@@ -202,7 +206,7 @@ impl InLine {
         Self {
             input,
             steps: Vec::new(),
-            passings: Vec::new(),
+            smooth_roots: Vec::new(),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::Cycle;
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::Signs;
-use crate::position::{Nearby, Orientation, Passing, Predictor, Sign};
+use crate::position::{Nearby, Orientation, Predictor, Sign, SmoothRoot};
 use crate::sorting::sort_by;
 
 /// A body turns by less than this from knot to knot, radians, so that its whole turns are counted.
@@ -26,8 +26,8 @@ const UNEVEN: f64 = 2.5;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots {
     list: Vec<Knot>,
-    /// Where links pass through in line, in ascending inputs.
-    passings: Vec<Passing>,
+    /// Where links pass through in line.
+    smooth_roots: Vec<SmoothRoot>,
     /// How far apart samples are at most.
     cell: f64,
     /// The least and the greatest first margin of each step over all samples, those not kept among them.
@@ -108,7 +108,7 @@ impl Knots {
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
-            passings: Vec::new(),
+            smooth_roots: Vec::new(),
             cell: 0.0,
             margins: signs.alike([1.0; 2]),
         }
@@ -119,8 +119,7 @@ impl Knots {
         self.span(other.margins);
         self.list.append(&mut other.list);
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
-        self.passings.append(&mut other.passings);
-        sort_by(&mut self.passings, |a, b| a.input.total_cmp(&b.input));
+        self.smooth_roots.append(&mut other.smooth_roots);
     }
 
     /// Between which values the determinant of a group of higher class is over the motion.
@@ -149,8 +148,8 @@ impl Knots {
         for knot in &mut self.list {
             knot.input += by;
         }
-        for passing in &mut self.passings {
-            passing.input += by;
+        for smooth in &mut self.smooth_roots {
+            smooth.input += by;
         }
     }
 
@@ -160,16 +159,15 @@ impl Knots {
     }
 
     /// Links pass through in line; of a full cycle at its end as well as at its beginning.
-    pub(super) fn passes(&mut self, passing: Passing, cycle: &Cycle) {
+    pub(super) fn passes(&mut self, smooth: SmoothRoot, cycle: &Cycle) {
         if let Some(period) = cycle.period().filter(|_| cycle.is_full()) {
-            let again = [-period, period].map(|periods| passing.shifted(periods));
+            let again = [-period, period].map(|periods| smooth.shifted(periods));
             let told = again
                 .into_iter()
                 .filter(|again| [0.0, period].iter().any(|end| again.covers(*end)));
-            self.passings.extend(told);
+            self.smooth_roots.extend(told);
         }
-        self.passings.push(passing);
-        sort_by(&mut self.passings, |a, b| a.input.total_cmp(&b.input));
+        self.smooth_roots.push(smooth);
     }
 
     /// Moves the knots of a full cycle to inputs from 0 to `period`, with one
@@ -220,7 +218,7 @@ impl Knots {
         let near = Nearby {
             orientations: &knot.orientations,
             natural: guess,
-            passings: &self.passings,
+            smooth_roots: &self.smooth_roots,
         };
         (&knot.signs, near)
     }

@@ -79,7 +79,7 @@ impl Continuation<'_> {
         if let Some((closed, arc)) = closed.and_then(|one| Some((one, one.arc(self.input)?))) {
             return dead_point(&closed, arc, arc[usize::from(sense > 0.0)]);
         }
-        // As far as links could pass through in line, and no farther, there is just one thing to meet.
+        // So near there is just one thing to meet.
         let mut probe: State<1> = self.mechanism.blank_state();
         let window = PASSED * self.mechanism.span();
         let mut beyond = (0..=HALVINGS)

@@ -6,7 +6,7 @@ use super::Motion;
 use crate::Jet;
 use crate::index::StepId;
 use crate::mechanism::Cause;
-use crate::position::{KNOWN, Passing, ROUNDING};
+use crate::position::{KNOWN, ROUNDING, SmoothRoot};
 use crate::sorting::sort_by;
 
 /// The widest part of a turn, or of a slide's range, that is interpolated on each side of a change point …
@@ -22,8 +22,8 @@ impl Motion {
         for (step, input) in passed {
             let input = self.cycle.wrap(input);
             self.change_points.push(input);
-            if let Some(passing) = self.passing(step, input) {
-                Arc::make_mut(&mut self.knots).passes(passing, &self.cycle);
+            if let Some(smooth) = self.smooth_root(step, input) {
+                Arc::make_mut(&mut self.knots).passes(smooth, &self.cycle);
             }
         }
         sort_by(&mut self.change_points, f64::total_cmp);
@@ -31,25 +31,25 @@ impl Motion {
 
     /// The root of a step around a change point, over as wide a way as the polynomial fits on to
     /// what rounding leaves of the square, or where it fits best.
-    fn passing(&self, step: StepId, input: f64) -> Option<Passing> {
+    fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let square = self.square(step, input)?;
         let placing = &self.mechanism.steps()[step];
         let scale = Jet::<1>::constant(placing.scale());
         let rounded = ROUNDING * placing.square([scale; 2]).value();
-        let mut best: Option<(f64, Passing)> = None;
+        let mut best: Option<(f64, SmoothRoot)> = None;
         for halved in 0..HALVINGS {
             let reach = WIDEST * self.mechanism.span() * 0.5_f64.powi(halved);
-            let Some((off, passing)) = self.interpolated(step, [input, reach], square) else {
+            let Some((off, smooth)) = self.interpolated(step, [input, reach], square) else {
                 continue;
             };
             if best.as_ref().is_none_or(|(least, _)| off < *least) {
-                best = Some((off, passing));
+                best = Some((off, smooth));
             }
             if off <= rounded {
                 break;
             }
         }
-        best.map(|(_, passing)| passing)
+        best.map(|(_, smooth)| smooth)
     }
 
     /// The root by what the square is at a change point and `reach` away, and by how much its square is off half way.
@@ -58,21 +58,21 @@ impl Motion {
         step: StepId,
         [input, reach]: [f64; 2],
         at: Jet<KNOWN>,
-    ) -> Option<(f64, Passing)> {
+    ) -> Option<(f64, SmoothRoot)> {
         let beside = |u: f64| self.square(step, input + u * reach);
         let after = self.cycle.wrap(input + reach);
         let sign = self.knots.sign(step, after).factor();
-        let passing = Passing::new(
+        let smooth = SmoothRoot::new(
             (step, sign),
             [input, reach],
             [beside(-1.0)?, at, beside(1.0)?],
         );
         let off = |u: f64| {
-            let root = passing.root(Jet::<1>::constant(input + u * reach));
+            let root = smooth.at(Jet::<1>::constant(input + u * reach));
             Some((root.value().powi(2) - beside(u)?.value()).abs())
         };
         let off = off(-0.5)?.max(off(0.5)?);
-        off.is_finite().then_some((off, passing))
+        off.is_finite().then_some((off, smooth))
     }
 
     /// The square that a step takes the root of, with its derivatives.
@@ -85,9 +85,10 @@ impl Motion {
         let known = self.cycle.contains(input)
             && match solved {
                 Ok(()) => true,
-                // In line it has no root, and what hangs on it is not looked at.
+                // In line it has no root, or is apart by what rounding leaves; what hangs on it is not looked at.
                 Err((failed, cause)) => {
-                    failed.index() > step.index() || failed == step && cause == Cause::DeadPoint
+                    let known = !matches!(cause, Cause::Undetermined | Cause::Input);
+                    failed.index() > step.index() || failed == step && known
                 }
             };
         let square = self.mechanism.steps()[step].square(state.margins[step]);

@@ -100,7 +100,7 @@ impl Solvable for Rrr {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::Apart { by },
         };
-        let root = match given.passing() {
+        let root = match given.smooth_root() {
             Some(root) => root,
             None => {
                 let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::group::Input;
 use super::work::Work;
-use super::{Anchor, Arm, Complex, Passing, Track, conjugate};
+use super::{Anchor, Arm, Complex, SmoothRoot, Track, conjugate};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
@@ -59,7 +59,7 @@ pub(crate) struct Nearby<'a> {
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
     /// Change points that may be near.
-    pub(crate) passings: &'a [Passing],
+    pub(crate) smooth_roots: &'a [SmoothRoot],
 }
 
 impl<const N: usize> State<N> {
@@ -136,8 +136,8 @@ impl<const N: usize> State<N> {
         self.angle[body] = Angle::Turned;
     }
 
-    /// How a body is turned. What is told of its turn is told anew, to a whole turn: rounding does not add up from one
-    /// pose nearby to the next.
+    /// How a body is turned. The angle is taken from the turn again, and only its whole turns from the pose nearby:
+    /// rounding does not add up from pose to pose.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let turn = self.turn[body].value();
         let angle = match self.angle[body] {

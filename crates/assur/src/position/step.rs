@@ -2,8 +2,8 @@
 
 use super::margin::root;
 use super::{
-    Cause, Closed, Crank, Dead, Enclosure, Geared, Group, Nearby, Passing, Predictor, Prp, Rpp,
-    Rpr, Rrp, Rrr, Slider, State,
+    Cause, Closed, Crank, Dead, Enclosure, Geared, Group, Nearby, Predictor, Prp, Rpp, Rpr, Rrp,
+    Rrr, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -49,7 +49,7 @@ impl<const N: usize> Given<'_, N> {
     /// is made of.
     #[inline(always)]
     pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
-        match self.passing() {
+        match self.smooth_root() {
             Some(root) => Ok(root),
             None => Ok(root(square, scale)? * self.sign.factor()),
         }
@@ -57,11 +57,11 @@ impl<const N: usize> Given<'_, N> {
 
     /// The signed root where the links are about to pass through in line, or have just done so.
     #[inline(always)]
-    pub(super) fn passing(&self) -> Option<Jet<N>> {
-        let mut passings = self.near.passings.iter();
+    pub(super) fn smooth_root(&self) -> Option<Jet<N>> {
+        let mut smooth_roots = self.near.smooth_roots.iter();
         let here =
-            |passing: &&Passing| passing.step == self.step && passing.covers(self.input.value());
-        passings.find(here).map(|passing| passing.root(self.input))
+            |smooth: &&SmoothRoot| smooth.step == self.step && smooth.covers(self.input.value());
+        smooth_roots.find(here).map(|smooth| smooth.at(self.input))
     }
 }
 

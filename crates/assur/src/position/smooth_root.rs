@@ -7,14 +7,14 @@ use crate::index::StepId;
 
 /// How many Taylor coefficients of the square are taken at each node.
 pub(crate) const KNOWN: usize = 6;
-/// At the change point two of them are zero.
+/// How many of root/u are known at the change point: the first two of the square are zero.
 const AT: usize = KNOWN - 2;
 /// Conditions in all.
 const CONDITIONS: usize = AT + 2 * KNOWN;
 
 /// The signed root of a step of the plan around a change point.
 #[derive(Clone, Debug)]
-pub(crate) struct Passing {
+pub(crate) struct SmoothRoot {
     pub(crate) step: StepId,
     /// The input of the change point.
     pub(crate) input: f64,
@@ -24,7 +24,7 @@ pub(crate) struct Passing {
     differences: [f64; CONDITIONS],
 }
 
-impl Passing {
+impl SmoothRoot {
     /// Taylor's series by what is known at the change point, which serves close to it.
     pub(crate) fn beside(
         (step, sign): (StepId, f64),
@@ -87,7 +87,7 @@ impl Passing {
     }
 
     /// The signed root at an input.
-    pub(crate) fn root<const N: usize>(&self, input: Jet<N>) -> Jet<N> {
+    pub(crate) fn at<const N: usize>(&self, input: Jet<N>) -> Jet<N> {
         let u = (input + -self.input) * self.reach.recip();
         let terms = self.differences.iter().enumerate().rev();
         let over_u = terms.fold(Jet::constant(0.0), |sum, (k, difference)| {
