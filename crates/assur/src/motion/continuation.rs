@@ -49,6 +49,8 @@ pub(super) struct Continuation<'a> {
     pub(super) passed: Vec<(StepId, f64)>,
     /// The same, as exactly as poses just beside are to be solved.
     pub(super) smooth_roots: Vec<SmoothRoot>,
+    /// Where the motion may have come to its start again, next.
+    pub(super) repeats: f64,
     /// What may still be tried.
     work: usize,
 }
@@ -86,6 +88,7 @@ impl<'a> Continuation<'a> {
             winding: mechanism.bodies().filter(winds).collect(),
             passed: Vec::new(),
             smooth_roots: Vec::new(),
+            repeats: input,
             work: MOST_WORK,
         }
     }
@@ -99,6 +102,10 @@ impl<'a> Continuation<'a> {
         let least = self.mechanism.least_turns().unwrap_or(NEVER);
         let mut sample = 0;
         loop {
+            if sample % (GRID * least) == 0 {
+                let whole = (sample / GRID + least) as f64;
+                self.repeats = home + sense * self.mechanism.span() * whole;
+            }
             sample += 1;
             let target = home + sense * cell * sample as f64;
             if let Some(dead) = self.go_to(target, knots) {
@@ -145,7 +152,7 @@ impl<'a> Continuation<'a> {
             let most = if is_group { MOST_HALVINGS } else { HALVINGS };
             let in_line = self.in_line(step, sense * width);
             let comes_into_line = in_line.is_some();
-            if in_line.is_some_and(|found| self.pass(found, target, knots)) {
+            if in_line.is_some_and(|found| self.pass(found, sense, knots)) {
                 halved = 0;
             } else if is_group
                 && width < EXTRAPOLATED * self.mechanism.span()

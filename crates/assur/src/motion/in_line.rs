@@ -139,22 +139,21 @@ impl Continuation<'_> {
         closed.map_or_else(Vec::new, |closed| closed.change_points(around))
     }
 
-    /// Goes through to where the links have passed, on the way to a target; whether nothing happens to others meanwhile.
-    pub(super) fn pass(&mut self, found: InLine, target: f64, knots: &mut Knots) -> bool {
+    /// Goes through to where the links have passed; whether nothing happens to others meanwhile.
+    pub(super) fn pass(&mut self, found: InLine, sense: f64, knots: &mut Knots) -> bool {
         let (signs, known) = (self.signs.clone(), self.smooth_roots.len());
         for smooth in &found.smooth_roots {
             self.signs[smooth.step] = signs[smooth.step].opposite();
         }
         self.smooth_roots.extend_from_slice(&found.smooth_roots);
-        let Some((between, past)) = self.past(&found, target) else {
+        let Some((between, past)) = self.past(&found, sense) else {
             self.signs = signs;
             self.smooth_roots.truncate(known);
             return false;
         };
         if !found.smooth_roots.is_empty() {
             // A knot tells the signs from it on, in ascending inputs.
-            let ascending = target > self.input;
-            let from_it_on = if ascending { &self.signs } else { &signs };
+            let from_it_on = if sense > 0.0 { &self.signs } else { &signs };
             knots.push(found.input, from_it_on, &between, self.turned());
         }
         let turned_over = found.smooth_roots.iter().map(|smooth| smooth.step);
@@ -164,13 +163,13 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the second pose as far beyond where links are in line as this one is before, or at the target, with the
-    /// signs that they go on by. Returned are the pose in which they are in line and the input of the second; none where
+    /// Solves the second pose as far beyond where links are in line as this one is before, or where the motion may
+    /// repeat, with the signs that they go on by. Returned are the pose in which they are in line and the input of the second; none where
     /// it cannot be shown that nothing else happens.
-    fn past(&mut self, found: &InLine, target: f64) -> Option<(Predictor, f64)> {
+    fn past(&mut self, found: &InLine, sense: f64) -> Option<(Predictor, f64)> {
         let least = PASSED * self.mechanism.span();
-        let sense = (target - self.input).signum();
-        let [way, left] = [found.input - self.input, target - found.input].map(|way| way * sense);
+        let ways = [found.input - self.input, self.repeats - found.input];
+        let [way, left] = ways.map(|way| way * sense);
         if left < -SAME * self.mechanism.span() {
             return None;
         }
