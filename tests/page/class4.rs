@@ -225,7 +225,7 @@ async fn progress_outlives_the_page() {
     page.click("lesson-iii").await;
     page.click("play").await;
     page.until("the address to follow", async || {
-        page.address().await.contains("class4-dwell")
+        page.address().await.contains("%22step%22%3A2")
     })
     .await;
     page.reload().await;

@@ -333,8 +333,10 @@ async fn links_are_called_in_the_language_of_the_page() {
     take(&page, "klann", "Кланна").await;
     assert!(page.text("out-formula").await.contains("нижнее коромысло"));
     // The document keeps its own.
-    page.until("the address", async || {
-        page.address().await.contains("lower%20rocker")
+    page.until("what is kept", async || {
+        let kept = page.ask("return localStorage.getItem('assur.state')").await;
+        kept.as_str()
+            .is_some_and(|kept| kept.contains("lower rocker"))
     })
     .await;
     page.close().await;
