@@ -38,7 +38,7 @@ async fn it_is_kept_saved_and_reset() {
 
     page.click("menu").await;
     page.click("save").await;
-    let saved = page.downloads().join("gear-train.assur.json");
+    let saved = page.downloads().join("train-magnets.assur.json");
     page.until("the file", async || saved.exists()).await;
     page.click("menu").await;
     page.click("reset").await;
