@@ -45,9 +45,7 @@ pub(super) struct Continuation<'a> {
     pub(super) cell: Enclosure,
     /// The bodies whose angles are found by their turns, to a whole turn.
     winding: Vec<BodyId>,
-    /// Which steps of the plan have passed through in line, and where.
-    pub(super) passed: Vec<(StepId, f64)>,
-    /// The same, as exactly as poses just beside are to be solved.
+    /// Where steps of the plan have passed through in line and turned over, as exactly as poses beside are solved.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// Where the motion may have come to its start again, next.
     pub(super) repeats: f64,
@@ -86,7 +84,6 @@ impl<'a> Continuation<'a> {
             here: here.clone(),
             cell: mechanism.enclosure(),
             winding: mechanism.bodies().filter(winds).collect(),
-            passed: Vec::new(),
             smooth_roots: Vec::new(),
             repeats: input,
             work: MOST_WORK,

@@ -40,12 +40,16 @@ impl Continuation<'_> {
         let nearest =
             |(_, a): &(StepId, f64), (_, b): &(StepId, f64)| (a * sense).total_cmp(&(b * sense));
         let (first, input) = upstream.filter_map(comes).min_by(nearest)?;
-        let mut found = InLine::nothing(input);
+        let mut found = InLine {
+            input,
+            steps: Vec::new(),
+            smooth_roots: Vec::new(),
+        };
         let mut next = Some(first);
         while let Some(step) = next {
             found.steps.push(step);
             if self.turns_over(step) {
-                let square = self.square(step, &self.at(&found));
+                let square = self.square(step, &self.at(input, &found.smooth_roots));
                 let opposite = self.signs[step].opposite();
                 let after = if sense > 0.0 {
                     opposite
@@ -56,7 +60,7 @@ impl Continuation<'_> {
                 let smooth = SmoothRoot::beside((step, after.factor()), window, square);
                 found.smooth_roots.push(smooth);
             }
-            let state = self.at(&found);
+            let state = self.at(input, &found.smooth_roots);
             let others = self.mechanism.steps().ids();
             let mut others = others.filter(|other| !found.steps.contains(other));
             next = others.find(|other| self.is_in_line(*other, found.input, &state));
@@ -73,15 +77,13 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].square(state.margins[step])
     }
 
-    /// The pose in which they are in line, as far as it can be solved by what is known of them.
-    fn at(&self, found: &InLine) -> State<KNOWN> {
+    /// The pose at an input, as far as it can be solved by what is known of links that are in line there.
+    fn at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
-        let predicted = self.predicted(found.input);
-        let near = predicted.near(&found.smooth_roots);
+        let predicted = self.predicted(input);
+        let near = predicted.near(smooth_roots);
         // A step that fails leaves those after it as they are in the blank state: nothing is in line.
-        let _ = self
-            .mechanism
-            .solve(found.input, &self.signs, near, &mut state);
+        let _ = self.mechanism.solve(input, &self.signs, near, &mut state);
         state
     }
 
@@ -107,10 +109,10 @@ impl Continuation<'_> {
                 if !ahead(&input) {
                     return None;
                 }
-                let margin = self.at(&InLine::nothing(input)).margins[step][which];
+                let margin = self.at(input, &[]).margins[step][which];
                 input = lowest(input, [1, 2].map(|order| margin.derivative(order)))?;
             }
-            let state = self.at(&InLine::nothing(input));
+            let state = self.at(input, &[]);
             (ahead(&input) && self.is_in_line(step, input, &state)).then_some(input)
         });
         let lowest = margins.into_iter().flatten();
@@ -156,16 +158,13 @@ impl Continuation<'_> {
             let from_it_on = if sense > 0.0 { &self.signs } else { &signs };
             knots.push(found.input, from_it_on, &between, self.turned());
         }
-        let turned_over = found.smooth_roots.iter().map(|smooth| smooth.step);
-        self.passed
-            .extend(turned_over.map(|step| (step, found.input)));
         self.take(past, knots);
         true
     }
 
     /// Solves the second pose as far beyond where links are in line as this one is before, or where the motion may
-    /// repeat, with the signs that they go on by. Returned are the pose in which they are in line and the input of the second; none where
-    /// it cannot be shown that nothing else happens.
+    /// repeat, with the signs that they go on by. Returned are the pose in which they are in line and the input of the
+    /// second; none where it cannot be shown that nothing else happens.
     fn past(&mut self, found: &InLine, sense: f64) -> Option<(Predictor, f64)> {
         let least = PASSED * self.mechanism.span();
         let ways = [found.input - self.input, self.repeats - found.input];
@@ -196,17 +195,6 @@ impl Continuation<'_> {
         let held = held.all(|(step, placing)| cell.holds(step, placing, here, there));
         let shown = expected && certified.is_ok() && held;
         (shown && self.turned() <= MOST_TURNED).then_some((between, past))
-    }
-}
-
-impl InLine {
-    /// No links that are known to be in line at an input.
-    fn nothing(input: f64) -> Self {
-        Self {
-            input,
-            steps: Vec::new(),
-            smooth_roots: Vec::new(),
-        }
     }
 }
 

@@ -149,7 +149,7 @@ impl Knots {
             knot.input += by;
         }
         for smooth in &mut self.smooth_roots {
-            smooth.input += by;
+            *smooth = smooth.shifted(by);
         }
     }
 

@@ -96,7 +96,7 @@ impl Motion {
                         ..last
                     },
                 };
-                forth.passed.extend(back.passed);
+                forth.smooth_roots.extend(back.smooth_roots);
                 knots.prepend(before);
                 let period = mechanism.period_of_arcs();
                 // The arc is told by whole periods so that it begins within half of one from 0.
@@ -111,14 +111,14 @@ impl Motion {
                 (Cycle::swinging(arc, period), ends.to_vec())
             }
         };
-        let passed = forth.passed;
+        let passed = forth.smooth_roots;
         let home = cycle.wrap(mechanism.home() - turned);
         if turned != 0.0 {
             mechanism.tell_by_turns(home);
         }
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
-        let passed = passed.into_iter();
-        motion.smooth(passed.map(|(step, at)| (step, at - turned)).collect());
+        let passed = passed.iter();
+        motion.smooth(passed.map(|one| (one.step, one.input - turned)).collect());
         motion
     }
 

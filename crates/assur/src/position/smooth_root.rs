@@ -72,7 +72,7 @@ impl SmoothRoot {
         }
     }
 
-    /// The same a whole number of periods later.
+    /// The same told by an input that is greater by this.
     pub(crate) fn shifted(&self, by: f64) -> Self {
         let input = self.input + by;
         Self {
