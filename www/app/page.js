@@ -152,7 +152,8 @@ export class Page {
    */
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;
-    const before = store.get();
+    model.follow(store.get());
+    const before = model.good;
     this.#player.begin();
     this.history.step(() => {
       store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
@@ -167,7 +168,9 @@ export class Page {
       if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
       store.update((state) => withView(state, look(model.sound ? model.summary : null)));
     });
-    address.enter(before, store.get());
+    // What the engine does not take is in no address.
+    model.follow(store.get());
+    address.enter(before, model.good);
   }
 
   /**
