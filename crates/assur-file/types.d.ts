@@ -100,8 +100,13 @@ id: string,
 step: number, };
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
+export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type Document = { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type MixerDocument = { 
+/**
+ * What its lengths are in; without it metres.
+ */
+unit?: LengthUnit | null, 
 /**
  * Crank AB.
  */
@@ -131,7 +136,7 @@ wheels: Array<WheelDocument>,
  */
 mesh: MeshDocument, 
 /**
- * Module of the wheels, metres.
+ * Module of the wheels.
  */
 module: number, 
 /**
@@ -157,11 +162,11 @@ export type MixerTracerDocument = {
  */
 link: string, 
 /**
- * Along the link from its first joint, metres.
+ * Along the link from its first joint.
  */
 x: number, 
 /**
- * Across it, to the left, metres.
+ * Across it, to the left.
  */
 y: number, };
 export type LinkageDocument = { 
@@ -177,6 +182,10 @@ source?: string | null,
  * The mechanism of the catalogue that it was made from, by name.
  */
 origin?: string | null, 
+/**
+ * What its lengths are in; without it only their proportions count.
+ */
+unit?: LengthUnit | null, 
 /**
  * Every point with its place in the drawing.
  */
@@ -417,6 +426,10 @@ link: string,
  */
 at: PlaceDocument, };
 export type SynthesisDocument = { 
+/**
+ * What the lengths are in; without it only their proportions count.
+ */
+unit?: LengthUnit | null, 
 /**
  * l₀.
  */

@@ -367,11 +367,7 @@ lengths: [number, number, number],
  * ΣJ there and of what is drawn, in squares of the unit of lengths.
  */
 least: number, drawn: number, };
-export type GearTrainSummary = { bounds: [number, number, number, number], 
-/**
- * The unit of the drawing.
- */
-lengths: "millimetres", roles: { [key in string]: string }, 
+export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
 /**
  * The shaft that is not driven.
  */

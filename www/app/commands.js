@@ -1,4 +1,5 @@
 // What buttons of the header and keys do, by name.
+import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { LOST } from "assur/app/notices.js";
@@ -30,25 +31,25 @@ export function commands(page) {
  */
 function fileCommands(page) {
   const { engine, model, notices, habits } = page;
+  /**
+   * Does what is loaded when it is first asked for.
+   * @template Part
+   * @param {() => Promise<Part>} load
+   * @param {(part: Part) => void} act
+   */
+  const later = async (load, act) => {
+    const part = await awaited(load()).catch(() => null);
+    if (part) act(part);
+    else notices.tell(LOST);
+  };
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, habits))),
     save: () => saveFile(model.good, engine.fileName(model.good)),
     copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
-    export: async () => {
-      const part = await import("assur/export/dialog.js").catch(() => null);
-      if (part) part.openExport(page);
-      else notices.tell(LOST);
-    },
-    print: async () => {
-      const part = await import("assur/export/worksheet.js").catch(() => null);
-      if (part) window.print();
-      else notices.tell(LOST);
-    },
-    gallery: async () => {
-      const part = await import("assur/gallery/gallery.js").catch(() => null);
-      if (part) part.openGallery(page);
-      else notices.tell(LOST);
-    },
+    export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
+    print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
+    gallery: () => later(() => import("assur/gallery/gallery.js"), ({ openGallery }) => openGallery(page)),
+    help: () => later(() => import("assur/help/help.js"), ({ openHelp }) => openHelp(page.words)),
   };
 }
 

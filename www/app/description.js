@@ -5,7 +5,7 @@ import { byId, write } from "assur/core/dom.js";
 import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { whose } from "assur/plots/readouts.js";
-import { powerOf, unitOf, written } from "assur/plots/units.js";
+import { titled, written } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
@@ -125,13 +125,12 @@ function plots({ summary: { listed }, coordinate, place, words }, panels) {
   const [from, to] = Object.values(coordinate.axis(place)).map((end) => coordinate.written(end, words, 1));
   const axis = words.text(`told.axis.${coordinate.moves}`, { from, to });
   const told = panels.map((panel) => {
-    const unit = words.text(unitOf(panel, coordinate), { power: powerOf(panel) });
     const curves = panel.series.map((one) => {
       const marks = panel.marks.filter((mark) => mark.role === one.role);
       const row = listed.find(({ name }) => name === one.name);
       return [row ? listedName(row, words) : one.name, ...peaks(panel, marks, coordinate, words)].join(", ");
     });
-    return `${unit}: ${curves.join("; ")}.`;
+    return `${titled(panel, coordinate, words)}: ${curves.join("; ")}.`;
   });
   return [axis, ...told].join(" ");
 }

@@ -70,15 +70,15 @@ export function listen(commands) {
 
 /**
  * @param {Words} words
- * @returns {HTMLTableRowElement[]} the table for readers
+ * @returns {{ name: string, keys: (Node | string)[] }[]} the table for readers
  */
-export function helpRows(words) {
+export function combinations(words) {
   return KEYS.map(({ name, combos }) => {
     const keys = combos.flatMap((combo, i) => [
       ...(i > 0 ? [" "] : []),
       ...combo.split("+").flatMap((part, j) => [...(j > 0 ? ["+"] : []), make("kbd", {}, [sign(part, words)])]),
     ]);
-    return make("tr", {}, [make("th", { scope: "row" }, keys), make("td", {}, [words.text(name)])]);
+    return { name: words.text(name), keys };
   });
 }
 

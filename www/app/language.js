@@ -1,5 +1,4 @@
 // The language of the page.
-import { helpRows } from "assur/app/keys.js";
 import { byId, make } from "assur/core/dom.js";
 import { LANGUAGES, Words } from "assur/core/words.js";
 import { withView } from "assur/state/state.js";
@@ -32,5 +31,4 @@ export function chooseLanguage(page) {
 export function speak(words) {
   document.documentElement.lang = words.lang;
   words.fill(document);
-  byId("help-keys", HTMLElement).replaceChildren(...helpRows(words));
 }

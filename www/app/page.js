@@ -21,7 +21,7 @@ import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
 import { Player, placed } from "assur/state/player.js";
-import { withMechanism, withView } from "assur/state/state.js";
+import { lengthsOf, withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
@@ -54,7 +54,7 @@ export class Page {
     const redraw = () => this.redraw();
     this.engine = engine;
     this.habits = habits;
-    this.words = words;
+    this.words = words.measured(lengthsOf(state));
     this.store = new Store(state);
     this.address = new Address(engine, habits.lang);
     this.drafts = new Drafts(redraw);
@@ -78,8 +78,7 @@ export class Page {
     };
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
     this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
-    const help = byId("help", HTMLDialogElement);
-    byId("help-open", HTMLButtonElement).addEventListener("click", () => help.showModal());
+    byId("help-open", HTMLButtonElement).addEventListener("click", commands.help);
     listen({
       ...commands,
       trace: () => pointer.trace(),
@@ -88,7 +87,6 @@ export class Page {
         header.fold(this.store.get().view.lesson !== null);
       },
       settings: () => byId("settings", HTMLButtonElement).click(),
-      help: () => help.showModal(),
       close: () => {
         header.close();
         this.notices.clear();
@@ -101,7 +99,7 @@ export class Page {
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);
     welcome(this);
-    speak(words);
+    speak(this.words);
   }
 
   /** Draws it for the first time. */
@@ -113,12 +111,13 @@ export class Page {
     requestAnimationFrame(() => requestAnimationFrame(() => {
       setData(document.documentElement, "ready", "true");
       performance.mark("ready");
-      this.#prepareToPrint();
+      this.#prepare();
     }));
   }
 
-  /** What the browser prints by itself has to be there before. */
-  async #prepareToPrint() {
+  /** What the browser prints by itself has to be there before; the gallery is what is opened most. */
+  async #prepare() {
+    import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
     performance.mark("printable");
@@ -198,9 +197,16 @@ export class Page {
 
   /** @param {Words} words the language from now on */
   hear(words) {
-    this.words = words;
-    speak(words);
+    this.#say(words);
     this.redraw();
+  }
+
+  /** @param {Words} words with whatever unit */
+  #say(words) {
+    const measured = words.measured(lengthsOf(this.store.get()));
+    if (measured === this.words) return;
+    this.words = measured;
+    speak(measured);
   }
 
   /** @param {number} dt seconds */
@@ -218,6 +224,7 @@ export class Page {
       this.model.follow(this.store.get());
     }
     const state = this.store.get();
+    this.#say(this.words);
     const legible = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
     if (legible) this.#unwritten = 0;
     this.theme.project(state.view.projector);

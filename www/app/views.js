@@ -1,8 +1,10 @@
 // All that shows the state. What only one kind of mechanism has comes with its kind, sentences for screen readers with the
 // first rest.
 import { Becoming } from "assur/app/becoming.js";
+import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { Title } from "assur/app/title.js";
+import { LengthUnits } from "assur/controls/lengths.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
 import { Transport } from "assur/controls/transport.js";
@@ -48,7 +50,7 @@ export class Views {
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
-    this.#views = [...views, new ProblemView(), new Switches(store), new Title(page), new Becoming(page)];
+    this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable()];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
@@ -83,7 +85,8 @@ export class Views {
   async #bring(kind) {
     this.#own.set(kind, []);
     try {
-      const later = await LATER.get(kind)?.();
+      const loading = LATER.get(kind)?.();
+      const later = loading && (await awaited(loading));
       if (later) this.#add(kind, later.views);
       this.#page.redraw();
     } catch {

@@ -1,6 +1,7 @@
 // One quantity of the document in the rail: its symbol and name, a slider where it has one, a number field.
 import { NumberBox } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
+import { withSubscripts } from "assur/core/subscripts.js";
 
 /**
  * @typedef {Readonly<{ min: number, max: number, step: number }>} SliderRange
@@ -15,7 +16,7 @@ import { make } from "assur/core/dom.js";
  *   unit?: string,
  *   counted?: string,
  * }>} RowKind
- * `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
  * `counted`: the key of the words for a number of what the slider counts.
  */
 
@@ -55,7 +56,7 @@ export class NumberRow {
       return value;
     });
     const name = make("label", { class: "name", for: input.id }, [
-      make("b", {}, [symbol]),
+      make("b", {}, withSubscripts(symbol)),
       " ",
       make("span", { "data-t": `name.${key}`, "data-n": n }),
     ]);

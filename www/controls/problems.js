@@ -20,6 +20,20 @@ const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 /** What stands for a link in a problem. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
+/** What stands for a length in a problem, unless it is of a rate. */
+const LENGTHS = Object.freeze(["by", "last"]);
+const RATE = /\.rate$/;
+
+/**
+ * @param {Problem} problem
+ * @param {number} value
+ * @param {Words} words
+ */
+function length({ field }, value, words) {
+  const said = words.numbers.short(value);
+  return field && RATE.test(field) ? said : words.length(said);
+}
+
 /**
  * @param {string} field
  * @param {Words} words
@@ -54,9 +68,10 @@ function nameIn(document, list, at, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
+ * @param {(place: number) => number} [onto] the same angle, in degrees, on the scale that readers have before them
  * @returns {string}
  */
-export function sentence(problem, words, document) {
+export function sentence(problem, words, document, onto = (place) => place) {
   const key = `problem.${problem.code}`;
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
@@ -64,9 +79,10 @@ export function sentence(problem, words, document) {
   for (const [name, value] of Object.entries(problem)) {
     if (name === "field") places.field = fieldName(String(value), words, document);
     else if (name === "path" && value === ".") places.path = words.text("field.state");
-    else if (name === "phi") places.phi = `${words.numbers.upTo(degrees(Number(value)), 3)}°`;
+    else if (name === "phi") places.phi = `${words.numbers.upTo(onto(degrees(Number(value))), 3)}°`;
     else if (Array.isArray(value)) places[name] = value.map((one) => (name === "links" ? called(String(one), words) : one)).join(", ");
     else if (LINKS.includes(name)) places[name] = called(String(value), words);
+    else if (LENGTHS.includes(name) && typeof value === "number") places[name] = length(problem, value, words);
     else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }
   return words.text(key, places);
@@ -77,8 +93,9 @@ export class ProblemView {
   #shown = "";
 
   /** @param {Snapshot} snapshot */
-  render({ problems, words, state }) {
-    const sentences = problems.map((problem) => sentence(problem, words, state.document));
+  render({ problems, words, state, coordinate }) {
+    const onto = (/** @type {number} */ place) => (coordinate.moves === "angle" ? coordinate.onto(place) : place);
+    const sentences = problems.map((problem) => sentence(problem, words, state.document, onto));
     if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;

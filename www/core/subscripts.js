@@ -1,4 +1,4 @@
-// Formulas written in a line, x_PQ, with what belongs below the line below it. Loaded with what has formulas.
+// Formulas written in a line, x_PQ, with what belongs below the line below it.
 import { make } from "assur/core/dom.js";
 
 /**

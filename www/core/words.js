@@ -7,7 +7,7 @@ export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 /** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
 const tables = new Map();
 
-/** The words and numbers of one language. */
+/** The words and numbers of one language, and the unit that lengths are in. */
 export class Words {
   /** @type {ReadonlyMap<string, string>} */
   #table;
@@ -15,11 +15,31 @@ export class Words {
   /**
    * @param {string} lang
    * @param {ReadonlyMap<string, string>} table
+   * @param {import("assur/types/file.js").LengthUnit} [lengths] what lengths are in
    */
-  constructor(lang, table) {
+  constructor(lang, table, lengths = "none") {
     this.lang = lang;
     this.numbers = new Numbers(lang);
     this.#table = table;
+    this.lengths = lengths;
+    /** What is written beside lengths; nothing where they have no unit. */
+    this.unit = lengths === "none" ? "" : this.text(`unit.${lengths}`);
+  }
+
+  /**
+   * @param {import("assur/types/file.js").LengthUnit} lengths
+   * @returns {Words} the same with lengths in that unit
+   */
+  measured(lengths) {
+    return lengths === this.lengths ? this : new Words(this.lang, this.#table, lengths);
+  }
+
+  /**
+   * @param {string} number
+   * @returns {string} the same as a length
+   */
+  length(number) {
+    return this.unit ? `${number} ${this.unit}` : number;
   }
 
   /**
@@ -35,13 +55,17 @@ export class Words {
 
   /**
    * @param {string} key
-   * @param {Readonly<Record<string, string>>} [places] what stands in the {places} of the text
+   * @param {Readonly<Record<string, string>>} [given] what stands in the {places} of the text; {unit} is that of lengths where it is not given
    * @returns {string} the text, or the key where there is none
    */
-  text(key, places = {}) {
+  text(key, given = {}) {
     const text = this.#table.get(key);
     if (text === undefined) return key;
-    return text.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
+    /** @type {Record<string, string>} */
+    const places = { unit: this.unit, ...given };
+    // What has no unit is followed by none.
+    const bare = places.unit ? text : text.replace(", {unit}", "");
+    return bare.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
   }
 
   /**

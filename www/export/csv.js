@@ -25,8 +25,6 @@ const COLUMNS = Object.freeze({
   y: Object.freeze(["export.column.y", "export.column.vy", "export.column.ay"]),
 });
 
-const UNITS = Object.freeze({ rad: "export.unit.rad", deg: "export.unit.deg", length: "export.unit.length" });
-
 /** Digits of a dimension: no more than what it was before it was drawn. */
 const DIGITS = 12;
 
@@ -43,11 +41,11 @@ export function toCsv({ dimensions, columns, rows }, coordinate, choices, words)
   const number = (/** @type {number} */ value) => (choices.comma ? `${value}`.replace(".", ",") : `${value}`);
   const line = (/** @type {readonly string[]} */ cells) => `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
   const comments = choices.dimensions
-    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value: number(Number(dimension.value.toPrecision(DIGITS))) }))}\n`)
+    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value: words.length(number(Number(dimension.value.toPrecision(DIGITS)))) }))}\n`)
     : [];
   const names = columns.map((column) => named(column, coordinate, choices, words));
   const scales = columns.map((column) => scale(column, coordinate, choices));
-  const header = line([inputName(coordinate), ...names, "reason"]);
+  const header = line([inputName(coordinate, words), ...names, "reason"]);
   const lines = rows.map(({ input, values, reason }) => {
     const cells = values.map((value, index) => (value === null ? "" : number(value * scales[index])));
     return line([number(input), ...cells, reason?.code ?? ""]);
@@ -68,22 +66,37 @@ export function toCsv({ dimensions, columns, rows }, coordinate, choices, words)
 function named({ name, quantity }, { moves }, { degrees: inDegrees, worded }, words) {
   if (!quantity) return name;
   const { kind, of, order } = quantity;
-  const angle = inDegrees ? "deg" : "rad";
-  const unit = kind === "angle" ? angle : "length";
-  const by = moves === "angle" ? angle : "length";
   if (worded) {
+    const angle = words.text(inDegrees ? "unit.deg" : "unit.rad");
+    const length = words.unit || words.text("unit.length");
+    const unit = kind === "angle" ? angle : length;
     const power = order > 1 ? "²" : "";
-    const per = order > 0 ? `/${words.text(UNITS[by])}${power}` : "";
-    return `${words.text(COLUMNS[kind][order], { of: called(of, words) })}, ${words.text(UNITS[unit])}${per}`;
+    const per = order > 0 ? `/${moves === "angle" ? angle : length}${power}` : "";
+    return words.text(COLUMNS[kind][order], { of: called(of, words), unit: `${unit}${per}` });
   }
+  const angle = inDegrees ? "deg" : "rad";
+  const length = lengthName(words);
+  const unit = kind === "angle" ? angle : length;
+  const by = moves === "angle" ? angle : length;
   const power = order > 1 ? `${order}` : "";
   const per = order > 0 ? `_per_${by}${power}` : "";
   return `${name}_${unit}${per}`;
 }
 
-/** @param {Coordinate} coordinate */
-function inputName({ field, moves }) {
-  const units = { angle: "", length: "_length", time: "_s" };
+/**
+ * @param {Words} words
+ * @returns {string} the unit of lengths for programs
+ */
+function lengthName({ lengths }) {
+  return lengths === "none" ? "length" : lengths;
+}
+
+/**
+ * @param {Coordinate} coordinate
+ * @param {Words} words
+ */
+function inputName({ field, moves }, words) {
+  const units = { angle: "", length: `_${lengthName(words)}`, time: "_s" };
   return `${field}${units[moves]}`;
 }
 

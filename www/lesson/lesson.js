@@ -1,4 +1,5 @@
 // The lesson, in the place of the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
+import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
 import { offered, opened, readLesson } from "assur/lesson/offer.js";
@@ -101,11 +102,11 @@ export class Lesson {
     const wanted = `${id} ${lang}`;
     this.#wanted = wanted;
     try {
-      const [{ LessonPanel }, { lesson, presets }, text] = await Promise.all([
+      const [{ LessonPanel }, { lesson, presets }, text] = await awaited(Promise.all([
         import("assur/lesson/panel.js"),
         readLesson(entry),
         Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
-      ]);
+      ]));
       if (this.#wanted !== wanted) return;
       if (this.#shown !== id) {
         this.#panel?.close();

@@ -2,6 +2,7 @@
 import { NumberBox } from "assur/controls/number-box.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { derived } from "assur/core/units.js";
 import { subscript } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
 
@@ -89,13 +90,15 @@ export class PlotBar {
    */
   #name({ moves, rates }, words) {
     if (moves === "time") return;
-    const said = (/** @type {string} */ key) => words.text(`input.${key}.${moves}`);
+    const of = moves === "angle" ? words.text("unit.rad") : words.unit;
+    const unit = (/** @type {number} */ order) => derived(of, words.text("unit.s"), order);
+    const said = (/** @type {string} */ key, order = 1) => words.text(`input.${key}.${moves}`, { unit: unit(order) });
     for (const [i, name] of /** @type {const} */ (["omega", "epsilon"]).entries()) {
       write(byId(`${name}-symbol`, HTMLElement), rates[i]);
-      byId(name, HTMLInputElement).ariaLabel = said(name);
+      byId(name, HTMLInputElement).ariaLabel = said(name, i + 1);
     }
     byId("epsilon", HTMLInputElement).title = said("instant");
-    write(byId("epsilon-unit", HTMLElement), words.text(`unit.acceleration.${moves}`));
+    write(byId("epsilon-unit", HTMLElement), unit(2));
     write(this.#note, said("true_time"));
     const physical = this.#axes.options.namedItem("axes-physical");
     if (physical) write(physical, words.text(`axes.physical.${moves}`));

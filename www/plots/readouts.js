@@ -53,7 +53,7 @@ export class ReadoutTable {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
     // What derivatives of what is listed are called: of angles, of lengths, of both.
-    const sorts = ["angle", "load_angle", "x"].filter((sort) => listed.some(({ what }) => what === sort || (sort === "x" && what === "y")));
+    const sorts = ["angle", "load_angle", "x", "y"].filter((sort) => listed.some(({ what }) => what === sort));
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));

@@ -3,7 +3,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
-import { inDegrees, power, powerOf, unitOf } from "assur/plots/units.js";
+import { inDegrees, power, titled, unitOf } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -68,11 +68,11 @@ function drawTitle(context, panel, coordinate, words, theme) {
   context.font = font;
   for (const [text, role] of names(panel, words)) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
-  const unit = words.text(unitOf(panel, coordinate), { power: powerOf(panel) });
+  const title = titled(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
   // Where all of it has no room, the unit goes without its name.
-  const fits = right + textWidth(context, font, `  ${unit}${proof}`) <= left + panel.width;
-  write(`  ${fits ? unit : unit.slice(unit.lastIndexOf(", ") + 2)}`, theme.colours.secondary);
+  const fits = right + textWidth(context, font, `  ${title}${proof}`) <= left + panel.width;
+  write(`  ${fits ? title : unitOf(panel, coordinate, words)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }

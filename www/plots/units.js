@@ -1,5 +1,6 @@
 // In which unit the numbers of a panel are written, and with how many digits.
 import { degrees } from "assur/core/angles.js";
+import { derived } from "assur/core/units.js";
 
 /** @typedef {import("assur/engine.js").Panel} Panel */
 
@@ -37,20 +38,33 @@ export function written(panel, value, numbers) {
 /**
  * @param {Panel} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate by which derivatives are, if not by time
- * @returns {string} the key of the words that say what a panel shows, and in which unit
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} the unit of a panel's numbers, with the power of ten they are written in; nothing where they have neither
  */
-export function unitOf({ kind, order, physical }, coordinate) {
-  const by = coordinate.moves === "angle" ? "unit" : "by_length";
-  return `plots.${kind}.${order === 0 ? "unit" : physical ? "by_time" : by}.${order}`;
+export function unitOf(panel, { moves }, words) {
+  const { kind, order, physical } = panel;
+  if (inDegrees(panel)) return "°";
+  const angle = words.text("unit.rad");
+  const input = moves === "angle" ? angle : words.unit;
+  const by = physical ? words.text("unit.s") : input;
+  const of = kind === "angle" ? angle : words.unit;
+  // A turn of a crank is no unit to a length: the analogue of a velocity is a length.
+  const bare = order === 0 || (of !== angle && by === angle);
+  const unit = bare ? of : derived(of, by, order);
+  const exponent = power(panel);
+  if (exponent === 0) return unit;
+  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
+  return `10${exponent < 0 ? "⁻" : ""}${digits}${unit === "1" ? "" : ` ${unit}`}`.trim();
 }
 
 /**
  * @param {Panel} panel
- * @returns {string} before the unit, where numbers are written in a power of ten
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} what a panel shows, and in which unit
  */
-export function powerOf(panel) {
-  const exponent = power(panel);
-  if (exponent === 0) return "";
-  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
-  return `10${exponent < 0 ? "⁻" : ""}${digits} `;
+export function titled(panel, coordinate, words) {
+  const { kind, order, physical } = panel;
+  const by = order === 0 ? "value" : physical ? "by_time" : "analogue";
+  return words.text(`plots.${kind}.${by}.${order}`, { unit: unitOf(panel, coordinate, words) });
 }

@@ -72,10 +72,7 @@ export class Figure {
    */
   paintGround(target, size, view) {
     if (!this.#snapshot) return;
-    const { words, summary } = this.#snapshot;
-    // Drawings that tell no unit are in that of the lengths of their document.
-    const { lengths = "length" } = /** @type {{ lengths?: string }} */ (summary ?? {});
-    paintSquares(target.context, size, view, this.#theme, words, lengths, target.ratio);
+    paintSquares(target.context, size, view, this.#theme, this.#snapshot.words, target.ratio);
     this.paintStill(target, view);
   }
 

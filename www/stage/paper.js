@@ -54,10 +54,9 @@ export class Backdrop {
  * @param {Transform} view
  * @param {Theme} theme
  * @param {Words} words
- * @param {string} unit of lengths
  * @param {number} ratio device pixels per CSS pixel
  */
-export function paintSquares(context, { width, height }, view, theme, words, unit, ratio) {
+export function paintSquares(context, { width, height }, view, theme, words, ratio) {
   const side = roundUp(SQUARE / view.scale);
   const pixels = side * view.scale;
   context.fillStyle = theme.ground;
@@ -77,7 +76,7 @@ export function paintSquares(context, { width, height }, view, theme, words, uni
   context.strokeStyle = theme.colours.line;
   context.stroke();
   context.globalAlpha = 1;
-  paintScaleBar(context, height, pixels, words.text(`unit.${unit}`, { value: words.numbers.short(side) }), theme, ratio);
+  paintScaleBar(context, height, pixels, words.length(words.numbers.short(side)), theme, ratio);
 }
 
 /**

@@ -130,7 +130,7 @@ export class Coordinate {
    * @returns {number} where its input is on the axis, as readers count. Both ends of the axis stay as they are.
    */
   of({ view }) {
-    return this.#onto(view[this.field]);
+    return this.onto(view[this.field]);
   }
 
   /**
@@ -141,7 +141,7 @@ export class Coordinate {
   put(state, place) {
     const wanted = this.moves === "time" ? Math.min(place, LONGEST) : place;
     const { start, end } = this.axis(wanted);
-    const reached = this.#turns ? this.#onto(wanted) : Math.min(Math.max(wanted, start), end);
+    const reached = this.#turns ? this.onto(wanted) : Math.min(Math.max(wanted, start), end);
     return withView(state, { [this.field]: reached });
   }
 
@@ -207,7 +207,8 @@ export class Coordinate {
    * @param {Words} words
    */
   #withUnit(number, words) {
-    return this.#turns ? `${number}°` : words.text(`unit.${this.moves}`, { value: number });
+    if (this.moves === "length") return words.length(number);
+    return this.#turns ? `${number}°` : `${number} ${words.text("unit.s")}`;
   }
 
   /** @param {number} decimals */
@@ -215,8 +216,11 @@ export class Coordinate {
     return this.moves === "length" ? Math.max(0, decimals - Math.floor(Math.log10(this.#way))) : decimals;
   }
 
-  /** @param {number} place */
-  #onto(place) {
+  /**
+   * @param {number} place as readers count
+   * @returns {number} the same place on the axis
+   */
+  onto(place) {
     const { start, end } = this.axis(place);
     if (this.moves === "time") return Math.min(Math.max(place, start), end);
     if (!this.#turns || (place >= start && place <= end)) return place;

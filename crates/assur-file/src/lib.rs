@@ -9,6 +9,7 @@ mod state;
 mod text;
 #[cfg(test)]
 mod types;
+mod unit;
 mod view;
 
 pub use catalogue::{
@@ -33,4 +34,5 @@ pub use kinds::{Document, Kind, Moved};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};
 pub use text::keys_once;
+pub use unit::LengthUnit;
 pub use view::{Axes, OpenLesson, SpeedUnit, View};

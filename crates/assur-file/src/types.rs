@@ -20,7 +20,7 @@ use crate::kinds::scheme::{
 };
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
 use crate::view::{Axes, OpenLesson, SpeedUnit};
-use crate::{Document, Group, LinkageDocument, Preset, Shelf, View};
+use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
 
 #[test]
 fn the_scripts_know_what_is_saved() {
@@ -30,6 +30,7 @@ fn the_scripts_know_what_is_saved() {
         OpenLesson::decl(&config),
         Axes::decl(&config),
         SpeedUnit::decl(&config),
+        LengthUnit::decl(&config),
         Document::decl(&config),
         MixerDocument::decl(&config),
         WheelDocument::decl(&config),

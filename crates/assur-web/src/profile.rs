@@ -4,7 +4,7 @@ use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
-/// The width of a band where none is given: degrees, or parts of the size.
+/// The width of a band where none is given: degrees, or about this part of the size.
 const BAND: f64 = 0.1;
 const FINE: f64 = 1e-3;
 
@@ -43,7 +43,9 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
         let width = width.unwrap_or(BAND);
         (width, width.to_radians())
     } else {
-        let width = width.unwrap_or(FINE * mechanism.size());
+        // A power of ten, as a reader would choose.
+        let usual = 10_f64.powi((FINE * mechanism.size()).log10().floor() as i32);
+        let width = width.unwrap_or(usual);
         (width, width)
     }
 }

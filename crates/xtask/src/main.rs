@@ -11,6 +11,7 @@ mod kinds;
 mod lessons;
 mod media;
 mod minify;
+mod notes;
 mod scripts;
 mod server;
 mod site;

@@ -11,6 +11,7 @@ use crate::bundle::{STYLE_CLOSE, STYLE_OPEN};
 use crate::kinds;
 use crate::lessons;
 use crate::minify;
+use crate::notes;
 use crate::scripts::{self, Sources};
 use crate::step::{announce, run};
 use crate::tools::{self, WASM};
@@ -72,6 +73,7 @@ fn put_together(workspace: &Workspace, more: Option<&Path>, site: &Path) -> Resu
     kinds::add_words(&site.join("kinds"), &site.join("lang"))?;
     fill_words(site)?;
     lessons::name(&site.join("lessons"), &site.join("lang"))?;
+    notes::publish(root, site)?;
     list_folders(workspace, site)?;
     join_scripts(site)?;
     join_styles(site)
@@ -233,11 +235,11 @@ fn files(directory: &Path, ending: &str) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-fn read(path: &Path) -> Result<String> {
+pub(crate) fn read(path: &Path) -> Result<String> {
     fs::read_to_string(path).with_context(|| format!("{} cannot be read", path.display()))
 }
 
-fn write(path: &Path, text: &str) -> Result<()> {
+pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
     fs::write(path, text).with_context(|| unwritable(path))
 }
 

@@ -109,7 +109,9 @@ function paintInset(context, panel, { arc: [from, to], band: [least, most] }, va
   context.textAlign = "right";
   context.textBaseline = "top";
   context.fillStyle = theme.colours.secondary;
-  context.fillText(`↕ ${words.numbers.upTo(panel.kind === "angle" ? degrees(most - least) : most - least, 3)}${panel.kind === "angle" ? "°" : ""}`, left + width - 4, top + 3);
+  const span = most - least;
+  const said = panel.kind === "angle" ? `${words.numbers.upTo(degrees(span), 3)}°` : words.length(words.numbers.short(span));
+  context.fillText(`↕ ${said}`, left + width - 4, top + 3);
 }
 
 /** What is said of the profile, in the order of the table. */
@@ -121,6 +123,10 @@ const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" 
 export class CourseView {
   #design;
   #row;
+  /** Open at first where the document asks for a dwell. */
+  #fold = make("details", { id: "course" });
+  /** What was folded last: the mechanism and whether it has a band. */
+  #folded = "";
   #name = make("caption");
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
@@ -136,14 +142,14 @@ export class CourseView {
       store.update((state) => withDocument(state, { band })),
     );
     const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
-    const section = make("section", { "data-of": "linkage" }, [
-      make("h2", { "data-t": "dwell.heading" }),
+    this.#fold.append(
+      make("summary", { "data-t": "dwell.heading" }),
       this.#row.element,
       make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
       this.#bars,
       this.#design.element,
-    ]);
-    byId("overlays", HTMLElement).before(section);
+    );
+    byId("overlays", HTMLElement).before(make("section", { "data-of": "linkage" }, [this.#fold]));
   }
 
   /** @param {Snapshot} snapshot */
@@ -156,13 +162,16 @@ export class CourseView {
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
     if (!profile) return;
+    const folded = `${state.document.origin} ${state.document.title} ${state.document.band !== undefined}`;
+    if (folded !== this.#folded) this.#fold.open = Boolean(state.document.band);
+    this.#folded = folded;
     this.#row.show(band ?? profile.width, words, wrong);
     if (stale) return;
     const angle = plotted[0].endsWith(".angle");
-    const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.numbers.short(value));
+    const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.length(words.numbers.short(value)));
     const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
     const { stroke, dwell } = profile;
-    write(this.#name, words.text("dwell.of", { name: called(plotted[0].replace(/\.angle$/, ""), words) }));
+    write(this.#name, called(plotted[0].replace(/\.angle$/, ""), words));
     const none = words.text("dwell.none");
     const texts = {
       stroke: stroke === null ? none : said(stroke),

@@ -268,7 +268,7 @@ export class DesignView {
       said.push(words.text("design.progress", {
         judged: numbers.exact(judged),
         arc: `${numbers.upTo(degrees(arc), 2)}°`,
-        stroke: angle ? `${numbers.upTo(degrees(stroke), 2)}°` : numbers.short(stroke),
+        stroke: angle ? `${numbers.upTo(degrees(stroke), 2)}°` : words.length(numbers.short(stroke)),
         residual: numbers.short(residual),
         before: numbers.short(before),
       }));

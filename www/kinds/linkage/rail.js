@@ -1,6 +1,6 @@
 // The rail of a linkage: its driver, its dimensions, its assembly. What a change makes of it the engine says.
 import { NumberRow } from "assur/controls/number-row.js";
-import { byId, make } from "assur/core/dom.js";
+import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { change, inputNow } from "assur/state/change.js";
@@ -19,6 +19,9 @@ const KINDS = Object.freeze({
   y: Object.freeze({ key: "points.y", symbol: "y" }),
 });
 
+/** The name of a point that a symbol can carry. */
+const LETTER = /^\p{L}\d{0,2}$/u;
+
 export class LinkageRail {
   #page;
   #driver = make("select", { id: "driver", class: "control", "data-t-label": "field.drivers" });
@@ -26,6 +29,7 @@ export class LinkageRail {
   #rates = make("div", { id: "linkage-rates" });
   #lengths = make("div", { id: "linkage-lengths" });
   #coordinates = make("div", { id: "linkage-frame" });
+  #source = make("p", { class: "source", "data-of": "linkage" });
   /** @type {NumberRow[]} */
   #rows = [];
   /** @type {NumberRow[]} those of further drivers */
@@ -50,6 +54,7 @@ export class LinkageRail {
       section("field.assembly", this.#assembly),
     ];
     byId("overlays", HTMLElement).before(...sections);
+    byId("rail", HTMLElement).append(this.#source);
   }
 
   /** @param {Snapshot} snapshot */
@@ -61,8 +66,11 @@ export class LinkageRail {
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link }) => [field, link]), dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {
       this.#built = built;
-      this.#build(summary, words);
+      this.#build(summary, linkage, words);
     }
+    // That of the catalogue is in English.
+    this.#source.lang = linkage.origin ? "en" : words.lang;
+    write(this.#source, linkage.source ?? "");
     const [driver] = linkage.drivers;
     this.#driver.value = driver?.crank ?? linkage.slides?.[driver?.slide ?? -1]?.link ?? "";
     this.#rows.forEach((row, i) => row.show(dimensions[i].value, words, wrong.has(row.field)));
@@ -84,11 +92,12 @@ export class LinkageRail {
 
   /**
    * @param {Summary} summary
+   * @param {Snapshot["state"]["document"]} linkage
    * @param {Words} words
    */
-  #build({ drivers, dimensions, rates }, words) {
+  #build({ drivers, dimensions, rates }, linkage, words) {
     this.#driver.replaceChildren(...drivers.map((name) => make("option", { value: name }, [called(name, words)])));
-    this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
+    this.#rows = dimensions.map((dimension) => this.#row(dimension, linkage, words));
     this.#further = rates.map(({ field, link, role }, i) => {
       const kind = { field, id: `rate-${i + 2}`, key: "drivers.rate", n: called(link, words), symbol: "u", role };
       return new NumberRow(kind, this.#page.drafts, (value) => this.#change((input) => this.#page.engine.setDimension(field, value, input), field));
@@ -104,13 +113,23 @@ export class LinkageRail {
 
   /**
    * @param {Dimension} dimension
+   * @param {Snapshot["state"]["document"]} linkage that has it
    * @param {Words} words
    */
-  #row({ field, kind, index, name, role, min, max, step }, words) {
+  #row({ field, kind, index, name, role, min, max, step }, linkage, words) {
     const { engine, drafts } = this.#page;
     const id = kind === "length" ? `length-${index}` : `point-${index}-${kind}`;
-    return new NumberRow({ field, id, ...KINDS[kind], n: kind === "length" ? called(name, words) : name, role, slider: { min, max, step } }, drafts, (value) =>
+    const points = kind === "length" ? linkage.links[index].points : [name];
+    return new NumberRow({ field, id, key: KINDS[kind].key, symbol: lettered(KINDS[kind].symbol, points), n: kind === "length" ? called(name, words) : name, role, slider: { min, max, step } }, drafts, (value) =>
       this.#change((input) => engine.setDimension(field, value, input), field),
     );
   }
+}
+
+/**
+ * @param {string} symbol
+ * @param {readonly string[]} points whose names it has below the line, if they are letters
+ */
+function lettered(symbol, points) {
+  return points.every((point) => LETTER.test(point)) ? `${symbol}_${points.join("")}` : symbol;
 }

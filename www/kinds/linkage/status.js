@@ -64,7 +64,7 @@ function coloured(groups, words) {
  * @returns {string} from end to end, for every arc of the motion
  */
 function strokes(outputs, angles, words) {
-  const said = (/** @type {number} */ stroke) => (angles ? angle(stroke, words) : words.numbers.short(stroke));
+  const said = (/** @type {number} */ stroke) => (angles ? angle(stroke, words) : words.length(words.numbers.short(stroke)));
   return outputs.filter(({ name, swing }) => name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
     `${swing.map((one) => said(one?.stroke ?? 0)).join(", ")} (${called(name.replace(/\.angle$/, ""), words)})`,
   ).join("; ");

@@ -10,10 +10,10 @@ use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use crate::{Problem, catalogue};
+use crate::{LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field};
 
-/// A linkage: things name each other, lengths are in any one unit. A key that it
+/// A linkage: things name each other, lengths are in one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -31,6 +31,10 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub origin: Option<String>,
+    /// What its lengths are in; without it only their proportions count.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub unit: Option<LengthUnit>,
     /// Every point with its place in the drawing.
     pub points: Vec<PointDocument>,
     /// The points of the frame.

@@ -7,15 +7,19 @@ use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use crate::{LinkageDocument, LinkageProblem, Problem};
+use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
-/// The mixer: lengths in metres, numbers of teeth, how the wheels are set, and
+/// The mixer: lengths, numbers of teeth, how the wheels are set, and
 /// which points are traced. Numbers are taken as they come;
 /// [`MixerDocument::mixer`] checks them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
+    /// What its lengths are in; without it metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub unit: Option<LengthUnit>,
     /// Crank AB.
     pub l1: f64,
     /// Coupler BC.
@@ -31,7 +35,7 @@ pub struct MixerDocument {
     /// `external`, `internal` or `as_printed`.
     #[cfg_attr(test, ts(as = "crate::MeshDocument"))]
     pub mesh: String,
-    /// Module of the wheels, metres.
+    /// Module of the wheels.
     pub module: f64,
     /// 1 or 2.
     #[cfg_attr(test, ts(type = "1 | 2"))]
@@ -56,15 +60,16 @@ pub struct WheelDocument {
 pub struct MixerTracerDocument {
     /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,
-    /// Along the link from its first joint, metres.
+    /// Along the link from its first joint.
     pub x: f64,
-    /// Across it, to the left, metres.
+    /// Across it, to the left.
     pub y: f64,
 }
 
 /// A document of any age: at first there was one wheel, and no points.
 #[derive(Deserialize)]
 struct AnyDocument {
+    unit: Option<LengthUnit>,
     l1: f64,
     l2: f64,
     l3: f64,
@@ -90,6 +95,7 @@ impl TryFrom<AnyDocument> for MixerDocument {
             _ => return Err("missing field `wheels`"),
         };
         Ok(Self {
+            unit: any.unit,
             l1: any.l1,
             l2: any.l2,
             l3: any.l3,
@@ -157,7 +163,10 @@ impl Kind for MixerDocument {
     }
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])
+        let mut document =
+            LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])?;
+        document.unit = Some(self.unit.unwrap_or(LengthUnit::M));
+        Ok(document)
     }
 
     /// Over every arc of the crank on which the loop can be closed.
@@ -191,7 +200,7 @@ impl LinkageDocument {
 }
 
 impl MixerDocument {
-    /// The saved form of these dimensions.
+    /// The saved form of these dimensions, in metres.
     pub fn new(dimensions: &Dimensions) -> Self {
         let [l1, l2, l3, l4] = dimensions.lengths;
         let wheel = |mate: &Mate| WheelDocument {
@@ -199,6 +208,7 @@ impl MixerDocument {
             centre_line_deg: mate.centre_line.to_degrees(),
         };
         Self {
+            unit: None,
             l1,
             l2,
             l3,

@@ -8,14 +8,18 @@ use assur::synthesis::four_bar::{
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use crate::{Field, LinkageDocument, Problem};
+use crate::{Field, LengthUnit, LinkageDocument, Problem};
 
 /// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
-/// the x-axis, lengths in any one unit.
+/// the x-axis, lengths in one unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct SynthesisDocument {
+    /// What the lengths are in; without it only their proportions count.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub unit: Option<LengthUnit>,
     /// l₀.
     pub frame: f64,
     /// φ₀.
@@ -317,7 +321,9 @@ impl Kind for SynthesisDocument {
     }
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        self.synthesis()?.drawn()
+        let mut document = self.synthesis()?.drawn()?;
+        document.unit = self.unit;
+        Ok(document)
     }
 
     fn motion(&self) -> Result<Motion, Vec<Problem>> {

@@ -28,9 +28,6 @@ pub(crate) struct GearTrainSummary<'a> {
     #[serde(flatten)]
     course: CourseSummary<'a>,
     bounds: [f64; 4],
-    /// The unit of the drawing.
-    #[cfg_attr(test, ts(type = "\"millimetres\""))]
-    lengths: &'static str,
     roles: BTreeMap<&'static str, &'static str>,
     /// The shaft that is not driven.
     free: &'static str,
@@ -227,7 +224,6 @@ impl<'a> GearTrainSummary<'a> {
                 becomes: &[],
             },
             bounds: figure.bounds(),
-            lengths: "millimetres",
             roles: roles.map(|(name, role)| (name, role.name())).collect(),
             free: BODIES[free.index()],
             speeds: BodyNumbers {

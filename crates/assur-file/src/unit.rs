@@ -1,0 +1,21 @@
+//! The unit that the lengths of a document are in.
+
+use serde::{Deserialize, Serialize};
+
+/// A unit of length, as readers meet it beside numbers. Another one makes no other mechanism:
+/// the numbers stay what they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum LengthUnit {
+    /// Metres.
+    M,
+    /// Centimetres.
+    Cm,
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    In,
+    /// Only the proportions count.
+    None,
+}

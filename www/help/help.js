@@ -1,0 +1,68 @@
+// Help: what can be done with a pointer and with keys, which papers all this is after, how to cite it. Loaded when it is asked for.
+import { combinations } from "assur/app/keys.js";
+import { byId, make } from "assur/core/dom.js";
+
+/** What a pointer does, with the words `gesture.…` and `gesture.….does`. */
+const GESTURES = Object.freeze(["hinge", "plot", "paper", "zoom", "fit"]);
+
+/** The source papers, with the words `papers.…`. */
+const PAPERS = Object.freeze(["mixer", "class4", "synthesis", "mobility", "differential"]);
+
+/** The teachers' notes as the site has them; the page that is one file comes without. */
+const NOTES = Object.freeze({ model: "docs/model.html", errata: "docs/errata.html" });
+
+/** @param {import("assur/core/words.js").Words} words */
+export function openHelp(words) {
+  document.getElementById("help")?.remove();
+  const heading = (/** @type {string} */ key) => make("h3", {}, [words.text(key)]);
+  const dialog = make("dialog", { id: "help", class: "dialog help", "aria-labelledby": "help-title" }, [
+    make("form", { method: "dialog" }, [
+      // It takes the focus: the button at the end would have the dialog scrolled there.
+      make("h2", { id: "help-title", tabindex: "-1", autofocus: "" }, [words.text("help.label")]),
+      make("p", {}, [words.text("welcome.text")]),
+      heading("help.pointer"),
+      table(GESTURES.map((gesture) => row([words.text(`gesture.${gesture}`)], words.text(`gesture.${gesture}.does`)))),
+      heading("help.keys"),
+      table(combinations(words).map(({ name, keys }) => row(keys, name))),
+      heading("help.papers"),
+      make("ul", {}, PAPERS.map((paper) => make("li", {}, [words.text(`papers.${paper}`)]))),
+      ...(served() ? [make("p", {}, [words.text("help.notes"), " ", ...notes(words)])] : []),
+      heading("help.cite"),
+      make("p", {}, [citation(words)]),
+      make("button", { id: "help-close", class: "control" }, [words.text("dialog.close")]),
+    ]),
+  ]);
+  byId("app", HTMLElement).append(dialog);
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.showModal();
+}
+
+/** Whether the page comes from a site, which has its notes. */
+function served() {
+  return location.protocol.startsWith("http");
+}
+
+/** @param {import("assur/core/words.js").Words} words */
+function notes(words) {
+  const links = Object.entries(NOTES).map(([name, href]) => make("a", { href, target: "_blank", rel: "noopener", lang: "en" }, [words.text(`notes.${name}`)]));
+  return links.flatMap((link, i) => (i > 0 ? [", ", link] : [link]));
+}
+
+/** @param {import("assur/core/words.js").Words} words */
+function citation(words) {
+  const version = byId("version", HTMLElement).textContent ?? "";
+  return words.text("cite.text", { version, address: served() ? ` ${location.href.split("#")[0]}` : "" });
+}
+
+/** @param {readonly HTMLElement[]} rows */
+function table(rows) {
+  return make("table", {}, [make("tbody", {}, rows)]);
+}
+
+/**
+ * @param {readonly (Node | string)[]} head
+ * @param {string} text
+ */
+function row(head, text) {
+  return make("tr", {}, [make("th", { scope: "row" }, head), make("td", {}, [text])]);
+}
