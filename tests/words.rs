@@ -56,8 +56,6 @@ const BUILT: [(&str, &[&str]); 49] = [
         ],
     ),
     ("equations.", &["www/kinds/linkage/equations.js"]),
-    ("gesture.", &["www/help/help.js"]),
-    ("notes.", &["www/help/help.js"]),
     ("papers.", &["www/help/help.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("gallery.group.", &["www/gallery/cards.js"]),

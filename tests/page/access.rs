@@ -12,7 +12,7 @@ use crate::gallery::open;
 pub(crate) const AXE: &str = include_str!("vendor/axe.min.js");
 
 /// What axe takes for violations.
-async fn violations(page: &Page) -> serde_json::Value {
+pub(crate) async fn violations(page: &Page) -> serde_json::Value {
     let run = "const done = arguments[0];
         axe.run(document, { resultTypes: ['violations'] }).then(
             ({ violations }) => done(violations.map(({ id, nodes }) =>
@@ -72,6 +72,8 @@ async fn axe_finds_nothing() {
         page.click("menu").await;
         check(&page, &format!("{lang} menu")).await;
         page.click("help-open").await;
+        page.until("help", async || page.count("#help[open]").await == 1)
+            .await;
         check(&page, &format!("{lang} help")).await;
         page.click("help-close").await;
         page.write("field-l1", "oops").await;

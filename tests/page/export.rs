@@ -68,7 +68,7 @@ impl Csv {
         let header = cells(header);
         let rows: Vec<Vec<String>> = lines.map(cells).collect();
         assert!(
-            ["phi_deg", "s_length", "t_s"].contains(&&*header[0]),
+            ["phi_deg", "s_m", "t_s"].contains(&&*header[0]),
             "{header:?}"
         );
         assert_eq!(header.last().unwrap(), "reason");
@@ -85,7 +85,7 @@ impl Csv {
         }
         // By their names without units, but for degrees of the crank.
         let columns = header.into_iter().enumerate().map(|(index, name)| {
-            let units = ["_rad", "_deg", "_length", "_s"];
+            let units = ["_rad", "_deg", "_m", "_s"];
             let ends = units.iter().filter_map(|unit| name.find(unit));
             let end = ends.min().filter(|_| name != "phi_deg");
             (name[..end.unwrap_or(name.len())].to_owned(), index)
@@ -207,14 +207,14 @@ async fn the_table_is_written_as_chosen() {
     let page = open().await;
     let plain = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
     assert!(
-        plain.starts_with("# length of A-B = 0.37\n"),
+        plain.starts_with("# length of A-B = 0.37 m\n"),
         "{plain:.200}"
     );
     let header = plain.lines().find(|line| !line.starts_with("# ")).unwrap();
     for name in [
         "phi_deg,crank.angle_rad,crank.dangle_rad_per_rad,crank.ddangle_rad_per_rad2,",
-        ",C1.x_length,C1.y_length,C1.dx_length_per_rad,",
-        ",C1.ddy_length_per_rad2,",
+        ",C1.x_m,C1.y_m,C1.dx_m_per_rad,",
+        ",C1.ddy_m_per_rad2,",
     ] {
         assert!(header.contains(name), "{name} in {header}");
     }
@@ -248,7 +248,7 @@ async fn the_table_is_written_as_chosen() {
     for name in [
         "angle of rocker, deg",
         "angular acceleration analogue of rocker, deg/deg²",
-        "velocity analogue of C2 along x, length/deg",
+        "velocity analogue of C2 along x, m/deg",
     ] {
         let called = |cell: &&str| cell.trim_start_matches('\u{feff}') == name;
         assert!(header.iter().any(called), "{name} in {header:?}");

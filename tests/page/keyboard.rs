@@ -166,8 +166,10 @@ async fn all_is_done_by_keys() {
     assert_near(page.value("out-ratio").await, -0.5, 1e-15, "case c");
 
     page.keys("?").await;
+    page.until("help", async || page.count("#help[open]").await == 1)
+        .await;
     page.keys(Key::Escape + "").await;
-    assert_eq!(page.attribute("help", "open").await, None);
+    assert_eq!(page.count("#help").await, 0);
     page.keys("p").await;
     page.keys("s").await;
     tab_to(&page, "slider-l1").await;

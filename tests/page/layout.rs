@@ -9,8 +9,10 @@ use crate::device::LANGUAGES;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 
-pub(crate) const SIZES: [(u32, u32); 7] = [
+pub(crate) const SIZES: [(u32, u32); 9] = [
     (360, 640),
+    (740, 360),
+    (600, 400),
     (390, 844),
     (768, 1024),
     (1024, 768),

@@ -47,6 +47,8 @@ mod steps;
 mod synthesis;
 mod synthesis_lesson;
 mod touch;
+mod tour;
 mod tracers;
 mod undo;
+mod units;
 mod wheels;

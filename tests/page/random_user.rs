@@ -66,6 +66,8 @@ const KEYS: &[(&str, i64)] = &[
     ("t", 84),
     ("p", 80),
     ("s", 83),
+    ("g", 71),
+    ("e", 69),
     ("?", 191),
     ("0", 48),
 ];
@@ -76,6 +78,7 @@ const SIZES: &[(u32, u32)] = &[
     (1920, 1080),
     (360, 640),
     (740, 360),
+    (600, 400),
     (1024, 768),
 ];
 
@@ -87,6 +90,10 @@ const ADDRESSES: &[&str] = &[
     "1&lesson=mixer&d.l1=NaN",
     "2&kind=linkage&d.points=[]",
     "2&kind=scheme&d.ground=x&d.pairs=[]&d.cut=[]&d.look_deg=[0,0]",
+    "jansen",
+    "peaucellier&v.playing=false&v.phi_deg=67.1146",
+    "class4-dwell&v.lang=ru&v.lesson={\"id\":\"class4-dwell\",\"step\":3}",
+    "no-such-mechanism",
     "<script>",
     "%%%",
 ];

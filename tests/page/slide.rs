@@ -7,7 +7,9 @@ use crate::browser::Page;
 /// A ladder on two guides at a right angle, 2.5 long, driven by its foot from 0.5 to 2.
 fn ladder() -> Value {
     let text = include_str!("../data/linkages/driven-slide.json");
-    serde_json::from_str(text).unwrap()
+    let mut ladder: Value = serde_json::from_str(text).unwrap();
+    ladder["unit"] = json!("m");
+    ladder
 }
 
 async fn open(page: &Page) {

@@ -57,8 +57,8 @@ export class NumberRow {
     });
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
-      " ",
-      make("span", { "data-t": `name.${key}`, "data-n": n }),
+      // What the symbol says itself needs no words.
+      ...(symbol.endsWith(`_${n}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": n })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
     this.#range = slider;

@@ -2,14 +2,20 @@
 import { combinations } from "assur/app/keys.js";
 import { byId, make } from "assur/core/dom.js";
 
-/** What a pointer does, with the words `gesture.…` and `gesture.….does`. */
-const GESTURES = Object.freeze(["hinge", "plot", "paper", "zoom", "fit"]);
+/** What can be done with a pointer, and what that does. */
+const GESTURES = Object.freeze([
+  ["gesture.hinge", "gesture.hinge.does"],
+  ["gesture.plot", "gesture.plot.does"],
+  ["gesture.paper", "gesture.paper.does"],
+  ["gesture.zoom", "gesture.zoom.does"],
+  ["gesture.fit", "gesture.fit.does"],
+]);
 
 /** The source papers, with the words `papers.…`. */
 const PAPERS = Object.freeze(["mixer", "class4", "synthesis", "mobility", "differential"]);
 
 /** The teachers' notes as the site has them; the page that is one file comes without. */
-const NOTES = Object.freeze({ model: "docs/model.html", errata: "docs/errata.html" });
+const NOTES = Object.freeze({ "notes.model": "docs/model.html", "notes.errata": "docs/errata.html" });
 
 /** @param {import("assur/core/words.js").Words} words */
 export function openHelp(words) {
@@ -21,7 +27,7 @@ export function openHelp(words) {
       make("h2", { id: "help-title", tabindex: "-1", autofocus: "" }, [words.text("help.label")]),
       make("p", {}, [words.text("welcome.text")]),
       heading("help.pointer"),
-      table(GESTURES.map((gesture) => row([words.text(`gesture.${gesture}`)], words.text(`gesture.${gesture}.does`)))),
+      table(GESTURES.map(([gesture, effect]) => row([words.text(gesture)], words.text(effect)))),
       heading("help.keys"),
       table(combinations(words).map(({ name, keys }) => row(keys, name))),
       heading("help.papers"),
@@ -44,7 +50,7 @@ function served() {
 
 /** @param {import("assur/core/words.js").Words} words */
 function notes(words) {
-  const links = Object.entries(NOTES).map(([name, href]) => make("a", { href, target: "_blank", rel: "noopener", lang: "en" }, [words.text(`notes.${name}`)]));
+  const links = Object.entries(NOTES).map(([name, href]) => make("a", { href, target: "_blank", rel: "noopener", hreflang: "en" }, [words.text(name)]));
   return links.flatMap((link, i) => (i > 0 ? [", ", link] : [link]));
 }
 

@@ -1,0 +1,92 @@
+//! A walk past all lessons and a third of the gallery, on every kind of screen: no defect of the
+//! layout, nothing that axe finds.
+//!
+//! In a run of all tests each stop has one of the languages; with `ASSUR_TOUR=all` each has all
+//! four, which takes a quarter of an hour.
+
+use serde_json::json;
+
+use crate::access::{AXE, violations};
+use crate::browser::{Page, setting};
+use crate::device::LANGUAGES;
+use crate::layout::defects;
+
+/// The lessons, with the steps to look at, and a third of the gallery.
+const STOPS: [&str; 24] = [
+    "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:1%7D",
+    "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:5%7D",
+    "class4-dwell&v.lesson=%7B%22id%22:%22class4-dwell%22,%22step%22:3%7D",
+    "class4-dwell&v.lesson=%7B%22id%22:%22class4-dwell%22,%22step%22:5%7D",
+    "train-magnets&v.lesson=%7B%22id%22:%22differential%22,%22step%22:2%7D",
+    "train-magnets&v.lesson=%7B%22id%22:%22differential%22,%22step%22:5%7D",
+    "mobility-2a&v.lesson=%7B%22id%22:%22mobility%22,%22step%22:1%7D",
+    "mobility-3&v.lesson=%7B%22id%22:%22mobility%22,%22step%22:4%7D",
+    "crank-rocker",
+    "parallelogram",
+    "peaucellier",
+    "chebyshev",
+    "jansen",
+    "klann",
+    "shaper",
+    "whitworth",
+    "scotch-yoke",
+    "elliptic-trammel",
+    "oldham",
+    "slider-crank-offset",
+    "pump-jack",
+    "v-twin",
+    "planetary",
+    "class5",
+];
+
+/// Window, whether it is dark, whether it is the projector's.
+const SCREENS: [((u32, u32), bool, bool); 7] = [
+    ((1920, 1080), false, false),
+    ((1280, 800), false, false),
+    ((1280, 800), true, false),
+    ((360, 740), false, false),
+    ((740, 360), true, false),
+    ((600, 400), false, false),
+    ((1024, 768), false, true),
+];
+
+#[tokio::test]
+async fn nothing_is_covered_or_cut_anywhere() {
+    let all = setting_or("ASSUR_TOUR", "") == "all";
+    let mut found = Vec::new();
+    for (at, stop) in STOPS.iter().enumerate() {
+        let page = Page::open_at(
+            &format!("{}#{stop}&v.playing=false", setting("ASSUR_URL")),
+            "en-US",
+        )
+        .await;
+        page.ask(AXE).await;
+        let languages = LANGUAGES.iter().enumerate();
+        for (_, lang) in languages.filter(|(k, _)| all || *k == at % LANGUAGES.len()) {
+            page.speak(lang).await;
+            for (size, dark, projector) in SCREENS {
+                page.prefer("prefers-color-scheme", if dark { "dark" } else { "light" })
+                    .await;
+                page.screen(size, 1.0).await;
+                if projector {
+                    page.click("projector").await;
+                }
+                page.settle().await;
+                for wrong in [defects(&page, 0).await, violations(&page).await] {
+                    if wrong != json!([]) {
+                        found.push((format!("{stop} {lang} {size:?} {dark} {projector}"), wrong));
+                    }
+                }
+                if projector {
+                    page.click("projector").await;
+                }
+            }
+        }
+        page.close().await;
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+fn setting_or(name: &str, usual: &str) -> String {
+    std::env::var(name).unwrap_or_else(|_| usual.to_owned())
+}
