@@ -145,7 +145,7 @@ impl Mechanism {
     pub(super) fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Cause> {
         let mut best: Option<(f64, Sign)> = None;
         let mut met = Cause::DeadPoint;
-        for sign in self.ways(step) {
+        for sign in self.joinings(step) {
             match self.try_step(step, *sign, state) {
                 Ok(()) => {
                     let off = self.misdrawn(state, step).map_or(0.0, |(_, by)| by);
@@ -160,7 +160,7 @@ impl Mechanism {
     }
 
     /// The ways to join a step's links.
-    fn ways(&self, step: StepId) -> &'static [Sign] {
+    pub(super) fn joinings(&self, step: StepId) -> &'static [Sign] {
         if self.steps[step].has_sign() {
             &Sign::BOTH
         } else {
@@ -309,7 +309,7 @@ impl Search<'_> {
             self.found.push(self.signs.clone());
             return;
         };
-        for sign in self.mechanism.ways(*step) {
+        for sign in self.mechanism.joinings(*step) {
             self.signs[*step] = *sign;
             let solved = self.mechanism.try_step(*step, *sign, state);
             self.tries = self.tries.saturating_sub(1);

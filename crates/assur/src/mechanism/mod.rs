@@ -4,6 +4,7 @@
 //! assembled, because only [`Mechanism::new`] makes it. It is solved Assur group
 //! by Assur group in the order that [`crate::structure`] finds.
 
+mod assemblies;
 mod assembly;
 mod body;
 mod check;
@@ -31,6 +32,7 @@ mod willis;
 
 use std::f64::consts::TAU;
 
+pub use assemblies::Ways;
 pub(crate) use assembly::Signs;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};

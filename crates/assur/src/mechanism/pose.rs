@@ -37,6 +37,10 @@ pub struct Pose<const N: usize> {
 }
 
 impl<const N: usize> Pose<N> {
+    pub(super) fn of(state: State<N>, guess: Vec<f64>) -> Self {
+        Self { state, guess }
+    }
+
     pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {
         (&mut self.state, &mut self.guess)
     }

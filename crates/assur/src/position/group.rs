@@ -240,6 +240,14 @@ impl Group {
         }
     }
 
+    /// Puts its own among the unknowns of all groups, real and imaginary parts.
+    pub(crate) fn set(&self, natural: &mut [f64], own: &[Vector]) {
+        let places = natural[2 * self.offset..].chunks_exact_mut(2);
+        for (place, own) in places.zip(own) {
+            place.copy_from_slice(&[own.x, own.y]);
+        }
+    }
+
     /// Its own of the unknowns of all groups.
     pub(super) fn own<'a, T>(&self, natural: &'a [T]) -> impl Iterator<Item = &'a T> {
         natural[self.offset..].iter().take(self.unknowns)

@@ -17,6 +17,7 @@ mod equation;
 mod four_bar;
 mod geared;
 mod group;
+mod joined;
 mod margin;
 mod mesh;
 mod newton;

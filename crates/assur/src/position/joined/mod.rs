@@ -1,0 +1,166 @@
+//! All ways to join an Assur group at known places of what it hangs on.
+
+mod bilinear;
+mod paths;
+mod truss;
+
+use super::equation::Equation;
+use super::group::Group;
+use super::{Cause, Given, State, conjugate};
+use crate::Vector;
+use crate::index::StepId;
+use bilinear::{Affine, C, NOUGHT, Pair, System};
+
+/// Solutions that differ by less than this part of their size are one.
+const ONE: f64 = 1e-8;
+/// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
+const REAL: f64 = 1e-5;
+
+/// All ways to join a group.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Ways {
+    /// The unknowns of each real one.
+    pub(crate) real: Vec<Vec<Vector>>,
+    /// How many there are over the complex numbers, the real ones among them.
+    pub(crate) complex: usize,
+}
+
+impl Group {
+    /// All ways to join it where what it hangs on is. None where its equations are not algebraic: wheels in mesh.
+    pub(crate) fn ways(
+        &self,
+        state: &mut State<1>,
+        given: &Given<'_, 1>,
+    ) -> Result<Option<Ways>, Cause> {
+        let system = self.system(state, given)?;
+        Ok(system.map(|system| system.ways(&self.units)))
+    }
+
+    /// Its equations over the complex numbers, unknowns in their units.
+    fn system(&self, state: &mut State<1>, given: &Given<'_, 1>) -> Result<Option<System>, Cause> {
+        state.work.fit(self);
+        for (k, input) in self.inputs.iter().enumerate() {
+            state.work.inputs[k] = state.taken(*input);
+        }
+        let meshes = self.meshes.iter();
+        let angles: Result<Vec<f64>, Cause> = meshes
+            .map(|mesh| Ok(mesh.given(state, given.near, given.input)?.angle.value()))
+            .collect();
+        let angles = angles?;
+        self.take(&mut state.work);
+        let values = &state.work.values[..self.equated];
+        let mut forms: Vec<Affine> = values
+            .iter()
+            .map(|value| Affine::constant(number(value.value()), self.units.len()))
+            .collect();
+        for term in &self.sought {
+            forms[term.form].by[term.of] += number(term.by) * self.units[term.of];
+        }
+        let form = |k: usize| forms[k].clone();
+        let (mut pairs, mut zeros) = (Vec::new(), Vec::new());
+        for equation in &self.equations {
+            match *equation {
+                Equation::Unit(one) => pairs.push(Pair::Unit(form(one))),
+                // The imaginary part goes with it.
+                Equation::Real(one) => zeros.push(form(one)),
+                Equation::Imaginary(_) => {}
+                Equation::Line { direction, way } => {
+                    pairs.push(Pair::Parallel(form(direction), form(way)));
+                }
+                Equation::Along {
+                    direction,
+                    way,
+                    mesh,
+                } => {
+                    pairs.push(Pair::Along(form(direction), form(way), -angles[mesh]));
+                }
+                Equation::Mesh {
+                    turns: [Some((link, 1.0)), Some((base, -1.0)), None],
+                    mesh,
+                } if self.meshes[mesh].drive.is_some() => {
+                    let turn = C::from_polar(1.0, -angles[mesh]);
+                    let [link, base] = [form(link), form(base)];
+                    let by = link.by.iter().zip(&base.by).map(|(a, b)| a - turn * b);
+                    zeros.push(Affine {
+                        constant: link.constant - turn * base.constant,
+                        by: by.collect(),
+                    });
+                }
+                Equation::Mesh { .. } => return Ok(None),
+            }
+        }
+        Ok(System::new(self.units.len(), pairs, zeros))
+    }
+}
+
+fn number(v: Vector) -> C {
+    C::new(v.x, v.y)
+}
+
+impl System {
+    fn ways(&self, units: &[f64]) -> Ways {
+        let mut found: Vec<Vec<C>> = Vec::new();
+        match truss::candidates(self, 0) {
+            Some(candidates) => self.add(candidates, &mut found),
+            None => self.add(paths::candidates(self, 0), &mut found),
+        }
+        let mut ways = Ways {
+            real: Vec::new(),
+            complex: found.len(),
+        };
+        for at in found {
+            if let Some(real) = self.real(&at) {
+                let places = self.own(&real);
+                let places = places.iter().zip(units);
+                let place =
+                    places.map(|(place, unit)| Vector::new(place.re * unit, place.im * unit));
+                ways.real.push(place.collect());
+            }
+        }
+        ways
+    }
+
+    /// Adds what is new among guesses that are none else.
+    fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) {
+        for candidate in candidates {
+            if let Some(at) = self.polished(&candidate)
+                && !found.iter().any(|other| apart(other, &at) < ONE)
+            {
+                found.push(at);
+            }
+        }
+    }
+
+    /// The real solution that this is.
+    fn real(&self, at: &[C]) -> Option<Vec<C>> {
+        let (z, w) = at.split_at(self.unknowns);
+        let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
+        if apart(z, &conjugates) > REAL {
+            return None;
+        }
+        let middle: Vec<C> = z
+            .iter()
+            .zip(&conjugates)
+            .map(|(z, c)| (z + c) / 2.0)
+            .collect();
+        let both: Vec<C> = middle
+            .iter()
+            .copied()
+            .chain(middle.iter().map(|z| z.conj()))
+            .collect();
+        let polished = self.polished(&both)?;
+        let (z, w) = polished.split_at(self.unknowns);
+        let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
+        (apart(z, &conjugates) < ONE && apart(z, &middle) < REAL).then(|| z.to_vec())
+    }
+}
+
+/// How far two places are apart, relative to their size.
+fn apart(one: &[C], other: &[C]) -> f64 {
+    let size = one.iter().fold(1.0, |most, z| f64::max(most, z.norm()));
+    let most = one.iter().zip(other).map(|(a, b)| (a - b).norm());
+    most.fold(0.0, f64::max) / size
+}
+
+#[cfg(test)]
+mod tests;
