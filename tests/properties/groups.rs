@@ -45,7 +45,7 @@ fn place(draft: &mut Draft, random: &mut Random, name: &str) {
 }
 
 /// A crank and a group of a kind, drawn anywhere. Each side of a triad may slide.
-fn drawn(kind: Kind, seed: u64) -> Draft {
+pub(crate) fn drawn(kind: Kind, seed: u64) -> Draft {
     let mut random = Random::new(1_000 + seed);
     let mut draft = Draft::default();
     let names: &[&str] = match kind {

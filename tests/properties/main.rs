@@ -2,6 +2,7 @@
 //! near degenerate on purpose.
 #![cfg(not(target_family = "wasm"))]
 
+mod assemblies;
 mod change_points;
 mod closure;
 mod draw;

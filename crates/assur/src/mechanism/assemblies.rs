@@ -3,7 +3,7 @@
 use super::{Mechanism, Pose, Signs};
 use crate::Jet;
 use crate::index::StepId;
-use crate::position::{Cause, Given, Nearby, Sign, State, Step};
+use crate::position::{Cause, Given, Method, Nearby, Sign, State, Step};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
@@ -14,6 +14,9 @@ const MOST_TRIES: usize = 1 << 16;
 pub struct Ways {
     /// A pose of each.
     pub poses: Vec<Pose<1>>,
+    /// Of each group that was solved over the complex numbers, once for every way in which it could hang, how many
+    /// solutions there are: six of five links of a Baranov truss, 14, 16 or 18 of seven, fewer of special dimensions.
+    pub complex: Vec<usize>,
     /// Whether these are all. They are not where wheels are in mesh within a group, and where there are very many.
     pub whole: bool,
 }
@@ -24,7 +27,7 @@ impl Mechanism {
     /// as they are mounted.
     ///
     /// The poses come in no particular order. None is listed twice; one in which a group is singular is listed once.
-    pub fn ways(&self, input: f64) -> Ways {
+    pub fn ways(&self, input: f64, method: Method) -> Ways {
         let mut search = Search {
             mechanism: self,
             input: Jet::linear(input, 1.0),
@@ -32,6 +35,8 @@ impl Mechanism {
             natural: self.natural.clone(),
             found: Vec::new(),
             tries: MOST_TRIES,
+            method,
+            complex: Vec::new(),
             whole: true,
         };
         let steps: Vec<StepId> = self.steps.ids().collect();
@@ -39,6 +44,7 @@ impl Mechanism {
         search.join(&steps, &mut state);
         Ways {
             poses: search.found,
+            complex: search.complex,
             whole: search.whole,
         }
     }
@@ -51,6 +57,8 @@ struct Search<'a> {
     natural: Vec<f64>,
     found: Vec<Pose<1>>,
     tries: usize,
+    method: Method,
+    complex: Vec<usize>,
     whole: bool,
 }
 
@@ -62,7 +70,7 @@ impl Search<'_> {
             return;
         };
         if let Step::Group(group) = &self.mechanism.steps[*step] {
-            let ways = group.ways(state, &self.given(*step));
+            let ways = group.ways(state, &self.given(*step), self.method);
             let Ok(Some(ways)) = ways else {
                 self.whole &= ways.is_err();
                 if ways.is_ok() {
@@ -70,6 +78,7 @@ impl Search<'_> {
                 }
                 return;
             };
+            self.complex.push(ways.complex);
             for way in &ways.real {
                 group.set(&mut self.natural, way);
                 self.go_on(*step, rest, state);

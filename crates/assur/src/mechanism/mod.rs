@@ -48,7 +48,7 @@ pub(crate) use rate::NEVER;
 pub use tracer::DraftTracer;
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
-pub use crate::position::Cause;
+pub use crate::position::{Cause, Method};
 
 use crate::index::{Id, List};
 use crate::position::{

@@ -42,6 +42,7 @@ pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;
 pub(crate) use geared::{Geared, Member};
 pub(crate) use group::{Group, Input, Placed};
+pub use joined::Method;
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing};
 pub(crate) use mesh::{Drive, Mesh};

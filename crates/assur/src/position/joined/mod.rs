@@ -6,15 +6,26 @@ mod truss;
 
 use super::equation::Equation;
 use super::group::Group;
-use super::{Cause, Given, State, conjugate};
+use super::{Cause, Given, State};
 use crate::Vector;
-use crate::index::StepId;
-use bilinear::{Affine, C, NOUGHT, Pair, System};
+use bilinear::{Affine, C, Pair, System};
 
 /// Solutions that differ by less than this part of their size are one.
 const ONE: f64 = 1e-8;
 /// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
 const REAL: f64 = 1e-5;
+
+/// So many bundles of paths are followed, until one finds nothing new.
+const MOST_BUNDLES: u64 = 6;
+
+/// How all ways to join a group are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// By the determinant of the loops where there are only hinges, else by paths.
+    Usual,
+    /// By paths from equations whose solutions are known: slower, and a check of the other.
+    Paths,
+}
 
 /// All ways to join a group.
 #[derive(Clone, Debug, Default)]
@@ -31,9 +42,10 @@ impl Group {
         &self,
         state: &mut State<1>,
         given: &Given<'_, 1>,
+        method: Method,
     ) -> Result<Option<Ways>, Cause> {
         let system = self.system(state, given)?;
-        Ok(system.map(|system| system.ways(&self.units)))
+        Ok(system.map(|system| system.ways(&self.units, method)))
     }
 
     /// Its equations over the complex numbers, unknowns in their units.
@@ -98,11 +110,15 @@ fn number(v: Vector) -> C {
 }
 
 impl System {
-    fn ways(&self, units: &[f64]) -> Ways {
+    fn ways(&self, units: &[f64], method: Method) -> Ways {
         let mut found: Vec<Vec<C>> = Vec::new();
-        match truss::candidates(self, 0) {
+        let by_loops = match method {
+            Method::Usual => truss::candidates(self, 0),
+            Method::Paths => None,
+        };
+        match by_loops {
             Some(candidates) => self.add(candidates, &mut found),
-            None => self.add(paths::candidates(self, 0), &mut found),
+            None => self.add_by_paths(&mut found),
         }
         let mut ways = Ways {
             real: Vec::new(),
@@ -118,6 +134,18 @@ impl System {
             }
         }
         ways
+    }
+
+    /// Adds what paths lead to. Of two that come close to each other one may be left for the other: then others lead to
+    /// its end.
+    fn add_by_paths(&self, found: &mut Vec<Vec<C>>) {
+        for beginning in 0..MOST_BUNDLES {
+            let before = found.len();
+            self.add(paths::candidates(self, beginning), found);
+            if beginning > 0 && found.len() == before {
+                return;
+            }
+        }
     }
 
     /// Adds what is new among guesses that are none else.
