@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::motion::DeadPointKind;
+use assur::motion::{DeadPointKind, Input};
 use assur::{Assembly, FourBar};
 use assur_draw::{Figure, Overlays, View};
 use assur_tests::{angle_between, assert_near};
@@ -190,6 +190,18 @@ fn peaucellier() {
         heights = [heights[0].min(height), heights[1].max(height)];
     }
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
+    // Its derivatives are rounding alone, and are not taken for anything else.
+    let axes = ["E.x", "E.y"].map(|name| quantity(&motion, name));
+    let [across, along] = &motion.features(&axes, Input::ANALOGUES)[..] else {
+        panic!("two quantities");
+    };
+    let levels = across.each_ref().map(|order| order.level);
+    assert_near(levels[0].unwrap(), x, 1e-12, "x");
+    assert_eq!(levels[1..], [Some(0.0), Some(0.0)]);
+    for order in across {
+        assert!(order.zeros.is_empty() && order.extrema.is_empty());
+    }
+    assert!(along.iter().all(|order| order.level.is_none()));
     // As drawn it is straight to its very ends, where B and D fall into one.
     let e = motion.mechanism().point("E");
     let view = View {

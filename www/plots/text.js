@@ -3,7 +3,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
-import { inDegrees, power, titled, unitOf } from "assur/plots/units.js";
+import { inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -78,14 +78,18 @@ function drawTitle(context, panel, coordinate, words, theme) {
 }
 
 /**
- * The symbols of a panel's title, each with the role of its curve.
+ * The symbols of a panel's title, each with the role of its curve, and with its value where it does not change.
  * @param {Panel} panel
  * @param {Words} words
  * @returns {[text: string, role?: string][]}
  */
-function names({ kind, order, physical, series }, words) {
-  const symbols = series.map((one) => /** @type {[string, string]} */ ([symbol(one, order, physical, words), one.role]));
-  if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
+function names(panel, words) {
+  const { kind, order, physical, series } = panel;
+  if (series.length > MOST_NAMED) return [[symbol(series[0], order, physical, words).replace(/[₀-₉]/g, "")]];
+  const symbols = series.map((one) => {
+    const level = one.level === null ? "" : ` ${words.text("plots.throughout", { value: writtenLevel(panel, one.level, words.numbers) })}`;
+    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + level, one.role]);
+  });
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
   return kind === "length" ? [[`${subscript(series[0].name.split(".")[0])}: `], ...listed] : listed;

@@ -36,6 +36,16 @@ export function written(panel, value, numbers) {
 }
 
 /**
+ * A value that a curve of a panel has throughout.
+ * @param {Panel} panel
+ * @param {number} value
+ * @param {import("assur/core/numbers.js").Numbers} numbers
+ */
+export function writtenLevel(panel, value, numbers) {
+  return inDegrees(panel) ? `${numbers.upTo(degrees(value), 1)}°` : numbers.short(value / 10 ** power(panel));
+}
+
+/**
  * @param {Panel} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate by which derivatives are, if not by time
  * @param {import("assur/core/words.js").Words} words

@@ -111,6 +111,8 @@ pub struct Panel {
     pub y_ticks: Vec<Tick>,
     /// What is to be labelled on each curve, in the order of the series.
     pub marks: Vec<Vec<Mark>>,
+    /// The value that a curve has throughout, where it does not change, in the order of the series.
+    pub levels: Vec<Option<f64>>,
     /// Points of the curves a few pixels apart, in pixels of the reader: x and y
     /// of each, one after the other. Labels keep off them.
     pub points: Vec<f64>,
@@ -234,6 +236,11 @@ impl Chart {
                 },
                 y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each), scale),
                 marks: plot.curves.iter().map(|c| c.marks(min, max)).collect(),
+                levels: self
+                    .series
+                    .iter()
+                    .map(|s| s.features[order].level)
+                    .collect(),
                 points: Vec::new(),
             };
             panel.points = panel.along(plot);

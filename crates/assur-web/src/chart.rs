@@ -93,6 +93,8 @@ pub(crate) struct SeriesLayout<'a> {
     /// The number by which the angle is called, where it is.
     number: Option<&'a str>,
     role: &'static str,
+    /// The value that the curve has throughout, where it does not change.
+    level: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -149,10 +151,12 @@ impl<'a> PanelLayout<'a> {
             xticks: ticks(panel.x_ticks),
             yticks: ticks(panel.y_ticks),
             series: series
-                .map(|series| SeriesLayout {
+                .zip(panel.levels)
+                .map(|(series, level)| SeriesLayout {
                     name: &series.name,
                     number: number_of(numbers, &series.name),
                     role: series.role.name(),
+                    level,
                 })
                 .collect(),
             points: panel.points,

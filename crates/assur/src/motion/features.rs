@@ -14,6 +14,8 @@ pub struct Features {
     pub zeros: Vec<f64>,
     /// Its local extrema.
     pub extrema: Vec<Extremum>,
+    /// The value that it has throughout, where it does not change: 0 where that is rounding alone.
+    pub level: Option<f64>,
 }
 
 impl Features {
@@ -22,6 +24,7 @@ impl Features {
         Self {
             zeros: self.zeros.clone(),
             extrema: self.extrema.iter().map(|e| e.scaled(ratio)).collect(),
+            level: self.level.map(|level| ratio * level),
         }
     }
 }
@@ -96,7 +99,8 @@ impl Motion {
 /// coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded
-/// Newton steps with the exact one after that. None where it is constant, nor over more than 256 turns.
+/// Newton steps with the exact one after that. Where it is constant there are none, but its level; over more than 256
+/// turns there is neither.
 pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
@@ -154,7 +158,7 @@ pub(super) fn turning_points(
         }
     });
     let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-    let Some(seam) = seam(&sweeps, unit) else {
+    let Course::Varied { seam } = course(&sweeps, unit) else {
         return Vec::new();
     };
     let turns = ordered_roots(cycle, &sweeps, &sample, 1, seam);
@@ -169,26 +173,49 @@ fn features_of(
     sample: &dyn Fn(f64) -> Option<Sample>,
     size: f64,
 ) -> Features {
-    let Some(seam) = seam(sweeps, size) else {
-        return Features::default();
+    let seam = match course(sweeps, size) {
+        Course::Varied { seam } => seam,
+        Course::Level(level) => {
+            return Features {
+                level,
+                ..Features::default()
+            };
+        }
     };
     let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, sweeps, sample, order, seam));
     Features {
         zeros: zeros.iter().map(|sample| sample.crank).collect(),
         extrema: turns.iter().filter_map(Sample::extremum).collect(),
+        level: None,
     }
 }
 
-/// By how much a function moves at most from the end of a cycle to its start; none
-/// where it is constant.
-fn seam(sweeps: &[Vec<Option<Sample>>], size: f64) -> Option<f64> {
+/// Whether a function changes.
+enum Course {
+    /// It does; from the end of a cycle to its start it moves by no more than `seam`.
+    Varied { seam: f64 },
+    /// It does not; its value, if there are any samples.
+    Level(Option<f64>),
+}
+
+fn course(sweeps: &[Vec<Option<Sample>>], size: f64) -> Course {
     let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
     let [least, most] = values.fold(
         [f64::INFINITY, f64::NEG_INFINITY],
         |[least, most], value| [least.min(value), most.max(value)],
     );
-    let constant = most - least <= CONSTANT * least.abs().max(most.abs()).max(size);
-    (!constant).then_some(0.5 * (most - least))
+    let largest = least.abs().max(most.abs());
+    let rounding = CONSTANT * largest.max(size);
+    if most - least > rounding {
+        let seam = 0.5 * (most - least);
+        return Course::Varied { seam };
+    }
+    let value = if largest > rounding {
+        least.midpoint(most)
+    } else {
+        0.0
+    };
+    Course::Level((least <= most).then_some(value))
 }
 
 /// [`all_roots`] within the cycle, in ascending order.
