@@ -33,6 +33,11 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
+/// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is told at once.
+const MOST_OF_A_TURN: f64 = 0.8;
+/// Room beside the arcs, as a share of what they span.
+const BESIDE: f64 = 0.04;
+
 struct Margin {
     left: i32,
     top: i32,
@@ -143,7 +148,7 @@ impl Chart {
     ) -> Self {
         let runs = curves::sampled(cycle, sample);
         Self {
-            axis: cycle.axis(),
+            axis: axis(cycle),
             turns: cycle.period().is_some(),
             kind,
             settings,
@@ -339,6 +344,25 @@ impl Panel {
             }
         }
         points
+    }
+}
+
+/// What the axis of a motion spans: all that the input is told by, or of a crank that goes to and fro over little of its
+/// turn only where it moves.
+fn axis(cycle: &Cycle) -> [f64; 2] {
+    let whole = cycle.axis();
+    let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =
+        (cycle.period(), cycle.is_full(), cycle.arcs())
+    else {
+        return whole;
+    };
+    let beside = BESIDE * (to - from);
+    let fitted = [from - beside, to + beside];
+    let span = |[from, to]: [f64; 2]| to - from;
+    if span(fitted) > MOST_OF_A_TURN * span(whole) {
+        whole
+    } else {
+        fitted
     }
 }
 
