@@ -326,7 +326,10 @@ async fn what_does_not_change_says_so() {
     let titles = async || {
         let seen = texts(&page).await;
         let titles = seen.into_iter().filter(|text| text.starts_with('x'));
-        titles.collect::<BTreeSet<String>>().into_iter().collect::<Vec<_>>()
+        titles
+            .collect::<BTreeSet<String>>()
+            .into_iter()
+            .collect::<Vec<_>>()
     };
     let expected = [
         "x = 4.583 throughout",

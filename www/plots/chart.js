@@ -23,6 +23,8 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
+  /** @type {readonly (readonly import("assur/plots/marks.js").Box[])[]} where the labels are, of each panel */
+  labels = [];
   /** @type {Overlay | null} */
   #overlay = null;
   /** Called when the panels may have changed their places. */
@@ -54,7 +56,7 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    this.panels = this.#paint(this.#surface, snapshot, this.#theme, false);
+    ({ panels: this.panels, labels: this.labels } = this.#paint(this.#surface, snapshot, this.#theme, false));
     this.redrawn();
   }
 
@@ -83,7 +85,7 @@ export class ChartView {
    * @param {Snapshot} snapshot
    * @param {Theme} theme
    * @param {boolean} whole whether the curves go through all their points
-   * @returns {readonly Panel[]} where the plots are
+   * @returns where the plots and their labels are
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
@@ -94,7 +96,7 @@ export class ChartView {
     const panels = drawn.value?.panels ?? [];
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);
-    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
-    return panels;
+    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    return { panels, labels };
   }
 }

@@ -38,7 +38,7 @@ export class ReadoutTable {
     const built = [summary, words, state.view.axes];
     if (built.some((part, i) => part !== this.#built[i])) this.#build(snapshot);
     this.#built = built;
-    write(this.#input, coordinate.written(place, words, 3));
+    write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
     this.#input.dataset.value = String(place);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
