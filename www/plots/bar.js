@@ -19,6 +19,7 @@ const UNITS = Object.freeze({ rad_per_s: 1, per_min: Math.PI / 30 });
 export class PlotBar {
   #engine;
   #plot = byId("plot", HTMLSelectElement);
+  #only = byId("only", HTMLSelectElement);
   #axes = byId("axes", HTMLSelectElement);
   #unit = byId("omega-unit", HTMLSelectElement);
   #input = byId("input", HTMLElement);
@@ -38,6 +39,7 @@ export class PlotBar {
     this.#engine = engine;
     const look = (/** @type {Partial<View>} */ change) => store.update((state) => withView(state, change));
     this.#plot.addEventListener("change", () => look({ plot: this.#plot.value }));
+    this.#only.addEventListener("change", () => look({ only: /** @type {View["only"]} */ (this.#only.value) }));
     this.#axes.addEventListener("change", () => look({ axes: /** @type {View["axes"]} */ (this.#axes.value) }));
     this.#unit.addEventListener("change", () => {
       drafts.drop("omega");
@@ -55,16 +57,17 @@ export class PlotBar {
 
   /** @param {Snapshot} snapshot */
   render({ state: { view }, summary: { overviews }, coordinate, words, problems }) {
-    const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
+    const { plot, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, ...wrong];
+    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     if (words !== this.#shown[7] || points !== this.#points || overviews.join() !== this.#overviews) this.#offer(points, overviews, words);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
     this.#plot.value = plot;
+    this.#only.value = only;
     this.#axes.value = axes;
     this.#unit.value = unit;
     this.#axes.hidden = moves === "time";

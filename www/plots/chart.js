@@ -46,7 +46,7 @@ export class ChartView {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
     const { start } = snapshot.coordinate.axis(snapshot.place);
-    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start}`;
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;
     this.#draw();
@@ -90,9 +90,10 @@ export class ChartView {
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
+    const { only } = snapshot.state.view;
     // Not as the text that was written last left it.
     context.lineJoin = "round";
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, around: snapshot.input }));
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const panels = drawn.value?.panels ?? [];
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);

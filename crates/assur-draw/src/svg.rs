@@ -111,7 +111,7 @@ impl Svg {
             size,
         };
         // Writing into memory cannot fail.
-        let panels = chart.draw(&canvas.into_drawing_area(), &LIGHT, 1.0);
+        let panels = chart.draw(&canvas.into_drawing_area(), &LIGHT, 1.0, None);
         for panel in panels.iter().flatten() {
             self.axes(panel, chart, input);
         }

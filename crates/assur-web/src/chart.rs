@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
-use assur_file::Problem;
+use assur_file::{Only, Problem};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -26,6 +26,9 @@ pub(crate) struct ChartRequest {
     /// Whether curves go through all their points: for a picture that may be enlarged.
     #[serde(default)]
     pub(crate) whole: bool,
+    /// The plot that has all of the room, if one has.
+    #[serde(default)]
+    pub(crate) only: Only,
     /// The input around which a motion is plotted that goes on and on.
     #[serde(default)]
     pub(crate) around: f64,
