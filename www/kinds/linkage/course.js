@@ -161,6 +161,7 @@ export class CourseView {
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
+    this.#fold.hidden = !profile;
     if (!profile) return;
     const folded = `${state.document.origin} ${state.document.title} ${state.document.band !== undefined}`;
     if (folded !== this.#folded) this.#fold.open = Boolean(state.document.band);

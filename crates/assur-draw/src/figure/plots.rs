@@ -36,6 +36,7 @@ impl Figure {
                 Quantity::Angle(link) => self.role(*link),
                 Quantity::X(_) => Role::X,
                 Quantity::Y(_) => Role::Y,
+                Quantity::Transmission(_) | Quantity::Pressure(_) => Role::Secondary,
             },
             features,
         });

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Extremum, Input, Kind, Motion};
-use crate::mechanism::Quantity;
+use crate::mechanism::{Quantity, acute, sense};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
@@ -47,6 +47,7 @@ const NO_OFFSET: f64 = 1e-12;
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives by time,
     /// as of [`features`], of a motion of no more than 256 turns: found once for all that are multiples of the same one.
+    /// Where an acute angle is folded it has neither.
     pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
@@ -65,9 +66,18 @@ impl Motion {
             let units: Vec<f64> = bases.iter().map(unit).collect();
             let jets = |input: f64| -> Option<Vec<Jet<5>>> {
                 let pose = self.pose::<5>(input).ok()?;
-                Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
+                let bases = bases.iter();
+                Some(bases.map(|base| base.unfolded(mechanism, &pose)).collect())
             };
-            features(self.cycle(), &jets, &units, input)
+            let found = features(self.cycle(), &jets, &units, input);
+            let found = bases.iter().zip(found);
+            found.map(|(base, found)| {
+                if base.is_folded() {
+                    self.folded(*base, found)
+                } else {
+                    found
+                }
+            })
         });
         let found: Vec<[Features; 3]> = found.collect();
         let scaled = |(base, factor): (Quantity, f64)| {
@@ -76,6 +86,35 @@ impl Motion {
             found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
         };
         multiples.into_iter().filter_map(scaled).collect()
+    }
+
+    /// Those of an acute angle from those of the angle before it is folded: what is folded turns its sense, and passes no
+    /// zero.
+    fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
+        let turned = |extremum: Extremum| {
+            let pose = self.pose::<3>(extremum.crank).ok()?;
+            let angle = quantity.unfolded(self.mechanism(), &pose);
+            Some(extremum.scaled(sense(&angle)))
+        };
+        let [value, first, second] = found.map(|order| Features {
+            extrema: order.extrema.into_iter().filter_map(turned).collect(),
+            ..order
+        });
+        let value = Features {
+            zeros: Vec::new(),
+            extrema: (value.extrema.into_iter())
+                .map(|extremum| Extremum {
+                    value: acute(extremum.value),
+                    ..extremum
+                })
+                .collect(),
+            level: value.level.map(acute),
+        };
+        let rate = |order: Features| Features {
+            level: order.level.filter(|level| *level == 0.0),
+            ..order
+        };
+        [value, rate(first), rate(second)]
     }
 
     /// The quantity that another is a multiple of, and how many times. With an offset
