@@ -41,6 +41,9 @@ const MOST_SAMPLES: usize = 1 << 18;
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
 const CONSTANT: f64 = 1e-9;
+/// Where an angle between two links stands while both turn, rounding alone passes zero to and fro within this, radians
+/// or the unit of lengths.
+const ALIKE: f64 = 1e-9;
 /// An angle with less of an offset to a multiple of another, radians, is that.
 const NO_OFFSET: f64 = 1e-12;
 
@@ -96,9 +99,15 @@ impl Motion {
             let angle = quantity.unfolded(self.mechanism(), &pose);
             Some(extremum.scaled(sense(&angle)))
         };
-        let [value, first, second] = found.map(|order| Features {
-            extrema: order.extrema.into_iter().filter_map(turned).collect(),
-            ..order
+        let [value, first, second] = found.map(|mut order| {
+            order
+                .zeros
+                .dedup_by(|one, other| (*one - *other).abs() < ALIKE);
+            order.extrema.dedup_by(|one, other| {
+                one.kind == other.kind && (one.crank - other.crank).abs() < ALIKE
+            });
+            order.extrema = order.extrema.into_iter().filter_map(turned).collect();
+            order
         });
         let value = Features {
             zeros: Vec::new(),

@@ -5,6 +5,9 @@ use super::features::turning_points;
 use crate::Jet;
 use crate::mechanism::{Quantity, RrpDyad, RrrDyad};
 
+/// What is beside an end of an arc, as a share of it.
+const BESIDE: f64 = 1e-9;
+
 /// Where a dyad transmits worst.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstTransmission {
@@ -74,7 +77,11 @@ impl Motion {
         unit: f64,
     ) -> impl Iterator<Item = WorstTransmission> + '_ {
         let extrema = turning_points(self.cycle(), told_by, unit);
-        let ends = self.cycle().arcs().iter().flatten().copied();
+        // Where joints fall into one at an end, there are digits only beside it.
+        let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
+            let beside = BESIDE * (to - from);
+            [*from, from + beside, to - beside, *to]
+        });
         let inputs = extrema.into_iter().map(|extremum| extremum.crank);
         let inputs = inputs
             .chain(ends)
