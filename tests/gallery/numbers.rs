@@ -2,8 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::motion::{DeadPointKind, Input, Motion};
-use assur::{Assembly, FourBar};
+use assur::motion::{DeadPointKind, Input, Motion, OutputProfile};
+use assur::{Assembly, FourBar, Swing};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
 use assur_draw::{Figure, Overlays, View};
@@ -225,6 +225,9 @@ fn peaucellier() {
     };
     let levels = across.each_ref().map(|order| order.level);
     assert_near(levels[0].unwrap(), x, 1e-12, "x");
+    let profile = OutputProfile::new(&motion, axes[0]);
+    let swings: Vec<Option<f64>> = profile.swings().into_iter().map(Swing::stroke).collect();
+    assert_eq!(swings, [Some(0.0)]);
     assert_eq!(levels[1..], [Some(0.0), Some(0.0)]);
     for order in across {
         assert!(order.zeros.is_empty() && order.extrema.is_empty());

@@ -40,7 +40,7 @@ const MOST_SAMPLES: usize = 1 << 18;
 /// vanishing diagonal, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
-const CONSTANT: f64 = 1e-9;
+pub(super) const CONSTANT: f64 = 1e-9;
 /// Where an angle between two links stands while both turn, rounding alone passes zero to and fro within this, radians
 /// or the unit of lengths.
 const ALIKE: f64 = 1e-9;
@@ -61,12 +61,10 @@ impl Motion {
                 bases.push(*base);
             }
         }
-        let size = mechanism.size();
-        let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
         let samples: usize = stretches(self.cycle()).iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
-            let units: Vec<f64> = bases.iter().map(unit).collect();
+            let units: Vec<f64> = bases.iter().map(|base| self.unit(*base)).collect();
             let jets = |input: f64| -> Option<Vec<Jet<5>>> {
                 let pose = self.pose::<5>(input).ok()?;
                 let bases = bases.iter();
@@ -89,6 +87,15 @@ impl Motion {
             found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
         };
         multiples.into_iter().filter_map(scaled).collect()
+    }
+
+    /// What counts as one of a quantity: 1 for an angle, else the size of the mechanism.
+    pub(super) fn unit(&self, quantity: Quantity) -> f64 {
+        if quantity.is_angle() {
+            1.0
+        } else {
+            self.mechanism().size()
+        }
     }
 
     /// Those of an acute angle from those of the angle before it is folded: what is folded turns its sense, and passes no

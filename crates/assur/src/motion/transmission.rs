@@ -6,7 +6,7 @@ use crate::Jet;
 use crate::mechanism::{Quantity, RrpDyad, RrrDyad};
 
 /// What is beside an end of an arc, as a share of it.
-const BESIDE: f64 = 1e-9;
+const BESIDE: f64 = 1e-12;
 
 /// Where a dyad transmits worst.
 #[derive(Clone, Copy, Debug, PartialEq)]
