@@ -66,7 +66,9 @@ function drawTitle(context, panel, coordinate, words, theme) {
   };
   let font = `600 ${14 * theme.scale}px ${theme.font}`;
   context.font = font;
-  for (const [text, role] of names(panel, words)) write(text, role ? theme.inks[role] : theme.colours.ink);
+  const named = NAMINGS.map((naming) => names(panel, words, naming));
+  const fit = named.find((parts) => parts.reduce((width, [text]) => width + textWidth(context, font, text), 0) <= panel.width);
+  for (const [text, role] of fit ?? named[NAMINGS.length - 1]) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
   const title = titled(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
@@ -77,18 +79,23 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
+/** What is said of a curve that does not change, the most for which there is room. */
+const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol"]));
+
 /**
  * The symbols of a panel's title, each with the role of its curve, and with its value where it does not change.
  * @param {Panel} panel
  * @param {Words} words
+ * @param {typeof NAMINGS[number]} naming
  * @returns {[text: string, role?: string][]}
  */
-function names(panel, words) {
+function names(panel, words, naming) {
   const { kind, order, physical, series } = panel;
   if (series.length > MOST_NAMED) return [[symbol(series[0], order, physical, words).replace(/[₀-₉]/g, "")]];
   const symbols = series.map((one) => {
-    const level = one.level === null ? "" : ` ${words.text("plots.throughout", { value: writtenLevel(panel, one.level, words.numbers) })}`;
-    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + level, one.role]);
+    const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
+    const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;
+    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + said, one.role]);
   });
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));

@@ -39,7 +39,7 @@ impl Dwell {
 #[derive(Clone, Debug)]
 pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
-    quantity: Quantity,
+    pub(super) quantity: Quantity,
     /// Inputs and values at which pieces meet: extrema, and the ends of the range
     /// of a motion to and fro. A full cycle is there twice, from an extremum on.
     pub(super) stations: Vec<[f64; 2]>,
