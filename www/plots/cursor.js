@@ -4,8 +4,8 @@ import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { overlap } from "assur/plots/marks.js";
 import { across, down, shows } from "assur/plots/panel.js";
+import { placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
 
@@ -21,8 +21,6 @@ import { written } from "assur/plots/units.js";
 /** Radius of a dot and height of a number's box, at the usual size of text. */
 const DOT = 4.5;
 const TAG = 17;
-/** A tag gives way to labels by at most so many times its height: farther off it would seem to be another curve's. */
-const FARTHEST = 2.5;
 /** Dashes of the second cursor's line, and of the first's. */
 const GHOST = [4, 4];
 /** @type {number[]} */
@@ -158,8 +156,6 @@ export class ChartCursor {
   }
 
   /**
-   * The numbers stand beside the line, on the side with room where they cover fewer labels, pushed off these and apart
-   * where they would meet.
    * @param {Panel} panel
    * @param {number} x
    * @param {readonly Dot[]} dots
@@ -169,22 +165,10 @@ export class ChartCursor {
     const { context } = this.#surface;
     const font = setChartFont(context, this.#theme);
     const widths = dots.map(({ text }) => textWidth(context, font, text) + 10);
-    const [off, tall] = [this.#dot + 5, this.#tall];
-    const [first, last] = [panel.top, panel.top + panel.height];
-    const boxes = (/** @type {readonly number[]} */ lefts, /** @type {readonly number[]} */ tops) =>
-      tops.map((top, i) => ({ left: lefts[i], top, right: lefts[i] + widths[i], bottom: top + tall }));
-    const aside = (/** @type {readonly number[]} */ lefts) => {
-      const wanted = boxes(lefts, dots.map(({ y }) => y - tall / 2));
-      const free = wanted.map((tag) => freeTop(tag, labels, first, last));
-      const tags = boxes(lefts, spread(free, first, last, tall));
-      return { tags, covered: tags.filter((tag) => labels.some((label) => overlap(tag, label))).length };
-    };
-    const right = widths.map(() => x + off);
-    const left = widths.map((width) => x - off - width);
-    const sides = [];
-    if (x + off + Math.max(...widths) <= panel.left + panel.width + 7) sides.push(aside(right));
-    if (sides.length === 0 || (sides[0].covered > 0 && Math.min(...left) >= panel.left)) sides.push(aside(left));
-    const { tags } = sides.reduce((best, side) => (side.covered < best.covered ? side : best));
+    const { left, top, width, height } = panel;
+    const room = { left, top, right: left + width + 7, bottom: top + height };
+    const middles = dots.map(({ y }) => y);
+    const tags = placedTags({ middles, widths, tall: this.#tall, x, off: this.#dot + 5, room, labels });
     dots.forEach((dot, i) => this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 
@@ -208,47 +192,4 @@ export class ChartCursor {
     context.fillStyle = ink;
     context.fillText(text, left + 5, top + this.#tall / 2 + 0.5);
   }
-}
-
-/**
- * @param {Box} tag
- * @param {readonly Box[]} labels
- * @param {number} first
- * @param {number} last
- * @returns {number} the top nearest to its own, between first and last, where it covers no label; its own where that is far off
- */
-function freeTop(tag, labels, first, last) {
-  const tall = tag.bottom - tag.top;
-  const at = (/** @type {number} */ top) => ({ ...tag, top, bottom: top + tall });
-  const covers = (/** @type {number} */ top) => labels.some((label) => overlap(at(top), label));
-  const beside = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
-  const near = beside.filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
-  const places = [tag.top, ...near].filter((top) => !covers(top));
-  const nearest = (/** @type {number} */ a, /** @type {number} */ b) => (Math.abs(b - tag.top) < Math.abs(a - tag.top) ? b : a);
-  return places.length > 0 ? places.reduce(nearest) : tag.top;
-}
-
-/**
- * @param {readonly number[]} tops in rising order
- * @param {number} first
- * @param {number} last
- * @param {number} tall the height of a tag
- * @returns {number[]} as near to them as may be, at least that far apart, between first and last
- */
-function spread(tops, first, last, tall) {
-  const step = tall + 2;
-  // Those that would meet stand in a block round the mean of their places.
-  /** @type {{ sum: number, count: number }[]} */
-  const blocks = [];
-  tops.forEach((top, i) => {
-    let block = { sum: top - i * step, count: 1 };
-    for (let before = blocks.at(-1); before && before.sum / before.count > block.sum / block.count; before = blocks.at(-1)) {
-      block = { sum: before.sum + block.sum, count: before.count + block.count };
-      blocks.pop();
-    }
-    blocks.push(block);
-  });
-  const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
-  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
-  return places.map((place, i) => place + i * step);
 }
