@@ -79,8 +79,8 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** What is said of a curve that does not change, the most for which there is room. */
-const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol"]));
+/** How curves are named: with the value of one that does not change, in words or bare, without it, by no more than a letter. */
+const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**
  * The symbols of a panel's title, each with the role of its curve, and with its value where it does not change.
@@ -91,7 +91,8 @@ const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "sym
  */
 function names(panel, words, naming) {
   const { kind, order, physical, series } = panel;
-  if (series.length > MOST_NAMED) return [[symbol(series[0], order, physical, words).replace(/[₀-₉]/g, "")]];
+  const [{ name }] = series;
+  if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
   const symbols = series.map((one) => {
     const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
     const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;
