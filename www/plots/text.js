@@ -92,15 +92,18 @@ const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "sym
 function names(panel, words, naming) {
   const { kind, order, physical, series } = panel;
   const [{ name }] = series;
+  // Of several points each curve says whose it is.
+  const points = kind === "length" ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
+  const several = new Set(points).size > 1;
   if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
-  const symbols = series.map((one) => {
+  const symbols = series.map((one, i) => {
     const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
     const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;
-    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + said, one.role]);
+    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + (several ? ` ${points[i]}` : "") + said, one.role]);
   });
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
-  return kind === "length" ? [[`${subscript(series[0].name.split(".")[0])}: `], ...listed] : listed;
+  return kind === "length" && !several ? [[`${points[0]}: `], ...listed] : listed;
 }
 
 /**

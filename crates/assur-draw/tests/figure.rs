@@ -156,6 +156,22 @@ fn axes_fit_the_motion() {
     }
 }
 
+/// Curves of the same axis of two points can be told apart.
+#[test]
+fn axes_of_further_points_have_colours_of_their_own() {
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let quantities =
+        ["B.x", "C.x", "C.y", "M.x"].map(|name| Quantity::named(motion.mechanism(), name).unwrap());
+    let chart = figure(&motion, Overlays::default()).chart(&quantities, settings);
+    let roles: Vec<Role> = chart.series().iter().map(|series| series.role).collect();
+    assert_eq!(roles, [Role::X, Role::Accent2, Role::Y, Role::Accent1]);
+}
+
 /// Where there is no pose there is no frame.
 #[test]
 fn beyond_dead_points_nothing_is_drawn() {

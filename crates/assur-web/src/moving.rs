@@ -147,6 +147,13 @@ impl Moving {
         &self.plotted
     }
 
+    /// Whose colour the curve of a quantity has, if it is plotted.
+    pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
+        let mut plotted = self.plotted.iter().zip(self.chart.series());
+        let found = plotted.find(|(plotted, _)| **plotted == quantity);
+        found.map(|(_, series)| series.role.name())
+    }
+
     /// Which of the assemblies at the drawn input moves, from 1.
     pub(crate) fn assembly(&self) -> usize {
         let drawn = self.mechanism().drawn_assembly() + 1;

@@ -339,7 +339,7 @@ impl<'a> ListedSummary<'a> {
             what,
             number: number.map(String::as_str).filter(|_| what == "angle"),
             of,
-            role,
+            role: moving.plotted_role(quantity).unwrap_or(role),
         }
     }
 }
