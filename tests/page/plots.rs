@@ -151,8 +151,8 @@ async fn axes_are_by_time() {
 async fn bad_inputs_are_named_and_recovered_from() {
     let page = Page::open().await;
     page.stop_at("62").await;
-    // By keys alone: from the choice of plot to that of the axes, then to ω₁.
-    page.focus("plot").await;
+    // By keys alone: from the choice of the plot shown alone to that of the axes, then to ω₁.
+    page.focus("only").await;
     page.keys(Key::Tab + "").await;
     page.keys(Key::Down + "").await;
     page.settle().await;
