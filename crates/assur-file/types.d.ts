@@ -54,6 +54,10 @@ groups: boolean,
  */
 plot: string, 
 /**
+ * Which of the plots is shown alone, if one is.
+ */
+only: Only, 
+/**
  * What the derivatives are by.
  */
 axes: Axes, 
@@ -98,6 +102,7 @@ id: string,
  * The step, counted from 1.
  */
 step: number, };
+export type Only = "all" | "value" | "first" | "second";
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";

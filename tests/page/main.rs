@@ -33,6 +33,7 @@ mod mobility_hands;
 mod mobility_lesson;
 mod mobility_practice;
 mod more;
+mod one_plot;
 mod overlays;
 mod picture;
 mod pixels;

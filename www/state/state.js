@@ -66,6 +66,7 @@ export function usualView(view) {
     transmission: false,
     groups: false,
     plot: "angles",
+    only: "all",
     axes: "analogues",
     omega: 1,
     omega_unit: "rad_per_s",

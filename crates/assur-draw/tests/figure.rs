@@ -2,8 +2,10 @@
 #![allow(clippy::panic, reason = "that is how a test fails")]
 
 use assur::Point;
-use assur::mechanism::{Draft, Mechanism};
-use assur::motion::Motion;
+use assur::mechanism::{Draft, Mechanism, Quantity};
+use assur::motion::{Input, Motion};
+use assur_draw::chart::Settings;
+use assur_draw::svg::Svg;
 use assur_draw::{Figure, Overlays, Role, View};
 
 use records::records;
@@ -102,10 +104,9 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     }
 }
 
-/// Where there is no pose there is no frame.
-#[test]
-fn beyond_dead_points_nothing_is_drawn() {
-    let draft = Draft::default()
+/// A four-bar without a link that turns fully.
+fn triple_rocker() -> Draft {
+    Draft::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.3, 0.52)
         .point("C", 1.05, 0.2)
@@ -114,7 +115,67 @@ fn beyond_dead_points_nothing_is_drawn() {
         .bar("crank", &["A", "B"])
         .bar("coupler", &["B", "C"])
         .bar("rocker", &["D", "C"])
-        .crank("crank");
+        .crank("crank")
+}
+
+/// The plots of a link's angle as a file.
+fn chart(motion: &Motion, link: &str) -> String {
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let angle = Quantity::Angle(motion.mechanism().link(link).unwrap());
+    let mut sheet = Svg::new(600.0);
+    let figure = figure(motion, Overlays::default());
+    sheet.chart(480.0, &figure.chart(&[angle], settings), "φ");
+    sheet.finish(link)
+}
+
+/// The axis spans where the input goes, with a little room; all of a turn where that is nearly all of it.
+#[test]
+fn axes_fit_the_motion() {
+    let swings = Motion::new(Mechanism::new(&triple_rocker()).unwrap());
+    let [[from, to]] = swings.cycle().arcs() else {
+        panic!("{:?}", swings.cycle());
+    };
+    let (from, to) = (from.to_degrees(), to.to_degrees());
+    let room = 0.04 * (to - from);
+    let plotted = chart(&swings, "rocker");
+    let whole = chart(&Motion::new(Mechanism::new(&draft()).unwrap()), "rod");
+    for k in -6..=12 {
+        let degrees = 30.0 * f64::from(k);
+        let text = format!(">{}°</text>", degrees.to_string().replace('-', "−"));
+        let on_axis = |plotted: &str| plotted[plotted.rfind("″<").unwrap()..].contains(&text);
+        let inside = (from - room..=to + room).contains(&degrees);
+        assert_eq!(on_axis(&plotted), inside, "{degrees}: {from} to {to}");
+        if k % 3 == 0 {
+            let inside = (0.0..=360.0).contains(&degrees);
+            assert_eq!(on_axis(&whole), inside, "{degrees}");
+        }
+    }
+}
+
+/// Curves of the same axis of two points can be told apart.
+#[test]
+fn axes_of_further_points_have_colours_of_their_own() {
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let quantities =
+        ["B.x", "C.x", "C.y", "M.x"].map(|name| Quantity::named(motion.mechanism(), name).unwrap());
+    let chart = figure(&motion, Overlays::default()).chart(&quantities, settings);
+    let roles: Vec<Role> = chart.series().iter().map(|series| series.role).collect();
+    assert_eq!(roles, [Role::X, Role::Accent2, Role::Y, Role::Accent1]);
+}
+
+/// Where there is no pose there is no frame.
+#[test]
+fn beyond_dead_points_nothing_is_drawn() {
+    let draft = triple_rocker();
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     assert!(!motion.cycle().is_full());
     let figure = Figure::new(&motion, &View::default()).unwrap();

@@ -34,7 +34,7 @@ pub use limits::LimitPosition;
 pub use placed::Placed;
 pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
-pub use transmission::LeastTransmission;
+pub use transmission::WorstTransmission;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
