@@ -28,6 +28,7 @@ pub(crate) struct ChartRequest {
     pub(crate) whole: bool,
     /// The plot that has all of the room, if one has.
     #[serde(default)]
+    #[cfg_attr(test, ts(type = "Only"))]
     pub(crate) only: Only,
     /// The input around which a motion is plotted that goes on and on.
     #[serde(default)]
