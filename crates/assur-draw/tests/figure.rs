@@ -125,10 +125,11 @@ fn chart(motion: &Motion, link: &str) -> String {
         physical: false,
         differenced: false,
     };
-    let angle = Quantity::Angle(motion.mechanism().link(link).unwrap());
+    let angle = Quantity::named(motion.mechanism(), &format!("{link}.angle"));
     let mut sheet = Svg::new(600.0);
     let figure = figure(motion, Overlays::default());
-    sheet.chart(480.0, &figure.chart(&[angle], settings), "φ");
+    let angles: Vec<Quantity> = angle.into_iter().collect();
+    sheet.chart(480.0, &figure.chart(&angles, settings), "φ");
     sheet.finish(link)
 }
 
