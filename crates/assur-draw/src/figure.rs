@@ -141,8 +141,12 @@ impl Figure {
         );
         let size = bounds::size(base);
         let unit = size / 100.0;
-        let supports = fixed.iter().filter(|point| layout.is_support(**point));
-        let symbols = supports.flat_map(|point| parts::support_reach(place(point), 1.5 * unit));
+        let supports = mechanism.point_ids().filter_map(|point| {
+            let size = layout.support(point)?;
+            Some(parts::support_reach(place(&point), size * unit))
+        });
+        let symbols = supports.flatten();
+        let symbols = symbols.chain(guides.iter().flat_map(|guide| guide.reach(unit)));
         let base = bounds::grown(base, symbols, size);
         let curves = traced
             .iter()
@@ -266,8 +270,8 @@ impl Figure {
 
     /// How far a point's name stands off in a direction.
     fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
-        let on_block = self.layout.is_on_block(point);
-        let off = direction.normalize() * if on_block { 2.3 } else { 1.5 };
+        let wide = self.layout.is_wide(point);
+        let off = direction.normalize() * if wide { 2.3 } else { 1.5 };
         [off.x, off.y]
     }
 
@@ -285,17 +289,29 @@ impl Figure {
         for guide in guides {
             guide.draw_line(&mut list, u);
         }
+        for guide in guides {
+            guide.empty(&mut list, u);
+        }
         list.body(0);
         let points = mechanism.point_ids();
-        let supports = points.clone();
-        for point in supports.filter(|point| self.layout.is_support(*point)) {
-            parts::support(&mut list, mechanism.place(home, point).place(), 1.5 * u);
+        for point in points.clone() {
+            if let Some(size) = self.layout.support(point) {
+                parts::support(&mut list, mechanism.place(home, point).place(), size * u);
+            }
+        }
+        for centre in self.gearing.fixed_idlers() {
+            parts::support(&mut list, centre, u);
         }
         self.gearing.draw(&mut list, u);
         // The first link, the crank as a rule, on top.
         for link in mechanism.link_ids().rev() {
             list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
+            let mut slots = guides.iter().filter(|guide| guide.is_slot_of(link));
+            if let Some(slot) = slots.next() {
+                slot.draw_slot(&mut list, outline, BAR * u, u);
+                continue;
+            }
             match outline[..] {
                 [] | [_] => {}
                 [from, to] if self.gearing.is_wheel(link) && !self.layout.is_bar(link) => {

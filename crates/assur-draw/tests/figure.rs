@@ -2,7 +2,7 @@
 #![allow(clippy::panic, reason = "that is how a test fails")]
 
 use assur::Point;
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{Draft, DraftDriver, Mechanism};
 use assur::motion::Motion;
 use assur_draw::{Figure, Overlays, Role, View};
 
@@ -100,6 +100,142 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
             .collect();
         assert_eq!(named, ["A", "B", "C", "M", "D", "E"]);
     }
+}
+
+/// The records of a drawing that are in the coordinates of a body.
+fn on_body(figure: &Figure, body: usize) -> Vec<Vec<f32>> {
+    let mut on = 0;
+    let records = records(figure.rigid().numbers()).into_iter();
+    let of_body = records.filter(|record| {
+        if record[0] == 0.0 {
+            on = record[1] as usize;
+        }
+        on == body && record[0] != 0.0
+    });
+    of_body.collect()
+}
+
+/// The unit of symbols: a hinge is 1.1 of it.
+fn unit(figure: &Figure) -> f64 {
+    let records = records(figure.rigid().numbers());
+    let mut hinges = records.iter().filter(|record| record[0] == 3.0);
+    f64::from(hinges.next().unwrap()[5]) / 1.1
+}
+
+/// A block stands on a hatched line all along its stroke; its pin is off the line. A lever
+/// goes through its block, which hides it.
+#[test]
+fn blocks_stand_on_their_guides() {
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let mechanism = motion.mechanism();
+    let figure = figure(&motion, Overlays::default());
+    let unit = unit(&figure);
+    let [half_length, half_width] = [2.6 * unit, 1.7 * unit];
+    let c = mechanism.point("C").unwrap();
+    let places = (0..720).map(|k| {
+        let pose = motion.pose::<1>(f64::from(k).to_radians() / 2.0).unwrap();
+        mechanism.place(&pose, c).place().x
+    });
+    let [low, high] = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+        [low.min(x), high.max(x)]
+    });
+    let level = 0.3 - half_width;
+    let frame = on_body(&figure, 0);
+    let is_line = |record: &&Vec<f32>| record[0] == 2.0 && record[2] == 2.0 && record[3] == 2.0;
+    let mut lines = frame.iter().filter(is_line).map(|record| {
+        let [x, y, to_x, to_y] = [4, 5, 6, 7].map(|i| f64::from(record[i]));
+        assert!((y - to_y).abs() < 1e-6, "a level line");
+        [x, to_x, y]
+    });
+    let [from, to, _] = lines.find(|line| (line[2] - level).abs() < 1e-6).unwrap();
+    assert!(from < low - half_length && high + half_length < to);
+    let strokes = frame.iter().filter(|record| {
+        let begins = record[0] == 2.0 && (f64::from(record[5]) - level).abs() < 1e-6;
+        begins && record[2] == 4.0
+    });
+    let strokes: Vec<f64> = strokes.map(|record| f64::from(record[7])).collect();
+    assert!(strokes.len() > 10 && strokes.iter().all(|y| *y < level - 0.5 * unit));
+
+    // Paper below, so that nothing is seen through it, and a pale block on it.
+    for link in ["slider", "block"] {
+        let link = mechanism.link(link).unwrap();
+        let body = on_body(&figure, link.index() + 1);
+        let polygons = body.iter().filter(|record| record[0] == 1.0);
+        let looks: Vec<[f32; 4]> = polygons.map(|it| [it[1], it[2], it[3], it[4]]).collect();
+        let [paper, own] = [Role::Paper, figure.drawn_role(link)].map(|role| f32::from(role as u8));
+        assert!(looks.ends_with(&[[paper, 0.0, 1.0, 4.0], [own, 1.0, 1.0, 4.0]]));
+    }
+}
+
+/// A yoke is a slot with an arm to its own block, not a bar; two ways on the frame that cross
+/// are channels, open where they do.
+#[test]
+fn yokes_have_slots_and_crossing_ways_are_channels() {
+    let yoke = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.5, 0.75)
+        .point("S", 0.5, 1.5)
+        .point("T", 0.5, -1.5)
+        .point("D", 3.0, 0.0)
+        .point("G", 1.0, 0.0)
+        .point("H", 5.0, 0.0)
+        .fixed(&["A", "G", "H"])
+        .bar("crank", &["A", "B"])
+        .bar("block", &["B"])
+        .bar("yoke", &["T", "S", "D"])
+        .slide("block", "B", "yoke", ["T", "S"])
+        .slide("yoke", "D", "frame", ["G", "H"])
+        .crank("crank");
+    let motion = Motion::new(Mechanism::new(&yoke).unwrap());
+    let figure = figure_of(&motion);
+    let link = motion.mechanism().link("yoke").unwrap();
+    let body = on_body(&figure, link.index() + 1);
+    let polygons: Vec<_> = body.iter().filter(|record| record[0] == 1.0).collect();
+    let role = f32::from(figure.drawn_role(link) as u8);
+    // The arm with its light line, the slot with a hole, the block.
+    let [arm, light, slot, paper, block] = polygons[..] else {
+        panic!("{}", polygons.len());
+    };
+    assert_eq!([slot[1], slot[2], slot[3]], [role, 0.0, 2.0]);
+    assert_eq!([arm[1], arm[2], arm[3]], [role, 0.0, 1.0]);
+    let paper_role = f32::from(Role::Paper as u8);
+    assert_eq!(
+        [light[1], paper[1], block[1]],
+        [paper_role, paper_role, role]
+    );
+
+    let mut trammel = Draft::default()
+        .point("A", 1.5, 0.0)
+        .point("B", 0.0, 1.3)
+        .point("E", -3.0, 0.0)
+        .point("F", 3.0, 0.0)
+        .point("G", 0.0, -3.0)
+        .point("H", 0.0, 3.0)
+        .fixed(&["E", "F", "G", "H"])
+        .bar("level", &["A"])
+        .bar("upright", &["B"])
+        .bar("rod", &["A", "B"])
+        .slide("level", "A", "frame", ["E", "F"])
+        .slide("upright", "B", "frame", ["G", "H"]);
+    trammel.drivers.push(DraftDriver::Crank {
+        link: "rod".to_owned(),
+        base: "level".to_owned(),
+        rate: 1.0,
+    });
+    let motion = Motion::new(Mechanism::new(&trammel).unwrap());
+    let frame = on_body(&figure_of(&motion), 0);
+    let walls = frame
+        .iter()
+        .filter(|record| record[0] == 2.0 && record[2] == 2.0);
+    assert_eq!(walls.count(), 4);
+    let emptied = frame
+        .iter()
+        .filter(|record| record[0] == 1.0 && record[1] == paper_role);
+    assert_eq!(emptied.count(), 2);
+}
+
+fn figure_of(motion: &Motion) -> Figure {
+    Figure::new(motion, &View::default()).unwrap()
 }
 
 /// Where there is no pose there is no frame.

@@ -76,7 +76,8 @@ fn parts_are_painted_in_their_order_and_colours() {
     let [rocker, coupler, crank] =
         [Role::Rocker, Role::Coupler, Role::Crank].map(|role| role as u8);
     let (support, paper) = (Role::Secondary as u8, Role::Paper as u8);
-    let mut expected = vec![support; 2];
+    // Under A, D and the shaft of wheel 5.
+    let mut expected = vec![support; 3];
     // The ring with its four blades, wheel 4 with three.
     expected.extend([five; 5]);
     expected.extend([four; 4]);
