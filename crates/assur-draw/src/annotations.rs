@@ -19,12 +19,23 @@ pub struct Annotations {
     pub blades: Vec<(String, usize)>,
     /// Numbers of wheels.
     pub tags: Vec<Tag>,
-    /// The symbol of the input angle, whose arc is drawn then.
+    /// The symbol of the input angle, whose arc is drawn then; where a slide drives, an arrow
+    /// beside its block is.
     pub input: Option<String>,
     /// Symbols of vectors of the loops, each by its two points.
     pub loop_vectors: Vec<([String; 2], String)>,
     /// The positions that it was made for.
     pub given: Vec<GivenPosition>,
+}
+
+impl Annotations {
+    /// What any linkage has noted: how it is driven.
+    pub fn of_linkage() -> Self {
+        Self {
+            input: Some("φ₁".to_owned()),
+            ..Self::default()
+        }
+    }
 }
 
 /// A position that a linkage was made for; lines go from the first point to the second.

@@ -110,7 +110,7 @@ impl Figure {
         let given = Given::new(&view.annotations.given, &mut names);
 
         let runs = paths::sampled(motion);
-        let guides = slides::guides(&layout, mechanism, &home, &runs);
+        let guides = slides::guides(&layout, mechanism, &home, &runs, view);
         let path = |point: PointId| (point, paths::path(motion, &layout, &runs, point));
         let points = mechanism.point_ids();
         let (tracers, listed): (Vec<PointId>, Vec<PointId>) =

@@ -74,11 +74,23 @@ pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f
     let along = to - from;
     let length = along.norm();
     let along = along / length;
-    let head = along * (2.6 * unit).min(0.5 * length);
-    let across = Vector::new(-head.y, head.x) * 0.36;
-    let neck = to - head;
+    let neck = to - along * (HEAD * unit).min(0.5 * length);
     list.polyline(role, Look::Line, &[from, neck]);
-    list.polygons(role, Look::Solid, &[vec![to, neck + across, neck - across]]);
+    head(list, role, neck, to);
+}
+
+/// How long the head of an arrow is, in units, where there is room.
+pub(crate) const HEAD: f64 = 2.6;
+
+/// The head of an arrow, from its neck to its tip.
+pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
+    let along = tip - neck;
+    let across = Vector::new(-along.y, along.x) * 0.36;
+    list.polygons(
+        role,
+        Look::Solid,
+        &[vec![tip, neck + across, neck - across]],
+    );
 }
 
 /// How far hatching is seen beside its line, in units.

@@ -4,7 +4,7 @@
 use assur::Point;
 use assur::mechanism::{Draft, DraftDriver, Mechanism};
 use assur::motion::Motion;
-use assur_draw::{Figure, Overlays, Role, View};
+use assur_draw::{Annotations, Figure, Overlays, Role, View};
 
 use records::records;
 
@@ -235,7 +235,59 @@ fn yokes_have_slots_and_crossing_ways_are_channels() {
 }
 
 fn figure_of(motion: &Motion) -> Figure {
-    Figure::new(motion, &View::default()).unwrap()
+    let view = View {
+        annotations: Annotations::of_linkage(),
+        ..View::default()
+    };
+    Figure::new(motion, &view).unwrap()
+}
+
+/// The arc of a crank's angle ends in an arrow on the crank, at every angle; beside a block that
+/// drives is one along its way, off the line it stands on.
+#[test]
+fn what_drives_has_an_arrow() {
+    let tips = |records: &[Vec<f32>], role: Role| -> Vec<Point> {
+        let heads = records
+            .iter()
+            .filter(|record| record[..5] == [1.0, f32::from(role as u8), 0.0, 1.0, 3.0]);
+        let tips = heads.map(|head| Point::new(f64::from(head[5]), f64::from(head[6])));
+        tips.collect()
+    };
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let figure = figure_of(&motion);
+    let mechanism = motion.mechanism();
+    let crank = figure.drawn_role(mechanism.link("crank").unwrap());
+    let b = mechanism.point("B").unwrap();
+    for k in 0..72 {
+        let pose = motion.pose::<1>(f64::from(k) * 0.0873).unwrap();
+        let frame = figure.frame(&pose);
+        assert!(frame.iter().all(|x| x.is_finite()));
+        let moving = records(&frame[1 + 3 * frame[0] as usize..]);
+        let middle = mechanism.place(&pose, b).place() * 0.5;
+        let [tip] = tips(&moving, crank)[..] else {
+            panic!("{k}");
+        };
+        assert!((tip - middle).norm() < 1e-6, "{k}: {tip}");
+    }
+    let mut driven = draft();
+    driven.drivers = vec![DraftDriver::Slide {
+        slide: 0,
+        range: [2.0, 2.3],
+        rate: 1.0,
+    }];
+    let motion = Motion::new(Mechanism::new(&driven).unwrap());
+    let figure = figure_of(&motion);
+    let link = motion.mechanism().link("slider").unwrap();
+    let body = on_body(&figure, link.index() + 1);
+    // Seen from the pin: ahead of the block and above it.
+    let [tip] = tips(&body, figure.drawn_role(link))[..] else {
+        panic!("no arrow");
+    };
+    let unit = unit(&figure);
+    assert!(
+        (tip - Point::new(4.0 * unit, 3.4 * unit)).norm() < 1e-4 * unit,
+        "{tip} {unit}"
+    );
 }
 
 /// Where there is no pose there is no frame.

@@ -1,8 +1,9 @@
 //! Blocks and the guides they slide on.
 
-use assur::mechanism::{DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{DraftDriver, DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
+use super::View;
 use super::layout::{self, Layout};
 use super::paths::Run;
 use crate::list::{List, Look, Role};
@@ -14,6 +15,9 @@ const BLOCK: [f64; 2] = [2.6, 1.7];
 const BEYOND: f64 = 5.0;
 /// Half the width of what is around a slot, in units.
 const AROUND_SLOT: f64 = 2.4;
+/// Half the length of the arrow of a block that drives, and how far it is off the block's middle, in units.
+const ARROW: f64 = 4.0;
+const BESIDE: f64 = 3.4;
 /// A channel is emptied up to so far from its walls, in units.
 const WALL: f64 = 0.15;
 /// Of so many poses of a motion one is looked at for the side of a guide.
@@ -37,6 +41,8 @@ pub(super) struct Guide {
     point: Point,
     middle: Point,
     direction: Vector,
+    /// Whether it drives the mechanism, and that is shown.
+    driven: bool,
 }
 
 /// What a block slides on.
@@ -58,8 +64,13 @@ pub(super) fn guides(
     mechanism: &Mechanism,
     home: &Pose<1>,
     runs: &[Run],
+    view: &View,
 ) -> Vec<Guide> {
-    let guide = |slide: &DraftSlide| -> Option<Guide> {
+    let driver = match mechanism.draft().drivers.first() {
+        Some(DraftDriver::Slide { slide, .. }) if view.annotations.input.is_some() => Some(*slide),
+        _ => None,
+    };
+    let guide = |(index, slide): (usize, &DraftSlide)| -> Option<Guide> {
         let link = mechanism.link(&slide.link)?;
         let on = mechanism.link(&slide.on);
         let point = mechanism.point(&slide.point)?;
@@ -103,9 +114,11 @@ pub(super) fn guides(
             point: at,
             middle: at - layout::turned(off, on_angle - angle),
             direction: layout::turned(along, on_angle - angle),
+            driven: driver == Some(index),
         })
     };
-    let mut guides: Vec<Guide> = mechanism.draft().slides.iter().filter_map(guide).collect();
+    let slides = mechanism.draft().slides.iter().enumerate();
+    let mut guides: Vec<Guide> = slides.filter_map(guide).collect();
     let crossing = |guide: &Guide| guides.iter().any(|other| guide.crosses(other));
     let crossing: Vec<bool> = guides.iter().map(crossing).collect();
     for (guide, crossing) in guides.iter_mut().zip(crossing) {
@@ -232,6 +245,15 @@ impl Guide {
         let corners = parts::rectangle(self.middle, half);
         list.polygons(Role::Paper, Look::Solid, &[corners.clone()]);
         list.polygons(self.role, Look::Pale, &[corners]);
+        if self.driven {
+            let free = match self.way {
+                Way::Line(side) => -side.dot(&self.across()).signum(),
+                _ => 1.0,
+            };
+            let beside = self.middle - across * (free * BESIDE * u);
+            let half = self.direction * (ARROW * u);
+            parts::arrow(list, self.role, beside - half, beside + half, u);
+        }
     }
 
     /// The ends of what is drawn of the way: the block stands on it all along its stroke.

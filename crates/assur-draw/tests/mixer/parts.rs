@@ -26,12 +26,12 @@ fn lists_are_whole_and_bodies_have_poses() {
         assert!(named.clone().count() > 5);
         assert!(named.clone().all(|record| (record[1] as usize) < bodies));
         assert!(drawn.figure.rigid().numbers().iter().all(|x| x.is_finite()));
-        // The joints and the wheels have their names, φ₁ its arc.
+        // The joints and the wheels have their names, φ₁ its arc with a head and a base.
         let moving = drawn.moving(1.0);
         let labels = moving.iter().filter(|record| record[0] == 4.0);
         let labels: Vec<&str> = labels.map(|label| drawn.text(label)).collect();
         assert_eq!(labels, ["A", "B", "C", "D", "4", "5", "φ₁=input"]);
-        assert_eq!(moving.len(), labels.len() + 1);
+        assert_eq!(moving.len(), labels.len() + 3);
     }
 }
 

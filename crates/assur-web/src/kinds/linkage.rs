@@ -30,10 +30,7 @@ impl Linkage {
         let moving = Moving::new(
             &state.view,
             moved,
-            Annotations {
-                input: Some("φ₁".to_owned()),
-                ..Annotations::default()
-            },
+            Annotations::of_linkage(),
             quantities,
             Box::new(explain),
         )?;
