@@ -87,7 +87,7 @@ export class MechanismView {
   paint(target, theme, newPath) {
     if (!this.#snapshot) return;
     const { view } = this;
-    const figure = new Figure(this.#engine, theme, newPath);
+    const figure = new Figure(this.#engine, theme, newPath, this.#figure.places);
     figure.take(this.#snapshot);
     figure.paintGround(target, this.#surface, view);
     figure.paintMoving(target, view);
