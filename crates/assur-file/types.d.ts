@@ -50,6 +50,10 @@ transmission: boolean,
  */
 groups: boolean, 
 /**
+ * Numbers of the links shown.
+ */
+numbers: boolean, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 

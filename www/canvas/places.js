@@ -1,6 +1,9 @@
 // Where the labels of a drawing stand: each where the drawing wants it, or, where another label is, on another side of its point.
 
-/** @typedef {import("assur/canvas/painter.js").Box} Box */
+/**
+ * @typedef {import("assur/canvas/painter.js").Box} Box
+ * @typedef {Readonly<{ width: number, height: number }>} Sheet in CSS pixels
+ */
 
 /**
  * Where about its point a label may stand, by factors of how far it is off it along x and y: where it is wanted comes first,
@@ -21,10 +24,16 @@ export class Places {
   #taken = [];
   /** @type {Map<string, number>} the sides of the labels that are not where they are wanted */
   #moved = new Map();
+  /** @type {Sheet} */
+  #sheet = { width: 0, height: 0 };
 
-  /** All labels are going to be placed. */
-  begin() {
+  /**
+   * All labels are going to be placed.
+   * @param {Sheet} sheet that they stay on, if their points are
+   */
+  begin(sheet) {
     this.#taken = [];
+    this.#sheet = sheet;
   }
 
   /**
@@ -36,7 +45,11 @@ export class Places {
    * @returns {{ x: number, y: number, free: boolean }} its middle; where no side is free, that which is wanted
    */
   take(label, { x, y, dx, dy }, width, height) {
-    const on = (/** @type {number} */ side) => ({ x: x + SIDES[side][0] * dx, y: y + SIDES[side][1] * dy });
+    const sheet = this.#sheet;
+    const on = (/** @type {number} */ side) => ({
+      x: within(x, x + SIDES[side][0] * dx, width / 2, sheet.width),
+      y: within(y, y + SIDES[side][1] * dy, height / 2, sheet.height),
+    });
     const free = (/** @type {number} */ side, room = 0) => this.#isFree(boxOf(on(side), width + room, height + room));
     const last = this.#moved.get(label) ?? 0;
     const back = last === 0 ? 0 : ROOM * height;
@@ -53,6 +66,17 @@ export class Places {
   #isFree(box) {
     return this.#taken.every((it) => box.right <= it.left || it.right <= box.left || box.bottom <= it.top || it.bottom <= box.top);
   }
+}
+
+/**
+ * @param {number} point
+ * @param {number} wanted
+ * @param {number} half of what shall be there
+ * @param {number} length of the sheet
+ * @returns {number} the place nearest to the wanted one on the sheet; of a point off the sheet, that which is wanted
+ */
+function within(point, wanted, half, length) {
+  return point < 0 || point > length || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);
 }
 
 /**

@@ -109,13 +109,14 @@ export class Figure {
   /**
    * @param {Target} target
    * @param {Transform} view
+   * @param {Size} size of what is painted on
    * @param {boolean} small whether there is little room
    */
-  paintLabels(target, view, small) {
+  paintLabels(target, view, size, small) {
     const snapshot = this.#snapshot;
     if (!snapshot) return;
     const write = (/** @type {string} */ label) => labelText(label, snapshot);
-    this.#places.begin();
+    this.#places.begin(size);
     for (const layers of [this.#still, this.#rigid, this.#changing]) {
       this.#painter.labels(target, layers, view, this.#poses, write, this.#places, small);
     }

@@ -98,7 +98,7 @@ export class MechanismView {
       figure.take(this.#snapshot);
       figure.paintGround(target, size, view);
       figure.paintMoving(target, view);
-      figure.paintLabels(target, view, this.#small);
+      figure.paintLabels(target, view, size, this.#small);
     };
     return { size, paint };
   }
@@ -209,7 +209,7 @@ export class MechanismView {
     this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
-    this.#figure.paintLabels(this.#surface, view, this.#small);
+    this.#figure.paintLabels(this.#surface, view, this.#surface, this.#small);
   }
 
   /** @param {Transform} view */

@@ -6,6 +6,7 @@ mod given;
 mod layout;
 mod names;
 mod nearest;
+mod numbers;
 mod overlaid;
 mod paths;
 mod plots;
@@ -24,6 +25,7 @@ use crate::parts;
 use given::Given;
 use layout::Layout;
 use names::Names;
+use numbers::Number;
 use overlaid::Overlaid;
 use paths::Path;
 use slides::Guide;
@@ -81,6 +83,7 @@ pub struct Figure {
     gearing: Gearing,
     names: Names,
     overlaid: Overlaid,
+    numbers: Vec<Number>,
     given: Given,
     /// Numbers of wheels: each where it stands in a pose, and its name.
     tags: Vec<(LinkId, Tag, usize)>,
@@ -107,6 +110,11 @@ impl Figure {
         });
         let tags = tags.collect();
         let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
+        let numbers = if view.overlays.numbers {
+            numbers::numbers(mechanism, &layout, &home, view, &mut names)
+        } else {
+            Vec::new()
+        };
         let given = Given::new(&view.annotations.given, &mut names);
 
         let runs = paths::sampled(motion);
@@ -161,6 +169,7 @@ impl Figure {
             gearing,
             names,
             overlaid,
+            numbers,
             given,
             tags,
             rigid: List::default(),
@@ -344,6 +353,9 @@ impl Figure {
                 list.body(layout::number(Some(link)));
                 overlays::mass(&mut list, at, u);
             }
+        }
+        for number in &self.numbers {
+            number.draw(&mut list, u);
         }
         self.rigid = list;
     }

@@ -51,6 +51,7 @@ const TRACES: Overlays = Overlays {
     loop_vectors: false,
     transmission: false,
     groups: false,
+    numbers: false,
 };
 
 #[test]
@@ -240,6 +241,44 @@ fn figure_of(motion: &Motion) -> Figure {
         ..View::default()
     };
     Figure::new(motion, &view).unwrap()
+}
+
+/// Each link has its number once, in the order of the document, a bar on itself; the frame has 0 at
+/// each support. They are not there where they are not asked for.
+#[test]
+fn links_have_their_numbers() {
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let mechanism = motion.mechanism();
+    let numbers = Overlays {
+        numbers: true,
+        ..Overlays::default()
+    };
+    let [plain, figure] = [Overlays::default(), numbers].map(|shown| figure(&motion, shown));
+    let labels = |figure: &Figure, body: usize| -> Vec<(String, Point)> {
+        let records = on_body(figure, body);
+        let labels = records.iter().filter(|record| record[0] == 4.0);
+        let read = labels.map(|it| {
+            let at = Point::new(f64::from(it[3]), f64::from(it[4]));
+            (figure.names()[it[2] as usize].clone(), at)
+        });
+        read.collect()
+    };
+    let frame: Vec<String> = labels(&figure, 0)
+        .into_iter()
+        .map(|(text, _)| text)
+        .collect();
+    assert_eq!(frame, ["0", "0"]);
+    for link in mechanism.link_ids() {
+        let body = link.index() + 1;
+        assert!(labels(&plain, body).is_empty());
+        let [(text, at)] = &labels(&figure, body)[..] else {
+            panic!("{body}");
+        };
+        assert_eq!(*text, body.to_string());
+        if ["crank", "lever"].contains(&mechanism.link_name(link)) {
+            assert!(at.x > 0.2 && at.y.abs() < 1e-6, "{text}: {at}");
+        }
+    }
 }
 
 /// The arc of a crank's angle ends in an arrow on the crank, at every angle; beside a block that

@@ -200,7 +200,7 @@ impl InputArc {
         parts::head(list, self.role, at(neck), at(1.0));
         // Of a small angle the name stands below its arms.
         let middle = along(from + 0.5 * turn - BELOW * (1.0 - turn / SMALL).max(0.0));
-        let off = [2.4 * middle.x, 1.1 * middle.y];
+        let off = [3.1 * middle.x, 1.1 * middle.y];
         list.name(self.role, self.name, centre + middle * self.radius, off);
     }
 }
