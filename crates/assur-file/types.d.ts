@@ -218,6 +218,10 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
+ * The height of the ground that it stands on, where it is drawn.
+ */
+ground?: number | null, 
+/**
  * The full width of the band within which the first quantity that is plotted
  * counts as dwelling: degrees of an angle, else in the unit of the lengths.
  */

@@ -26,13 +26,17 @@ pub struct Annotations {
     pub loop_vectors: Vec<([String; 2], String)>,
     /// The positions that it was made for.
     pub given: Vec<GivenPosition>,
+    /// The height of the ground that it stands on. Where that is farther off than the drawing is
+    /// large, none is drawn.
+    pub ground: Option<f64>,
 }
 
 impl Annotations {
-    /// What any linkage has noted: how it is driven.
-    pub fn of_linkage() -> Self {
+    /// What any linkage has noted: how it is driven, and its ground, if it has one.
+    pub fn of_linkage(ground: Option<f64>) -> Self {
         Self {
             input: Some("φ₁".to_owned()),
+            ground,
             ..Self::default()
         }
     }
@@ -128,6 +132,7 @@ impl From<&Mixer> for Annotations {
             input: Some("φ₁".to_owned()),
             loop_vectors: vectors.to_vec(),
             given: Vec::new(),
+            ground: None,
         }
     }
 }

@@ -155,7 +155,8 @@ impl Figure {
         });
         let symbols = supports.flatten();
         let symbols = symbols.chain(guides.iter().flat_map(|guide| guide.reach(unit)));
-        let base = bounds::grown(base, symbols, size);
+        let ground = slides::ground(base, size, view.annotations.ground);
+        let base = bounds::grown(base, symbols.chain(ground.into_iter().flatten()), size);
         let curves = traced
             .iter()
             .flat_map(|(_, paths)| paths)
@@ -180,7 +181,7 @@ impl Figure {
             .map(|point| (point, paths::path(motion, &figure.layout, &runs, point)))
             .chain(traced)
             .collect();
-        figure.draw(&home, &guides, &seen, view);
+        figure.draw(&home, &guides, ground, &seen, view);
         Ok(figure)
     }
 
@@ -284,7 +285,14 @@ impl Figure {
         [off.x, off.y]
     }
 
-    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], seen: &[Ways], view: &View) {
+    fn draw(
+        &mut self,
+        home: &Pose<1>,
+        guides: &[Guide],
+        ground: Option<[Point; 3]>,
+        seen: &[Ways],
+        view: &View,
+    ) {
         let (u, mechanism) = (self.unit, self.motion.mechanism());
         let mut list = List::default();
         for (point, paths) in seen {
@@ -295,6 +303,9 @@ impl Figure {
             }
         }
         self.given.draw(&mut list, u);
+        if let Some([from, to, _]) = ground {
+            parts::hatched(&mut list, [from, to], -Vector::y(), u);
+        }
         for guide in guides {
             guide.draw_line(&mut list, u);
         }

@@ -237,10 +237,40 @@ fn yokes_have_slots_and_crossing_ways_are_channels() {
 
 fn figure_of(motion: &Motion) -> Figure {
     let view = View {
-        annotations: Annotations::of_linkage(),
+        annotations: Annotations::of_linkage(None),
         ..View::default()
     };
     Figure::new(motion, &view).unwrap()
+}
+
+/// The ground is a hatched line below all of the drawing; one out of sight is not drawn.
+#[test]
+fn legs_stand_on_the_ground() {
+    let motion = Motion::new(Mechanism::new(&draft()).unwrap());
+    let lines = |ground: Option<f64>| {
+        let view = View {
+            annotations: Annotations::of_linkage(ground),
+            ..View::default()
+        };
+        let figure = Figure::new(&motion, &view).unwrap();
+        let frame = on_body(&figure, 0);
+        let level = |y: f32| ground.is_some_and(|ground| (f64::from(y) - ground).abs() < 1e-6);
+        let on_ground = frame
+            .iter()
+            .filter(|it| it[0] == 2.0 && it[3] == 2.0 && level(it[5]));
+        let ends: Vec<[f32; 3]> = on_ground.map(|it| [it[4], it[6], it[7]]).collect();
+        (ends, figure.bounds())
+    };
+    let (none, plain) = lines(None);
+    assert!(none.is_empty());
+    let (ends, bounds) = lines(Some(-4.0));
+    let [from, to, _] = ends[0].map(f64::from);
+    assert!(from < plain[0] && plain[2] < to && bounds[1] < -4.0);
+    assert!(ends.len() > 20 && ends[1..].iter().all(|[_, _, y]| *y < -4.0));
+    for far in [-1e300, 1e300, f64::NAN] {
+        let (ends, bounds) = lines(Some(far));
+        assert!(ends.is_empty() && bounds == plain, "{far}");
+    }
 }
 
 /// Each link has its number once, in the order of the document, a bar on itself; the frame has 0 at

@@ -1,4 +1,4 @@
-//! Blocks and the guides they slide on.
+//! Blocks and the guides they slide on; the ground that legs stand on.
 
 use assur::mechanism::{DraftDriver, DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
@@ -149,6 +149,21 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
         [below + off.dot(&down), far + off.norm()]
     });
     if below > ONE_SIDED * far { -down } else { down }
+}
+
+/// The line of ground below a drawing: its ends, and how far down its hatching goes.
+pub(super) fn ground(
+    [left, bottom, right, top]: [f64; 4],
+    size: f64,
+    height: Option<f64>,
+) -> Option<[Point; 3]> {
+    let height = height.filter(|y| (bottom - size..=top + size).contains(y))?;
+    let [u, hatch] = [size / 100.0, parts::HATCH * size / 100.0];
+    Some([
+        Point::new(left - BEYOND * u, height),
+        Point::new(right + BEYOND * u, height),
+        Point::new(right, height - hatch),
+    ])
 }
 
 impl Guide {

@@ -27,10 +27,11 @@ impl Linkage {
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
         let quantities = Quantity::all(moved.motion.mechanism());
+        let ground = moved.document.ground;
         let moving = Moving::new(
             &state.view,
             moved,
-            Annotations::of_linkage(),
+            Annotations::of_linkage(ground),
             quantities,
             Box::new(explain),
         )?;
