@@ -50,6 +50,10 @@ transmission: boolean,
  */
 groups: boolean, 
 /**
+ * Numbers of the links shown.
+ */
+numbers: boolean, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 
@@ -227,6 +231,10 @@ plots?: Array<string>,
  * The points whose paths are drawn.
  */
 traces?: Array<string>, 
+/**
+ * The height of the ground that it stands on, where it is drawn.
+ */
+ground?: number | null, 
 /**
  * The full width of the band within which the first quantity that is plotted
  * counts as dwelling: degrees of an angle, else in the unit of the lengths.

@@ -7,6 +7,7 @@ use assur::{Assembly, FourBar, Swing};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
 use assur_draw::{Figure, Overlays, View};
+use assur_file::from_catalogue;
 use assur_tests::{angle_between, assert_near};
 
 use super::{at, moved, quantity, range, stroke, strokes, time_ratio};
@@ -276,6 +277,9 @@ fn walkers() {
         ),
     ] {
         let motion = moved(name);
+        // The foot comes down to the ground that is drawn, and not below it.
+        let ground = from_catalogue(name).unwrap().unwrap().ground.unwrap();
+        assert!((0.0..0.001).contains(&(low - ground)), "{name}: {ground}");
         for (axis, expected) in [("x", [left, right]), ("y", [low, high])] {
             let found = range(&motion, &format!("{foot}.{axis}"));
             for (found, expected) in found.into_iter().zip(expected) {

@@ -25,6 +25,7 @@ mod gear_train_reader;
 mod hands;
 mod keyboard;
 mod keys;
+mod labels;
 mod layout;
 mod lesson;
 mod loading;

@@ -56,6 +56,9 @@ pub struct View {
     /// Links in the colours of their Assur groups.
     #[serde(default)]
     pub groups: bool,
+    /// Numbers of the links shown.
+    #[serde(default)]
+    pub numbers: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
@@ -177,6 +180,7 @@ impl Default for View {
             loop_vectors: false,
             transmission: false,
             groups: false,
+            numbers: false,
             plot: angles(),
             only: Only::default(),
             axes: Axes::default(),

@@ -345,6 +345,7 @@ fn overlays(view: &View) -> Overlays {
         loop_vectors: view.loop_vectors,
         transmission: view.transmission,
         groups: view.groups,
+        numbers: view.numbers,
     }
 }
 

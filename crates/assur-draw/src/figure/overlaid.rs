@@ -11,11 +11,16 @@ use super::layout::{self, Layout};
 use super::names::Names;
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
+use crate::parts;
 
 /// Inputs of an arc that are looked at for the lengths of vectors.
 const SAMPLES: u32 = 180;
 /// The tips of vectors are named where no more points than this have them.
 const MOST_NAMED: usize = 3;
+
+/// An input angle below the one, radians, has its name up to the other off its middle.
+const SMALL: f64 = 0.8;
+const BELOW: f64 = 0.6;
 
 /// The overlays of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
@@ -127,7 +132,7 @@ impl Overlaid {
         unit: f64,
     ) {
         if let Some(arc) = &self.input {
-            arc.draw(list, mechanism, pose);
+            arc.draw(list, mechanism, pose, unit);
         }
         let place = |point: PointId| mechanism.place(pose, point).place();
         for (ends, name) in &self.loop_vectors {
@@ -173,19 +178,30 @@ impl InputArc {
         })
     }
 
-    /// From the base's direction to the link's, with the name at its middle.
-    fn draw<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
+    /// An arrow from the base's direction to the link's, with the name at its middle.
+    fn draw<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
         let angle = |link: LinkId| mechanism.angle(pose, link).value();
         let from = self.base.map_or(0.0, angle);
         let turn = (angle(self.link) - from).rem_euclid(TAU);
         let centre = mechanism.place(pose, self.pivot).place();
         let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
         let at = |share: f64| centre + along(from + turn * share) * self.radius;
-        let points: Vec<Point> = (0..=48).map(|i| at(f64::from(i) / 48.0)).collect();
+        let neck = 1.0 - (parts::HEAD * unit / (turn * self.radius)).min(0.5);
+        let points: Vec<Point> = (0..=48).map(|i| at(neck * f64::from(i) / 48.0)).collect();
+        let base = [centre, centre + along(from) * (1.2 * self.radius)];
+        list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
-        let middle = along(from + 0.5 * turn);
-        let off = [2.4 * middle.x, 1.1 * middle.y];
-        list.name(self.role, self.name, at(0.5), off);
+        parts::head(list, self.role, at(neck), at(1.0));
+        // Of a small angle the name stands below its arms.
+        let middle = along(from + 0.5 * turn - BELOW * (1.0 - turn / SMALL).max(0.0));
+        let off = [3.1 * middle.x, 1.1 * middle.y];
+        list.name(self.role, self.name, centre + middle * self.radius, off);
     }
 }
 

@@ -22,6 +22,7 @@ fn state() -> State {
             loop_vectors: false,
             transmission: true,
             groups: true,
+            numbers: false,
             plot: "C2".to_owned(),
             only: Only::First,
             axes: Axes::Physical,
