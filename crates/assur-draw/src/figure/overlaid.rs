@@ -18,6 +18,8 @@ const SAMPLES: u32 = 180;
 /// The tips of vectors are named where no more points than this have them.
 const MOST_NAMED: usize = 3;
 
+/// The largest radius of the arc of the input, in units.
+const LARGEST: f64 = 10.0;
 /// An input angle below the one, radians, has its name up to the other off its middle.
 const SMALL: f64 = 0.8;
 const BELOW: f64 = 0.6;
@@ -191,17 +193,18 @@ impl InputArc {
         let turn = (angle(self.link) - from).rem_euclid(TAU);
         let centre = mechanism.place(pose, self.pivot).place();
         let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
-        let at = |share: f64| centre + along(from + turn * share) * self.radius;
-        let neck = 1.0 - (parts::HEAD * unit / (turn * self.radius)).min(0.5);
+        let radius = self.radius.min(LARGEST * unit);
+        let at = |share: f64| centre + along(from + turn * share) * radius;
+        let neck = 1.0 - (parts::HEAD * unit / (turn * radius)).min(0.5);
         let points: Vec<Point> = (0..=48).map(|i| at(neck * f64::from(i) / 48.0)).collect();
-        let base = [centre, centre + along(from) * (1.2 * self.radius)];
+        let base = [centre, centre + along(from) * (1.2 * radius)];
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
         // Of a small angle the name stands below its arms.
         let middle = along(from + 0.5 * turn - BELOW * (1.0 - turn / SMALL).max(0.0));
         let off = [3.1 * middle.x, 1.1 * middle.y];
-        list.name(self.role, self.name, centre + middle * self.radius, off);
+        list.name(self.role, self.name, centre + middle * radius, off);
     }
 }
 
