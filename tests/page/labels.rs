@@ -62,7 +62,10 @@ async fn labels_keep_off_each_other() {
         }
         last = Some(labels);
     }
-    for (jumps, label) in jumps.iter().zip(last.unwrap()) {
+    // The tips of vectors are that fast themselves.
+    let last = last.unwrap().into_iter().zip(&jumps);
+    let steady = last.filter(|(label, _)| !label.0.ends_with(['′', '″']));
+    for (label, jumps) in steady {
         let restless = jumps.windows(2).any(|two| two[1] - two[0] < 2);
         assert!(!restless && jumps.len() <= 8, "{label:?}: {jumps:?}");
     }

@@ -73,10 +73,10 @@ export class Places {
  * @param {number} wanted
  * @param {number} half of what shall be there
  * @param {number} length of the sheet
- * @returns {number} the place nearest to the wanted one on the sheet; of a point off the sheet, that which is wanted
+ * @returns {number} the place nearest to the wanted one on the sheet; of a point farther off the sheet, that which is wanted
  */
 function within(point, wanted, half, length) {
-  return point < 0 || point > length || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);
+  return point < -half || point > length + half || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);
 }
 
 /**

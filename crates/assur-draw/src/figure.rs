@@ -109,7 +109,7 @@ impl Figure {
             Some((link, tag.clone(), names.add(tag.text.clone())))
         });
         let tags = tags.collect();
-        let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
+        let mut overlaid = Overlaid::new(motion, &layout, &home, view, &mut names);
         let numbers = if view.overlays.numbers {
             numbers::numbers(mechanism, &layout, &home, view, &mut names)
         } else {

@@ -298,7 +298,9 @@ fn on_body(figure: &Figure, body: usize) -> Vec<Vec<f32>> {
 fn unit(figure: &Figure) -> f64 {
     let records = records(figure.rigid().numbers());
     let mut hinges = records.iter().filter(|record| record[0] == 3.0);
-    f64::from(hinges.next().unwrap()[5]) / 1.1
+    hinges
+        .next()
+        .map_or(f64::NAN, |hinge| f64::from(hinge[5]) / 1.1)
 }
 
 /// A block stands on a hatched line all along its stroke; its pin is off the line. A lever
@@ -418,7 +420,7 @@ fn figure_of(motion: &Motion) -> Figure {
         annotations: Annotations::of_linkage(None),
         ..View::default()
     };
-    Figure::new(motion, &view).unwrap()
+    Figure::new(motion, &view).unwrap_or_else(|unsolved| panic!("{unsolved}"))
 }
 
 /// The ground is a hatched line below all of the drawing; one out of sight is not drawn.
@@ -535,4 +537,44 @@ fn what_drives_has_an_arrow() {
         (tip - Point::new(4.0 * unit, 3.4 * unit)).norm() < 1e-4 * unit,
         "{tip} {unit}"
     );
+}
+
+
+/// Watt's line: its rocker goes from −75° to 34°.
+fn rocker() -> Draft {
+    Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 4.0, 0.0)
+        .point("C", 4.0, -3.0)
+        .point("D", 8.0, -3.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank")
+}
+
+/// A rocker, whose angle counts from below zero: its arc goes down to a negative angle.
+#[test]
+fn negative_angles_go_the_other_way() {
+    let motion = Motion::new(Mechanism::new(&rocker()).unwrap());
+    let figure = figure_of(&motion);
+    let link = motion.mechanism().link("crank").unwrap();
+    let role = f32::from(figure.drawn_role(link) as u8);
+    for input in [-0.6, 0.5] {
+        let frame = figure.frame(&motion.pose::<1>(input).unwrap());
+        let moving = records(&frame[1 + 3 * frame[0] as usize..]);
+        let mut arcs = moving
+            .iter()
+            .filter(|it| it[0] == 2.0 && it[1] == role && it[3] > 40.0);
+        let arc = arcs.next().unwrap();
+        let [from, to] = [&arc[4..6], &arc[arc.len() - 2..]];
+        let spanned = f64::from(to[1].atan2(to[0]) - from[1].atan2(from[0]));
+        assert!(
+            spanned * input > 0.0 && spanned.abs() < input.abs(),
+            "{spanned}"
+        );
+        let middle = &arc[4 + 48..];
+        assert!(f64::from(middle[1]) * input > 0.0 && middle[0] > 0.0);
+    }
 }

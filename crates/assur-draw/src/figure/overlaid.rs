@@ -18,6 +18,8 @@ const SAMPLES: u32 = 180;
 /// The tips of vectors are named where no more points than this have them.
 const MOST_NAMED: usize = 3;
 
+/// The largest radius of the arc of the input, in units.
+const LARGEST: f64 = 10.0;
 /// An input angle below the one, radians, has its name up to the other off its middle.
 const SMALL: f64 = 0.8;
 const BELOW: f64 = 0.6;
@@ -42,22 +44,24 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
+    /// The angle from which on it counts: below zero it goes the other way.
+    least: f64,
     role: Role,
     name: usize,
 }
 
 impl Overlaid {
     pub(super) fn new(
-        mechanism: &Mechanism,
+        motion: &Motion,
         layout: &Layout,
         home: &Pose<1>,
         view: &View,
         names: &mut Names,
     ) -> Self {
-        let shown = view.overlays;
+        let (mechanism, shown) = (motion.mechanism(), view.overlays);
         let dyads = mechanism.rrr_dyads();
         let mut overlaid = Self {
-            input: InputArc::new(mechanism, layout, home, view, names),
+            input: InputArc::new(motion, layout, home, view, names),
             loop_vectors: Vec::new(),
             transmission: Vec::new(),
             vectors: Vec::new(),
@@ -152,12 +156,13 @@ impl Overlaid {
 
 impl InputArc {
     fn new(
-        mechanism: &Mechanism,
+        motion: &Motion,
         layout: &Layout,
         home: &Pose<1>,
         view: &View,
         names: &mut Names,
     ) -> Option<Self> {
+        let mechanism = motion.mechanism();
         let symbol = view.annotations.input.as_ref()?;
         let Some(DraftDriver::Crank { link, base, .. }) = mechanism.draft().drivers.first() else {
             return None;
@@ -173,6 +178,7 @@ impl InputArc {
             base,
             pivot,
             radius: 0.5 * arms.find(|arm| *arm > 0.0)?,
+            least: motion.cycle().axis()[0],
             role: layout.drawn_role(link),
             name: names.add(format!("{symbol}=input")),
         })
@@ -188,20 +194,22 @@ impl InputArc {
     ) {
         let angle = |link: LinkId| mechanism.angle(pose, link).value();
         let from = self.base.map_or(0.0, angle);
-        let turn = (angle(self.link) - from).rem_euclid(TAU);
+        let turn = self.least + (angle(self.link) - from - self.least).rem_euclid(TAU);
         let centre = mechanism.place(pose, self.pivot).place();
         let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
-        let at = |share: f64| centre + along(from + turn * share) * self.radius;
-        let neck = 1.0 - (parts::HEAD * unit / (turn * self.radius)).min(0.5);
+        let radius = self.radius.min(LARGEST * unit);
+        let at = |share: f64| centre + along(from + turn * share) * radius;
+        let neck = 1.0 - (parts::HEAD * unit / (turn.abs() * radius)).min(0.5);
         let points: Vec<Point> = (0..=48).map(|i| at(neck * f64::from(i) / 48.0)).collect();
-        let base = [centre, centre + along(from) * (1.2 * self.radius)];
+        let base = [centre, centre + along(from) * (1.2 * radius)];
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // Of a small angle the name stands below its arms.
-        let middle = along(from + 0.5 * turn - BELOW * (1.0 - turn / SMALL).max(0.0));
+        // Of a small angle the name stands beside its arms.
+        let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
+        let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];
-        list.name(self.role, self.name, centre + middle * self.radius, off);
+        list.name(self.role, self.name, centre + middle * radius, off);
     }
 }
 

@@ -258,7 +258,7 @@ impl Guide {
         let across = Vector::new(-self.direction.y, self.direction.x);
         let half = [self.direction * (BLOCK[0] * u), across * (BLOCK[1] * u)];
         let corners = parts::rectangle(self.middle, half);
-        list.polygons(Role::Paper, Look::Solid, &[corners.clone()]);
+        list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
         list.polygons(self.role, Look::Pale, &[corners]);
         if self.driven {
             let free = match self.way {
