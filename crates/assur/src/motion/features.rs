@@ -56,7 +56,8 @@ impl Motion {
         }
         let size = mechanism.size();
         let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
-        let samples: usize = stretches(self.cycle()).iter().map(Vec::len).sum();
+        let stretches = stretches(self.cycle());
+        let samples: usize = stretches.iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
             let units: Vec<f64> = bases.iter().map(unit).collect();
@@ -64,7 +65,7 @@ impl Motion {
                 let pose = self.pose::<5>(input).ok()?;
                 Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
             };
-            features(self.cycle(), &jets, &units, input)
+            features_over(&stretches, self.cycle(), &jets, &units, input)
         });
         let found: Vec<[Features; 3]> = found.collect();
         let scaled = |(base, factor): (Quantity, f64)| {
@@ -103,13 +104,21 @@ pub fn features(
     units: &[f64],
     input: Input,
 ) -> Vec<[Features; 3]> {
-    let sweeps: Vec<Vec<_>> = stretches(cycle)
-        .into_iter()
-        .map(|stretch| {
-            let at = |crank: f64| Some((crank, motion(crank)?));
-            stretch.into_iter().map(at).collect()
-        })
-        .collect();
+    features_over(&stretches(cycle), cycle, motion, units, input)
+}
+
+/// The same from samples at these crank angles.
+fn features_over(
+    stretches: &[Vec<f64>],
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    input: Input,
+) -> Vec<[Features; 3]> {
+    let at = |crank: &f64| Some((*crank, motion(*crank)?));
+    let sweeps = stretches.iter();
+    let sweeps = sweeps.map(|stretch| stretch.iter().map(at).collect());
+    let sweeps: Vec<Vec<_>> = sweeps.collect();
     let of = |index: usize, order: usize| {
         let sample = |(crank, jets): &(f64, Vec<Jet<5>>)| Sample {
             crank: *crank,

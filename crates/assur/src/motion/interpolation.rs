@@ -69,7 +69,7 @@ impl Knots {
             orientations: state.orientations(),
             natural: natural.collect(),
         };
-        self.span(knot.margins.iter().map(|margin| [*margin; 2]).collect());
+        self.span(knot.margins.iter().map(|margin| [*margin; 2]));
         self.list.push(knot);
         while let [.., a, b, c] = &self.list[..]
             && b.is_told_by(a, c, self.cell)
@@ -83,12 +83,12 @@ impl Knots {
     }
 
     /// With the margins of other samples.
-    fn span(&mut self, others: List<StepId, [f64; 2]>) {
+    fn span(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
-            self.margins = others;
+            self.margins = others.collect();
             return;
         }
-        for ([low, high], other) in self.margins.iter_mut().zip(others.iter()) {
+        for ([low, high], other) in self.margins.iter_mut().zip(others) {
             (*low, *high) = (low.min(other[0]), high.max(other[1]));
         }
     }
@@ -116,7 +116,7 @@ impl Knots {
 
     /// With the knots of another motion over other inputs.
     pub(super) fn join(&mut self, mut other: Self) {
-        self.span(other.margins);
+        self.span(other.margins.iter().copied());
         self.list.append(&mut other.list);
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
         self.smooth_roots.append(&mut other.smooth_roots);
@@ -141,7 +141,7 @@ impl Knots {
         back.list.pop();
         back.list.append(&mut self.list);
         self.list = back.list;
-        self.span(back.margins);
+        self.span(back.margins.iter().copied());
     }
 
     pub(super) fn shift(&mut self, by: f64) {
