@@ -27,7 +27,7 @@ const EXTRAPOLATED: f64 = 1e-10;
 /// A motion repeats where all links are in the places of its start, within this of
 /// the size.
 const SAME: f64 = 1e-7;
-/// No more steps are tried, by bodies that are solved in each: about half a second. Hunting teeth may take more turns.
+/// No more steps are tried, by bodies that are solved in each and by samples as many as are in one: about half a second. Hunting teeth may take more turns.
 const MOST_WORK: usize = 250_000;
 
 /// How a motion ended.
@@ -153,8 +153,10 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
+            // A long step is no more work, but what is read off the motion is.
+            let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
-            let Some(work) = self.work.checked_sub(bodies) else {
+            let Some(work) = self.work.checked_sub(samples * bodies) else {
                 return Some(self.ends(StepId::FIRST, DeadPointKind::Unfollowed));
             };
             self.work = work;

@@ -347,10 +347,41 @@ fn opened([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
     };
     let [least, most] = base;
     // The angle is widest where the other side is square to the base.
-    let widest = (sum * difference).max(0.0).sqrt().clamp(least, most);
+    let widest = (sum * difference).max(0.0).sqrt().max(least).min(most);
     let angles = [least, widest, most].map(angle);
     let range = angles.into_iter().fold([PI, 0.0], |[low, high], angle| {
         [angle.min(low), angle.max(high)]
     });
     range[1] - range[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::opened;
+
+    /// Between all lengths that the base may have the angle changes by as much, and by no more.
+    #[test]
+    fn angles_of_triangles() {
+        for [side, other] in [[2.0, 3.0], [3.0, 2.0], [1.0, 1.0], [5.0, 0.1]] {
+            let [short, long] = [f64::abs(side - other), side + other];
+            for (from, to) in [(0.001, 1.0), (0.1, 0.3), (0.4, 0.41), (0.7, 0.99)] {
+                let base = [from, to].map(|part| short + part * (long - short));
+                let angle = |k: u32| {
+                    let r = base[0] + f64::from(k) / 1e4 * (base[1] - base[0]);
+                    let cosine = (r * r + side * side - other * other) / (2.0 * r * side);
+                    cosine.clamp(-1.0, 1.0).acos()
+                };
+                let angles = (0..=10_000).map(angle);
+                let [low, high] = angles.fold([9.0, 0.0], |[low, high], angle: f64| {
+                    [angle.min(low), angle.max(high)]
+                });
+                let found = opened([side, other], base);
+                let off = found - (high - low);
+                assert!(
+                    (-1e-12..1e-3).contains(&off),
+                    "{side} {other} {base:?}: {off:e}"
+                );
+            }
+        }
+    }
 }
