@@ -539,7 +539,6 @@ fn what_drives_has_an_arrow() {
     );
 }
 
-
 /// Watt's line: its rocker goes from −75° to 34°.
 fn rocker() -> Draft {
     Draft::default()

@@ -61,7 +61,8 @@ impl Motion {
                 bases.push(*base);
             }
         }
-        let samples: usize = stretches(self.cycle()).iter().map(Vec::len).sum();
+        let stretches = stretches(self.cycle());
+        let samples: usize = stretches.iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
             let units: Vec<f64> = bases.iter().map(|base| self.unit(*base)).collect();
@@ -70,7 +71,7 @@ impl Motion {
                 let bases = bases.iter();
                 Some(bases.map(|base| base.unfolded(mechanism, &pose)).collect())
             };
-            let found = features(self.cycle(), &jets, &units, input);
+            let found = features_over(&stretches, self.cycle(), &jets, &units, input);
             let found = bases.iter().zip(found);
             found.map(|(base, found)| {
                 if base.is_folded() {
@@ -162,13 +163,21 @@ pub fn features(
     units: &[f64],
     input: Input,
 ) -> Vec<[Features; 3]> {
-    let sweeps: Vec<Vec<_>> = stretches(cycle)
-        .into_iter()
-        .map(|stretch| {
-            let at = |crank: f64| Some((crank, motion(crank)?));
-            stretch.into_iter().map(at).collect()
-        })
-        .collect();
+    features_over(&stretches(cycle), cycle, motion, units, input)
+}
+
+/// The same from samples at these crank angles.
+fn features_over(
+    stretches: &[Vec<f64>],
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    input: Input,
+) -> Vec<[Features; 3]> {
+    let at = |crank: &f64| Some((*crank, motion(*crank)?));
+    let sweeps = stretches.iter();
+    let sweeps = sweeps.map(|stretch| stretch.iter().map(at).collect());
+    let sweeps: Vec<Vec<_>> = sweeps.collect();
     let of = |index: usize, order: usize| {
         let sample = |(crank, jets): &(f64, Vec<Jet<5>>)| Sample {
             crank: *crank,

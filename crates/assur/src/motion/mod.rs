@@ -126,10 +126,11 @@ impl Motion {
     fn of(
         mechanism: Mechanism,
         cycle: Cycle,
-        knots: Knots,
+        mut knots: Knots,
         dead_points: Vec<DeadPoint>,
         home: f64,
     ) -> Self {
+        knots.index();
         let arcs = cycle.arcs().iter();
         let change_points = arcs.flat_map(|arc| {
             let closed = mechanism.closed_steps();
