@@ -176,7 +176,14 @@ fn rates_by_time_of_a_point_on_the_crank() {
             (second, size, ahead),
         ] {
             if amplitude == 0.0 {
-                assert_eq!(features, Features::default());
+                let level = Some(0.0);
+                assert_eq!(
+                    features,
+                    Features {
+                        level,
+                        ..Features::default()
+                    }
+                );
                 continue;
             }
             // amplitude · cos(φ₁ + phase)

@@ -50,9 +50,17 @@ transmission: boolean,
  */
 groups: boolean, 
 /**
+ * Numbers of the links shown.
+ */
+numbers: boolean, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 
+/**
+ * Which of the plots is shown alone, if one is.
+ */
+only: Only, 
 /**
  * What the derivatives are by.
  */
@@ -98,6 +106,7 @@ id: string,
  * The step, counted from 1.
  */
 step: number, };
+export type Only = "all" | "value" | "first" | "second";
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
@@ -222,6 +231,10 @@ plots?: Array<string>,
  * The points whose paths are drawn.
  */
 traces?: Array<string>, 
+/**
+ * The height of the ground that it stands on, where it is drawn.
+ */
+ground?: number | null, 
 /**
  * The full width of the band within which the first quantity that is plotted
  * counts as dwelling: degrees of an angle, else in the unit of the lengths.

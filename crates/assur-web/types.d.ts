@@ -1,5 +1,5 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
-import { KindDocument, LinkageDocument } from "assur/types/file.js";
+import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
@@ -459,15 +459,15 @@ export type CycleSummary = { start: number, end: number, full: boolean, arcs: Ar
 export type GroupSummary = { term: string, role: string, };
 export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
-export type TransmissionSummary = { joint: string, links: [string, string], min: number, input: number, };
+export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number, input: number, };
 export type OutputSummary = { name: string, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 
 /**
- * `angle`, `load_angle`, `x`, `y` or `transmission`.
+ * `angle`, `load_angle`, `x`, `y`, `transmission` or `pressure`.
  */
-what: "angle" | "load_angle" | "x" | "y" | "transmission", of: Array<string>, 
+what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure", of: Array<string>, 
 /**
  * The number by which the angle is called.
  */
@@ -503,6 +503,10 @@ ratio: number,
  */
 whole: boolean, 
 /**
+ * The plot that has all of the room, if one has.
+ */
+only: Only, 
+/**
  * The input around which a motion is plotted that goes on and on.
  */
 around: number, };
@@ -513,7 +517,11 @@ export type SeriesLayout = { name: string,
 /**
  * The number by which the angle is called, where it is.
  */
-number: string | null, role: string, };
+number: string | null, role: string, 
+/**
+ * The value that the curve has throughout, where it does not change.
+ */
+level: number | null, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, };
 export type SweepDimension = { kind: "length" | "x" | "y", 

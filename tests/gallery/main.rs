@@ -7,6 +7,7 @@ mod groups;
 mod lines;
 mod machines;
 mod numbers;
+mod transmission;
 
 use assur::JetPoint;
 use assur::mechanism::{ConstraintKind, PointId, Quantity};

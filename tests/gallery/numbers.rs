@@ -2,9 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::motion::DeadPointKind;
-use assur::{Assembly, FourBar};
+use assur::motion::{DeadPointKind, Input, Motion, OutputProfile};
+use assur::{Assembly, FourBar, Swing};
+use assur_draw::chart::Settings;
+use assur_draw::svg::Svg;
 use assur_draw::{Figure, Overlays, View};
+use assur_file::from_catalogue;
 use assur_tests::{angle_between, assert_near};
 
 use super::{at, moved, quantity, range, stroke, strokes, time_ratio};
@@ -169,6 +172,32 @@ fn chebyshev() {
         y
     });
     assert_near(most.fold(0.0, f64::max), 4.009_753_733, 1e-6, "deviation");
+    // Of the lever's turn the plots show the 65° in which it moves.
+    let turned = chart(&motion, "P.y");
+    let told: Vec<String> = (7..=20).map(|k| format!(">{}°<", 5 * k)).collect();
+    let (first, last) = (turned.find(&told[0]), turned.find(&told[13]));
+    assert!(
+        first < last && told.iter().all(|text| turned.contains(text)),
+        "{turned}"
+    );
+    assert!(!turned.contains(">30°<") && !turned.contains(">105°<"));
+}
+
+/// The plots of a quantity as a file.
+fn chart(motion: &Motion, name: &str) -> String {
+    let figure = Figure::new(motion, &View::default()).unwrap();
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let mut sheet = Svg::new(900.0);
+    sheet.chart(
+        480.0,
+        &figure.chart(&[quantity(motion, name)], settings),
+        "φ",
+    );
+    sheet.finish(name)
 }
 
 /// E is exactly on x = (a² − b²)/2r.
@@ -190,6 +219,26 @@ fn peaucellier() {
         heights = [heights[0].min(height), heights[1].max(height)];
     }
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
+    // Its derivatives are rounding alone, and are not taken for anything else.
+    let axes = ["E.x", "E.y"].map(|name| quantity(&motion, name));
+    let [across, along] = &motion.features(&axes, Input::ANALOGUES)[..] else {
+        panic!("two quantities");
+    };
+    let levels = across.each_ref().map(|order| order.level);
+    assert_near(levels[0].unwrap(), x, 1e-12, "x");
+    let profile = OutputProfile::new(&motion, axes[0]);
+    let swings: Vec<Option<f64>> = profile.swings().into_iter().map(Swing::stroke).collect();
+    assert_eq!(swings, [Some(0.0)]);
+    assert_eq!(levels[1..], [Some(0.0), Some(0.0)]);
+    for order in across {
+        assert!(order.zeros.is_empty() && order.extrema.is_empty());
+    }
+    assert!(along.iter().all(|order| order.level.is_none()));
+    let plotted = chart(&motion, "E.x");
+    for title in ["E.x = 4.583333", "E.x′ = 0", "E.x″ = 0"] {
+        assert!(plotted.contains(&format!(">{title}</text>")), "{plotted}");
+    }
+    assert!(!plotted.contains("<circle"), "{plotted}");
     // As drawn it is straight to its very ends, where B and D fall into one.
     let e = motion.mechanism().point("E");
     let view = View {
@@ -228,6 +277,9 @@ fn walkers() {
         ),
     ] {
         let motion = moved(name);
+        // The foot comes down to the ground that is drawn, and not below it.
+        let ground = from_catalogue(name).unwrap().unwrap().ground.unwrap();
+        assert!((0.0..0.001).contains(&(low - ground)), "{name}: {ground}");
         for (axis, expected) in [("x", [left, right]), ("y", [low, high])] {
             let found = range(&motion, &format!("{foot}.{axis}"));
             for (found, expected) in found.into_iter().zip(expected) {

@@ -1,12 +1,14 @@
 //! What is plotted and by what: chosen by mouse, by keys and by touch, read
 //! against the engine; the marks and the proof by differences.
 
+use std::collections::BTreeSet;
+
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
-use crate::browser::Page;
+use crate::browser::{Page, setting};
 use crate::picture::COUPLER;
 
 /// Colours of the curves of a point and of the ink, as the style sheet has them.
@@ -149,8 +151,8 @@ async fn axes_are_by_time() {
 async fn bad_inputs_are_named_and_recovered_from() {
     let page = Page::open().await;
     page.stop_at("62").await;
-    // By keys alone: from the choice of plot to that of the axes, then to ω₁.
-    page.focus("plot").await;
+    // By keys alone: from the choice of the plot shown alone to that of the axes, then to ω₁.
+    page.focus("only").await;
     page.keys(Key::Tab + "").await;
     page.keys(Key::Down + "").await;
     page.settle().await;
@@ -312,6 +314,36 @@ async fn zeros_and_extrema_are_labelled() {
     let count = |wanted: &str| seen.iter().filter(|text| *text == wanted).count();
     for wanted in ["90.0°", "270.0°", "180.0°"] {
         assert!(count(wanted) >= 4, "{wanted}: {seen:?}");
+    }
+    page.close().await;
+}
+
+/// A curve that does not change says so, and has no marks.
+#[tokio::test]
+async fn what_does_not_change_says_so() {
+    let url = format!("{}#peaucellier&v.playing=false", setting("ASSUR_URL"));
+    let page = Page::open_at(&url, "en-US").await;
+    let titles = async || {
+        let seen = texts(&page).await;
+        let titles = seen.into_iter().filter(|text| text.starts_with('x'));
+        titles
+            .collect::<BTreeSet<String>>()
+            .into_iter()
+            .collect::<Vec<_>>()
+    };
+    let expected = [
+        "x = 4.583 throughout",
+        "x′ = 0 throughout",
+        "x″ = 0 throughout",
+    ];
+    assert_eq!(titles().await, expected);
+    // By time the same, and in another language.
+    page.choose("axes", "physical").await;
+    page.choose("lang", "ru").await;
+    let expected = ["x = 4,583 всюду", "ẋ = 0 всюду", "ẍ = 0 всюду"];
+    let seen = texts(&page).await;
+    for title in expected {
+        assert!(seen.iter().any(|text| text == title), "{title}: {seen:?}");
     }
     page.close().await;
 }

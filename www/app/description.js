@@ -5,7 +5,7 @@ import { byId, write } from "assur/core/dom.js";
 import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { whose } from "assur/plots/readouts.js";
-import { titled, written } from "assur/plots/units.js";
+import { titled, writtenLevel, written } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
@@ -122,13 +122,16 @@ function positions({ summary, coordinate, input, words }) {
  * @param {readonly Panel[]} panels
  */
 function plots({ summary: { listed }, coordinate, place, words }, panels) {
-  const [from, to] = Object.values(coordinate.axis(place)).map((end) => coordinate.written(end, words, 1));
+  const { x0, x1 } = panels[0] ?? {};
+  const ends = x0 === undefined ? Object.values(coordinate.axis(place)) : [x0, x1].map((input) => coordinate.place(input));
+  const [from, to] = ends.map((end) => coordinate.written(end, words, 1));
   const axis = words.text(`told.axis.${coordinate.moves}`, { from, to });
   const told = panels.map((panel) => {
     const curves = panel.series.map((one) => {
       const marks = panel.marks.filter((mark) => mark.role === one.role);
       const row = listed.find(({ name }) => name === one.name);
-      return [row ? listedName(row, words) : one.name, ...peaks(panel, marks, coordinate, words)].join(", ");
+      const level = one.level === null ? [] : [words.text("plots.throughout", { value: writtenLevel(panel, one.level, words.numbers) })];
+      return [row ? listedName(row, words) : one.name, ...level, ...peaks(panel, marks, coordinate, words)].join(", ");
     });
     return `${titled(panel, coordinate, words)}: ${curves.join("; ")}.`;
   });

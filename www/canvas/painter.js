@@ -82,11 +82,12 @@ export class Painter {
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
    * @param {(label: string) => string} write what stands for a label
-   * @param {Box[] | null} taken where labels are on a small drawing; another in their place is left out
+   * @param {import("assur/canvas/places.js").Places} places where labels stand
+   * @param {boolean} small whether there is little room: what finds no place is left out
    */
-  labels({ context, ratio }, layers, view, poses, write, taken) {
+  labels({ context, ratio }, layers, view, poses, write, places, small) {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const size = TEXT_SIZE * this.#theme.scale * (taken ? SMALL : 1);
+    const size = TEXT_SIZE * this.#theme.scale * (small ? SMALL : 1);
     const font = `600 ${size}px ${this.#theme.font}`;
     context.font = font;
     for (const layer of layers) {
@@ -96,9 +97,9 @@ export class Painter {
       for (const label of layer.labels) {
         const text = write(label.label);
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
-        const [at, down] = [left + label.dx * size, top - label.dy * size];
-        if (taken && !claim(taken, at, down, textWidth(context, font, text), size)) continue;
-        this.#write(context, text, this.#theme.colours[label.role], at, down);
+        const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
+        const place = places.take(label.label, wanted, textWidth(context, font, text), size);
+        if (place.free || !small) this.#write(context, text, this.#theme.colours[label.role], place.x, place.y);
       }
     }
   }
@@ -164,20 +165,4 @@ export class Painter {
     }
     return known.band;
   }
-}
-
-/**
- * Takes the place of a text, unless another is there.
- * @param {Box[]} taken
- * @param {number} x its middle
- * @param {number} y
- * @param {number} width
- * @param {number} height
- * @returns {boolean} whether the place was free
- */
-function claim(taken, x, y, width, height) {
-  const box = { left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 };
-  const free = taken.every((it) => box.right <= it.left || it.right <= box.left || box.bottom <= it.top || it.bottom <= box.top);
-  if (free) taken.push(box);
-  return free;
 }

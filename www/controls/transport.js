@@ -2,6 +2,7 @@
 import { NumberBox } from "assur/controls/number-box.js";
 import { Scrubber } from "assur/controls/scrubber.js";
 import { byId, make, write } from "assur/core/dom.js";
+import { readable } from "assur/core/numbers.js";
 import { INPUT } from "assur/state/drafts.js";
 import { placed, turned } from "assur/state/player.js";
 import { withView } from "assur/state/state.js";
@@ -80,8 +81,8 @@ export class Transport {
 
   /** @param {Snapshot} snapshot */
   #write({ state, words, coordinate, place, stale, faded }) {
-    const brief = coordinate.written(place, words, 3);
     const { playing } = state.view;
+    const brief = coordinate.written(place, words, readable(3, playing));
     this.#scrubber.value = String(place);
     if (!playing) this.#scrubber.setAttribute("aria-valuetext", brief);
     if (playing && this.#box.busy) return;

@@ -18,6 +18,15 @@ export function parseNumber(text) {
   return Number.isFinite(value) ? value : null;
 }
 
+/**
+ * @param {number} decimals of a number that stands still
+ * @param {boolean} playing
+ * @returns {number} how many of them can be read while it changes: a half, so that of one in a drawing none is left
+ */
+export function readable(decimals, playing) {
+  return playing ? Math.floor(decimals / 2) : decimals;
+}
+
 /** Languages in which browsers do not know how to write numbers, and one that writes them alike. */
 const ALIKE = Object.freeze(new Map([["kk", "ru"]]));
 

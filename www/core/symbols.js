@@ -7,10 +7,12 @@ const LETTERS = Object.freeze({
   load_angle: Object.freeze(["Δ", "Δ′", "Δ″"]),
   x: Object.freeze(["x", "ẋ", "ẍ"]),
   y: Object.freeze(["y", "ẏ", "ÿ"]),
+  transmission: Object.freeze(["μ", "μ\u0307", "μ\u0308"]),
+  pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
 });
 
 /**
- * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number the angle goes by its link.
+ * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number an angle goes by its link or its joint.
  * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
  * @param {number} order
  * @param {boolean} physical whether derivatives are by time
@@ -21,7 +23,7 @@ export function symbol({ name, number }, order, physical, words) {
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
   const index = number ? subscript(number) : "";
-  const named = what === "angle" && !number ? ` ${called(of, words)}` : "";
+  const named = what === "transmission" || what === "pressure" ? ` ${subscript(of)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
 }
 

@@ -3,7 +3,7 @@ import { byId, make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
 import { toCsv } from "assur/export/csv.js";
-import { paperTheme, toPng, toSvg, withLegend } from "assur/export/pictures.js";
+import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/pictures.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -65,11 +65,23 @@ function tableChoices({ moves }, words) {
   return { rows, chosen };
 }
 
+/**
+ * @param {import("assur/state/model.js").Model} model
+ * @param {import("assur/state/state.js").State} state
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} what is drawn, and in which place of its motion
+ */
+function caption({ summary, coordinate }, state, words) {
+  const name = byId("mechanism-name", HTMLElement).textContent ?? "";
+  if (summary.moves === null) return name;
+  return `${name}, ${coordinate.symbol} = ${coordinate.written(coordinate.of(state), words, 1)}`;
+}
+
 /** @param {Page} page */
-function makeDialog({ engine, model, mechanism, chart, words }) {
+function makeDialog({ engine, model, store, mechanism, chart, words }) {
   const theme = paperTheme(engine.roles);
   const name = `assur-${engine.fileName(model.good)}`;
-  const drawing = () => mechanism;
+  const drawing = () => withCaption(mechanism, theme, caption(model, store.get(), words));
   const plots = () => withLegend(chart, theme, words);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
   const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press) => {

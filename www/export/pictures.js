@@ -23,6 +23,9 @@ const SAMPLE = 22;
 const ROOM = 7;
 const LEFT = 44;
 
+/** Size of the text under a drawing. */
+const CAPTION = 14;
+
 /** @type {Theme | null} */
 let paper = null;
 
@@ -86,6 +89,41 @@ export function toPng(picture, theme) {
 }
 
 /**
+ * The drawing over a line of text.
+ * @param {import("assur/stage/view.js").MechanismView} mechanism
+ * @param {Theme} theme
+ * @param {string} text
+ * @returns {Picture}
+ */
+export function withCaption(mechanism, theme, text) {
+  const measure = blank();
+  const measured = textWidth(measure, setChartFont(measure, theme, CAPTION), text);
+  const { size: { width, height }, paint } = mechanism.cropped(Math.ceil(measured) + 2 * ROOM);
+  const size = { width, height: height + 2 * ROW };
+  /** @type {Picture["paint"]} */
+  const withText = (target, its, newPath) => {
+    const { context, ratio } = target;
+    paint(target, its, newPath);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = its.colours.paper;
+    context.fillRect(0, height, width, 2 * ROW);
+    setChartFont(context, its, CAPTION);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = its.colours.ink;
+    context.fillText(text, width / 2, height + ROW);
+  };
+  return { size, paint: withText };
+}
+
+/** A context to measure on. */
+function blank() {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  if (!context) throw new Error("no 2d context");
+  return context;
+}
+
+/**
  * The plots under a legend of their curves: by themselves they have no read-outs that tell the colours.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
@@ -127,8 +165,7 @@ export function withLegend(chart, theme, words) {
  * @returns {{ entries: { text: string, role: string, left: number, row: number }[], rows: number }}
  */
 function legend({ panels, size }, theme, words) {
-  const context = new OffscreenCanvas(1, 1).getContext("2d");
-  if (!context) throw new Error("no 2d context");
+  const context = blank();
   const font = setChartFont(context, theme, 12);
   let left = LEFT;
   let row = 0;

@@ -40,7 +40,7 @@ function worksheet(page) {
     const said = byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
     return make("figure", {}, [toSvgElement(picture, theme, said)]);
   };
-  const figures = [figure(mechanism, "mechanism")];
+  const figures = [figure(mechanism.cropped(), "mechanism")];
   if (model.summary.moves !== null) figures.push(figure(withLegend(chart, theme, words), "charts"));
   const questions = lesson.questions();
   return make("section", { id: "worksheet", class: "paper", lang: words.lang }, [

@@ -82,7 +82,7 @@ export class Pictures {
     if (!value) return;
     const { bounds, scene, frame } = value;
     const figure = new Figure(engine, theme);
-    figure.take({ scene, frame, frameInput: 0, coordinate, readouts: null, revision: 1, words, legible: false });
+    figure.take({ scene, frame, frameInput: 0, coordinate, readouts: null, revision: 1, words });
     this.#drawn.set(canvas, { figure, bounds });
     this.#paint(canvas, { figure, bounds });
   }

@@ -4,6 +4,7 @@ import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { derived } from "assur/core/units.js";
 import { subscript } from "assur/core/symbols.js";
+import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -11,7 +12,11 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/engine.js").MotionSummary["transmissions"][number]} Transmission
  */
+
+/** @type {readonly Transmission[]} */
+const NONE = Object.freeze([]);
 
 /** Radians per second in the units of ω₁. */
 const UNITS = Object.freeze({ rad_per_s: 1, per_min: Math.PI / 30 });
@@ -19,6 +24,7 @@ const UNITS = Object.freeze({ rad_per_s: 1, per_min: Math.PI / 30 });
 export class PlotBar {
   #engine;
   #plot = byId("plot", HTMLSelectElement);
+  #only = byId("only", HTMLSelectElement);
   #axes = byId("axes", HTMLSelectElement);
   #unit = byId("omega-unit", HTMLSelectElement);
   #input = byId("input", HTMLElement);
@@ -28,6 +34,7 @@ export class PlotBar {
   /** @type {readonly string[]} the points that can be chosen */
   #points = [];
   #overviews = "";
+  #joints = "";
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
 
@@ -38,6 +45,7 @@ export class PlotBar {
     this.#engine = engine;
     const look = (/** @type {Partial<View>} */ change) => store.update((state) => withView(state, change));
     this.#plot.addEventListener("change", () => look({ plot: this.#plot.value }));
+    this.#only.addEventListener("change", () => look({ only: /** @type {View["only"]} */ (this.#only.value) }));
     this.#axes.addEventListener("change", () => look({ axes: /** @type {View["axes"]} */ (this.#axes.value) }));
     this.#unit.addEventListener("change", () => {
       drafts.drop("omega");
@@ -54,17 +62,21 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, summary: { overviews }, coordinate, words, problems }) {
-    const { plot, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
+  render({ state: { view }, summary, coordinate, words, problems }) {
+    const { overviews } = summary;
+    const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
+    const { plot, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, ...wrong];
+    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    if (words !== this.#shown[7] || points !== this.#points || overviews.join() !== this.#overviews) this.#offer(points, overviews, words);
+    const anew = words !== this.#shown[7] || points !== this.#points || joints(transmissions) !== this.#joints;
+    if (anew || overviews.join() !== this.#overviews) this.#offer(points, overviews, transmissions, words);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
     this.#plot.value = plot;
+    this.#only.value = only;
     this.#axes.value = axes;
     this.#unit.value = unit;
     this.#axes.hidden = moves === "time";
@@ -107,9 +119,11 @@ export class PlotBar {
   /**
    * @param {readonly string[]} points
    * @param {readonly string[]} overviews what is plotted together
+   * @param {readonly Transmission[]} transmissions
    * @param {Words} words
    */
-  #offer(points, overviews, words) {
+  #offer(points, overviews, transmissions, words) {
+    this.#joints = joints(transmissions);
     this.#points = points;
     this.#overviews = overviews.join();
     const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
@@ -118,8 +132,17 @@ export class PlotBar {
       ...overviews.map((name) => option(name, `plots.overview.${name}`, "")),
       ...this.#engine.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
       ...points.map((point) => option(point, "plots.point", subscript(point))),
+      ...transmissions.map(({ what, joint }) => make("option", { value: `${joint}.${what}` }, [whose({ what, of: [joint] }, words)])),
     );
   }
+}
+
+/**
+ * @param {readonly Transmission[]} transmissions
+ * @returns {string} what is offered of them
+ */
+function joints(transmissions) {
+  return transmissions.map(({ what, joint }) => `${joint}.${what}`).join();
 }
 
 /**

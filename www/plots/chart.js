@@ -23,6 +23,8 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
+  /** @type {readonly (readonly import("assur/plots/marks.js").Box[])[]} where the labels are, of each panel */
+  labels = [];
   /** @type {Overlay | null} */
   #overlay = null;
   /** Called when the panels may have changed their places. */
@@ -44,7 +46,7 @@ export class ChartView {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
     const { start } = snapshot.coordinate.axis(snapshot.place);
-    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start}`;
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;
     this.#draw();
@@ -54,7 +56,7 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    this.panels = this.#paint(this.#surface, snapshot, this.#theme, false);
+    ({ panels: this.panels, labels: this.labels } = this.#paint(this.#surface, snapshot, this.#theme, false));
     this.redrawn();
   }
 
@@ -83,18 +85,19 @@ export class ChartView {
    * @param {Snapshot} snapshot
    * @param {Theme} theme
    * @param {boolean} whole whether the curves go through all their points
-   * @returns {readonly Panel[]} where the plots are
+   * @returns where the plots and their labels are
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
+    const { only } = snapshot.state.view;
     // Not as the text that was written last left it.
     context.lineJoin = "round";
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, around: snapshot.input }));
+    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const panels = drawn.value?.panels ?? [];
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);
-    panels.forEach((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
-    return panels;
+    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    return { panels, labels };
   }
 }

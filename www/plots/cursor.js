@@ -5,10 +5,12 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { across, down, shows } from "assur/plots/panel.js";
+import { placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
 
 /**
+ * @typedef {import("assur/plots/marks.js").Box} Box
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -33,13 +35,11 @@ export class ChartCursor {
   #hovered = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Float64Array | null} the values that were written last: in motion new ones come too fast to be read */
-  #written = null;
 
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Theme} theme
-   * @param {{ readonly panels: readonly Panel[] }} chart
+   * @param {{ readonly panels: readonly Panel[], readonly labels: readonly (readonly Box[])[] }} chart
    * @param {Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
@@ -52,7 +52,6 @@ export class ChartCursor {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
-    if (snapshot.legible || this.#written?.length !== snapshot.plotted?.length) this.#written = snapshot.plotted;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
     this.redraw();
   }
@@ -70,12 +69,12 @@ export class ChartCursor {
     this.#surface.clear();
     const hovered = this.#hovered;
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
-    const { panels } = this.#chart;
+    const { panels, labels } = this.#chart;
     // Two sets of numbers would cover each other: under a pointer only its own are written.
     const phi = snapshot.input;
-    for (const panel of panels) this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? this.#written : null);
+    panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
     if (hovered === null || panels.length === 0) return;
-    for (const panel of panels) this.#panel(panel, snapshot, hovered, ghost, ghost, GHOST);
+    panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], GHOST));
     this.#angle(panels[0], hovered, snapshot);
   }
 
@@ -108,10 +107,10 @@ export class ChartCursor {
    * @param {Snapshot} snapshot
    * @param {number} phi
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {Float64Array | null} written the values to be written beside them
+   * @param {readonly Box[] | null} labels which the values that are written keep off; null: none is written
    * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot, phi, values, written, dashes = WHOLE) {
+  #panel(panel, snapshot, phi, values, labels, dashes = WHOLE) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
     const x = across(panel, phi);
@@ -124,7 +123,7 @@ export class ChartCursor {
     context.setLineDash(dashes);
     context.stroke();
     context.setLineDash(WHOLE);
-    const dots = this.#dots(panel, snapshot, values, written);
+    const dots = this.#dots(panel, snapshot, values);
     if (dots.length === 0) return;
     context.lineWidth = 2 * weight;
     for (const { y, colour } of dots) {
@@ -135,48 +134,42 @@ export class ChartCursor {
       context.strokeStyle = colour;
       context.stroke();
     }
-    if (written) this.#tags(panel, x, dots);
+    if (labels) this.#tags(panel, x, dots, labels);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {Float64Array | null} numbers those that are written of them
    * @returns {Dot[]} from the top down
    */
-  #dots(panel, { words }, values, numbers) {
+  #dots(panel, { state, words }, values) {
     if (!values) return [];
     const dots = [];
     for (const [i, { role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = numbers ? written(panel, numbers[3 * i + panel.order], words.numbers) : "";
+      const text = written(panel, value, words.numbers, state.view.playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);
   }
 
   /**
-   * The numbers stand beside the line, on the side with room, pushed apart where they would meet.
    * @param {Panel} panel
    * @param {number} x
    * @param {readonly Dot[]} dots
+   * @param {readonly Box[]} labels
    */
-  #tags(panel, x, dots) {
+  #tags(panel, x, dots, labels) {
     const { context } = this.#surface;
     const font = setChartFont(context, this.#theme);
     const widths = dots.map(({ text }) => textWidth(context, font, text) + 10);
-    const widest = Math.max(...widths);
-    const [dot, tall] = [this.#dot, this.#tall];
-    const toTheLeft = x + dot + 6 + widest > panel.left + panel.width + 8;
-    const tops = spread(
-      dots.map(({ y }) => y - tall / 2),
-      panel.top,
-      panel.top + panel.height,
-      tall,
-    );
-    dots.forEach((each, i) => this.#tag(toTheLeft ? x - dot - 5 - widths[i] : x + dot + 5, tops[i], widths[i], each));
+    const { left, top, width, height } = panel;
+    const room = { left, top, right: left + width + 7, bottom: top + height };
+    const middles = dots.map(({ y }) => y);
+    const tags = placedTags({ middles, widths, tall: this.#tall, x, off: this.#dot + 5, room, labels });
+    dots.forEach((dot, i) => this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 
   /**
@@ -191,39 +184,12 @@ export class ChartCursor {
     context.textBaseline = "middle";
     context.beginPath();
     context.roundRect(left, top, width, this.#tall, 5);
-    context.globalAlpha = 0.92;
     context.fillStyle = this.#theme.colours.paper;
     context.fill();
-    context.globalAlpha = 1;
     context.lineWidth = 1;
     context.strokeStyle = colour;
     context.stroke();
     context.fillStyle = ink;
     context.fillText(text, left + 5, top + this.#tall / 2 + 0.5);
   }
-}
-
-/**
- * @param {readonly number[]} tops in rising order
- * @param {number} first
- * @param {number} last
- * @param {number} tall the height of a tag
- * @returns {number[]} as near to them as may be, at least that far apart, between first and last
- */
-function spread(tops, first, last, tall) {
-  const step = tall + 2;
-  // Those that would meet stand in a block round the mean of their places.
-  /** @type {{ sum: number, count: number }[]} */
-  const blocks = [];
-  tops.forEach((top, i) => {
-    let block = { sum: top - i * step, count: 1 };
-    for (let before = blocks.at(-1); before && before.sum / before.count > block.sum / block.count; before = blocks.at(-1)) {
-      block = { sum: before.sum + block.sum, count: before.count + block.count };
-      blocks.pop();
-    }
-    blocks.push(block);
-  });
-  const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
-  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
-  return places.map((place, i) => place + i * step);
 }

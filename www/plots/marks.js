@@ -32,6 +32,7 @@ const MOST_COVERED = 4;
  * @param {Box} title the place of the panel's title
  * @param {Snapshot} snapshot
  * @param {Theme} theme
+ * @returns {Box[]} where the labels are
  */
 export function drawMarks(context, panel, title, snapshot, theme) {
   const font = setChartFont(context, theme);
@@ -42,16 +43,19 @@ export function drawMarks(context, panel, title, snapshot, theme) {
   context.strokeStyle = theme.colours.paper;
   const points = [...panel.points, ...zeroLine(panel)];
   const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
+  const labels = [];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, snapshot);
     const box = freePlace(panel, mark, textWidth(context, font, text), taken, points, theme.scale);
     if (!box) continue;
+    labels.push(box);
     taken.push({ ...box, left: box.left - BETWEEN, right: box.right + BETWEEN });
     const middle = (box.top + box.bottom) / 2;
     context.strokeText(text, box.left, middle);
     context.fillStyle = theme.inks[mark.role];
     context.fillText(text, box.left, middle);
   }
+  return labels;
 }
 
 /**
@@ -154,6 +158,6 @@ function around(x, y, by) {
  * @param {Box} a
  * @param {Box} b
  */
-function overlap(a, b) {
+export function overlap(a, b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }

@@ -1,6 +1,8 @@
-// Hands on the plots: a click or a drag drives to the input under the pointer, hovering shows the values there.
+// Hands on the plots: a click or a drag drives to the input under the pointer, hovering shows the values there, a double
+// click shows one plot alone.
 import { setData } from "assur/core/dom.js";
 import { angleAt } from "assur/plots/panel.js";
+import { withView } from "assur/state/state.js";
 
 /** A finger that moved less, in pixels, has only touched. */
 const SLOP = 6;
@@ -8,12 +10,16 @@ const SLOP = 6;
 /** So far beyond the ends of the axis a pointer still counts, in pixels. */
 const BEYOND = 16;
 
+/** What a plot that is shown alone is called, by its order. */
+const ALONE = Object.freeze(/** @type {const} */ (["value", "first", "second"]));
+
 export class ChartPointer {
   #canvas;
   #chart;
   #cursor;
   #drive;
   #model;
+  #store;
   /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pointer that is down */
   #held = null;
 
@@ -28,6 +34,7 @@ export class ChartPointer {
     this.#chart = chart;
     this.#cursor = cursor;
     this.#model = model;
+    this.#store = page.store;
     this.#drive = (/** @type {number} */ input) => {
       const { coordinate } = model;
       page.drive(Math.min(coordinate.place(input), coordinate.last(coordinate.of(page.store.get()))));
@@ -37,6 +44,18 @@ export class ChartPointer {
     canvas.addEventListener("pointerup", (event) => this.#up(event));
     canvas.addEventListener("pointercancel", () => this.#leave());
     canvas.addEventListener("pointerleave", () => this.#leave());
+    canvas.addEventListener("dblclick", (event) => this.#alone(event));
+  }
+
+  /**
+   * Shows the plot under the pointer alone, or all again.
+   * @param {MouseEvent} event
+   */
+  #alone({ clientY }) {
+    const y = clientY - this.#canvas.getBoundingClientRect().top;
+    const { panels } = this.#chart;
+    const plot = panels.find(({ top, height }) => y <= top + height) ?? panels.at(-1);
+    if (plot) this.#store.update((state) => withView(state, { only: state.view.only === "all" ? ALONE[plot.order] : "all" }));
   }
 
   /** @param {PointerEvent} event */

@@ -38,7 +38,7 @@ export class ReadoutTable {
     const built = [summary, words, state.view.axes];
     if (built.some((part, i) => part !== this.#built[i])) this.#build(snapshot);
     this.#built = built;
-    write(this.#input, coordinate.written(place, words, 3));
+    write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
     this.#input.dataset.value = String(place);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
@@ -60,14 +60,14 @@ export class ReadoutTable {
     });
     this.#cells = [];
     const rows = listed.map((one) => {
-      const bare = one.what === "transmission";
+      const bare = one.what === "transmission" || one.what === "pressure";
       const cells = STROKES.map((_, order) => {
         if (bare && order > 0) return make("td");
         const output = make("td", { id: `out-${"d".repeat(order)}${one.name.replace(/\.angle$/, "")}` });
         this.#cells.push({ listed: one, order, output });
         return output;
       });
-      const title = [make("b", {}, [bare ? "μ" : letter(one)]), " ", make("span", {}, [whose(one, words)])];
+      const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [whose(one, words)])];
       return row(one.role, plotted.includes(one.name), title, cells);
     });
     const [input] = this.#table.tBodies[0].rows;
@@ -87,19 +87,23 @@ function row(role, curve, title, cells) {
   return make("tr", {}, [head, ...cells]);
 }
 
-/** @param {Listed} listed an angle or a coordinate */
+/** @param {Listed} listed */
 function letter({ what, number }) {
+  if (what === "transmission") return "μ";
+  if (what === "pressure") return "α";
   if (what === "angle") return `φ${subscript(number ?? "")}`;
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
 
 /**
- * @param {Listed} listed
+ * @param {Pick<Listed, "what" | "of">} listed
  * @param {Words} words
- * @returns {string} whose it is; of a transmission angle what it is, too
+ * @returns {string} whose it is; of a transmission or pressure angle what it is, too
  */
 export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");
   if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of[0], words) });
-  return what === "transmission" ? words.text("readouts.transmission") : subscript(of[0]);
+  const point = subscript(of[0]);
+  if (what === "transmission") return `${words.text("readouts.transmission")} ${point}`;
+  return what === "pressure" ? `${words.text("readouts.pressure")} ${point}` : point;
 }

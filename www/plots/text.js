@@ -3,7 +3,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
-import { inDegrees, power, titled, unitOf } from "assur/plots/units.js";
+import { inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -66,7 +66,9 @@ function drawTitle(context, panel, coordinate, words, theme) {
   };
   let font = `600 ${14 * theme.scale}px ${theme.font}`;
   context.font = font;
-  for (const [text, role] of names(panel, words)) write(text, role ? theme.inks[role] : theme.colours.ink);
+  const named = NAMINGS.map((naming) => names(panel, words, naming));
+  const fit = named.find((parts) => parts.reduce((width, [text]) => width + textWidth(context, font, text), 0) <= panel.width);
+  for (const [text, role] of fit ?? named[NAMINGS.length - 1]) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
   const title = titled(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
@@ -77,18 +79,31 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
+/** How curves are named: with the value of one that does not change, in words or bare, without it, by no more than a letter. */
+const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
+
 /**
- * The symbols of a panel's title, each with the role of its curve.
+ * The symbols of a panel's title, each with the role of its curve, and with its value where it does not change.
  * @param {Panel} panel
  * @param {Words} words
+ * @param {typeof NAMINGS[number]} naming
  * @returns {[text: string, role?: string][]}
  */
-function names({ kind, order, physical, series }, words) {
-  const symbols = series.map((one) => /** @type {[string, string]} */ ([symbol(one, order, physical, words), one.role]));
-  if (symbols.length > MOST_NAMED) return [[symbols[0][0].replace(/[₀-₉]/g, "")]];
+function names(panel, words, naming) {
+  const { kind, order, physical, series } = panel;
+  const [{ name }] = series;
+  // Of several points each curve says whose it is.
+  const points = kind === "length" ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
+  const several = new Set(points).size > 1;
+  if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
+  const symbols = series.map((one, i) => {
+    const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
+    const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;
+    return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + (several ? ` ${points[i]}` : "") + said, one.role]);
+  });
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
-  return kind === "length" ? [[`${subscript(series[0].name.split(".")[0])}: `], ...listed] : listed;
+  return kind === "length" && !several ? [[`${points[0]}: `], ...listed] : listed;
 }
 
 /**

@@ -27,12 +27,23 @@ export function inDegrees({ kind, order }) {
  * @param {Panel} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
+ * @param {boolean} [moving] whether it is another one in the next frame: then with as many digits as the eye can follow
  */
-export function written(panel, value, numbers) {
-  if (inDegrees(panel)) return `${numbers.fixed(degrees(value), 1)}°`;
+export function written(panel, value, numbers, moving = false) {
+  if (inDegrees(panel)) return `${numbers.fixed(degrees(value), moving ? 0 : 1)}°`;
   const unit = 10 ** power(panel);
-  const decimals = 4 - Math.ceil(Math.log10((panel.y1 - panel.y0) / unit));
+  const decimals = (moving ? 2 : 4) - Math.ceil(Math.log10((panel.y1 - panel.y0) / unit));
   return numbers.fixed(value / unit, Math.min(Math.max(decimals, 0), 4));
+}
+
+/**
+ * A value that a curve of a panel has throughout.
+ * @param {Panel} panel
+ * @param {number} value
+ * @param {import("assur/core/numbers.js").Numbers} numbers
+ */
+export function writtenLevel(panel, value, numbers) {
+  return inDegrees(panel) ? `${numbers.upTo(degrees(value), 1)}°` : numbers.short(value / 10 ** power(panel));
 }
 
 /**

@@ -1,15 +1,18 @@
 // What is painted of a snapshot, alike on the screen's canvas and on an exported picture.
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
+import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
+import { readable } from "assur/core/numbers.js";
 import { subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
 
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words" | "legible"> & { readonly summary?: object }} Snapshot
+ * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words">
+ *   & { readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -21,10 +24,9 @@ export class Figure {
   #theme;
   #painter;
   #newPath;
+  #places;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Snapshot | null} the one whose numbers stand in the labels: in motion new ones come too fast to be read */
-  #legible = null;
   #revision = 0;
   /** @type {readonly Layer[]} what stands still under all that moves */
   #still = [];
@@ -39,18 +41,24 @@ export class Figure {
    * @param {Engine} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] an empty path of the kind its targets take
+   * @param {Places} [places] of another's labels, to have them where that has them
    */
-  constructor(engine, theme, newPath = () => new Path2D()) {
+  constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
+    this.#places = places;
     this.#engine = engine;
     this.#theme = theme;
     this.#painter = new Painter(theme);
     this.#newPath = newPath;
   }
 
+  /** Where the labels stand. */
+  get places() {
+    return this.#places;
+  }
+
   /** @param {Snapshot} snapshot what is painted from now on */
   take(snapshot) {
     this.#snapshot = snapshot;
-    if (snapshot.legible || this.#legible?.words !== snapshot.words) this.#legible = snapshot;
     const { scene, frame, revision } = snapshot;
     if (this.#revision !== revision) {
       this.#revision = revision;
@@ -98,15 +106,16 @@ export class Figure {
   /**
    * @param {Target} target
    * @param {Transform} view
+   * @param {Size} size of what is painted on
    * @param {boolean} small whether there is little room
    */
-  paintLabels(target, view, small) {
-    const snapshot = this.#legible;
+  paintLabels(target, view, size, small) {
+    const snapshot = this.#snapshot;
     if (!snapshot) return;
     const write = (/** @type {string} */ label) => labelText(label, snapshot);
-    const taken = small ? [] : null;
+    this.#places.begin(size);
     for (const layers of [this.#still, this.#rigid, this.#changing]) {
-      this.#painter.labels(target, layers, view, this.#poses, write, taken);
+      this.#painter.labels(target, layers, view, this.#poses, write, this.#places, small);
     }
   }
 
@@ -132,14 +141,16 @@ function readPoses(frame) {
 }
 
 /**
+ * A name, or a symbol with the value that it has in the very frame that is drawn.
  * @param {string} label a name, or a symbol and the read-out it is written with: `μ=C.transmission`
  * @param {Snapshot} snapshot
  */
-function labelText(label, { frameInput, coordinate, readouts, words }) {
+function labelText(label, { frameInput, coordinate, readouts, words, state }) {
   const [symbol, readout] = label.split("=");
   if (readout === undefined) return low(called(label, words));
-  if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, 1)}`;
-  return readouts ? `${symbol} = ${words.numbers.fixed(degrees(readouts[readout]), 1)}°` : symbol;
+  const decimals = readable(1, state?.view.playing ?? false);
+  if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;
+  return readouts ? `${symbol} = ${words.numbers.fixed(degrees(readouts[readout]), decimals)}°` : symbol;
 }
 
 /** @param {string} label */

@@ -102,7 +102,7 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
   context.fillStyle = theme.colours.secondary;
-  context.fillText(text, left + 5, bottom - 6);
+  context.fillText(text, left + 5, bottom - 6 - 3 * theme.scale);
 }
 
 /**

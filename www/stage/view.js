@@ -9,6 +9,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {readonly [number, number, number, number]} Edges of a part of the canvas: left, bottom, right, top, in its pixels
  * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint a joint or a traced point in model coordinates; `pressed`: whether
  * something comes of pressing it without a drag
  */
@@ -79,19 +80,27 @@ export class MechanismView {
   }
 
   /**
-   * Paints what is on the canvas, without signs of a hand at it, on another target of the same size.
-   * @param {import("assur/canvas/painter.js").Target} target
-   * @param {Theme} theme
-   * @param {() => Path2D} [newPath] an empty path of the kind the target takes
+   * What is saved and printed, without signs of a hand at it: the mechanism with free room around it, as large as on the screen;
+   * of what the reader has zoomed, what is on the screen.
+   * @param {number} [least] pixels of its width
+   * @returns {import("assur/export/pictures.js").Picture}
    */
-  paint(target, theme, newPath) {
-    if (!this.#snapshot) return;
-    const { view } = this;
-    const figure = new Figure(this.#engine, theme, newPath);
-    figure.take(this.#snapshot);
-    figure.paintGround(target, this.#surface, view);
-    figure.paintMoving(target, view);
-    figure.paintLabels(target, view, this.#small);
+  cropped(least = 0) {
+    const screen = this.view;
+    const [left, bottom, right, top] = this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
+    const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
+    const size = { width: right - left + 2 * aside, height: bottom - top };
+    const view = screen.moved(aside - left, -top);
+    /** @type {import("assur/export/pictures.js").Picture["paint"]} */
+    const paint = (target, theme, newPath) => {
+      if (!this.#snapshot) return;
+      const figure = new Figure(this.#engine, theme, newPath, this.#figure.places);
+      figure.take(this.#snapshot);
+      figure.paintGround(target, size, view);
+      figure.paintMoving(target, view);
+      figure.paintLabels(target, view, size, this.#small);
+    };
+    return { size, paint };
   }
 
   get zoomed() {
@@ -162,12 +171,34 @@ export class MechanismView {
     return Math.min(this.#surface.width, this.#surface.height) < SMALL;
   }
 
+  get #margin() {
+    return (this.#small ? SMALL_MARGIN : MARGIN) * this.#theme.scale;
+  }
+
   /** @returns {Transform} */
   #fit() {
     const { width, height } = this.#surface;
-    const margin = (this.#small ? SMALL_MARGIN : MARGIN) * this.#theme.scale;
     const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
-    return Transform.fit(bounds, width, height, margin);
+    return Transform.fit(bounds, width, height, this.#margin);
+  }
+
+  /** @returns {Edges} */
+  #onScreen() {
+    const { width, height } = this.#surface;
+    return [0, Math.ceil(height), Math.ceil(width), 0];
+  }
+
+  /**
+   * @param {Transform} view
+   * @returns {Edges} of the mechanism in all its poses, with the room around it
+   */
+  #boundsOnScreen(view) {
+    const [xmin, ymin, xmax, ymax] = this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    const [left, bottom] = view.toScreen(xmin, ymin);
+    const [right, top] = view.toScreen(xmax, ymax);
+    const margin = this.#margin;
+    // Whole pixels, so that lines are as sharp as on the screen.
+    return [Math.floor(left - margin), Math.ceil(bottom + margin), Math.ceil(right + margin), Math.floor(top - margin)];
   }
 
   #draw() {
@@ -178,7 +209,7 @@ export class MechanismView {
     this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
-    this.#figure.paintLabels(this.#surface, view, this.#small);
+    this.#figure.paintLabels(this.#surface, view, this.#surface, this.#small);
   }
 
   /** @param {Transform} view */

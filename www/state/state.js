@@ -22,7 +22,7 @@
  */
 
 /** What can be laid over the drawing. */
-export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups"]));
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
 export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "differenced"]));
@@ -65,7 +65,9 @@ export function usualView(view) {
     loop_vectors: false,
     transmission: false,
     groups: false,
+    numbers: false,
     plot: "angles",
+    only: "all",
     axes: "analogues",
     omega: 1,
     omega_unit: "rad_per_s",

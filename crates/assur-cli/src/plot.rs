@@ -4,7 +4,7 @@ use assur::mechanism::Quantity;
 use assur::motion::Input;
 use assur_draw::chart::Settings;
 use assur_draw::svg::{Drawing, Svg};
-use assur_draw::{Figure, Overlays, View};
+use assur_draw::{Annotations, Figure, Overlays, View};
 use assur_file::LinkageProblem;
 
 use crate::Failure;
@@ -32,7 +32,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
             ..Overlays::default()
         },
         traced: document.traces.iter().filter_map(point).collect(),
-        ..View::default()
+        annotations: Annotations::of_linkage(document.ground),
     };
     let figure = Figure::new(motion, &view).map_err(unsolved)?;
     let home = motion.pose::<1>(motion.home()).map_err(unsolved)?;
@@ -45,7 +45,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
             rigid: figure.rigid(),
             frame: &figure.frame(&home),
             names: figure.names(),
-            values: &|_| None,
+            values: &|what| (what == "input").then(|| motion.home()),
         },
     );
     let named = document.plots.iter();

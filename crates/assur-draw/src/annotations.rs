@@ -19,12 +19,27 @@ pub struct Annotations {
     pub blades: Vec<(String, usize)>,
     /// Numbers of wheels.
     pub tags: Vec<Tag>,
-    /// The symbol of the input angle, whose arc is drawn then.
+    /// The symbol of the input angle, whose arc is drawn then; where a slide drives, an arrow
+    /// beside its block is.
     pub input: Option<String>,
     /// Symbols of vectors of the loops, each by its two points.
     pub loop_vectors: Vec<([String; 2], String)>,
     /// The positions that it was made for.
     pub given: Vec<GivenPosition>,
+    /// The height of the ground that it stands on. Where that is farther off than the drawing is
+    /// large, none is drawn.
+    pub ground: Option<f64>,
+}
+
+impl Annotations {
+    /// What any linkage has noted: how it is driven, and its ground, if it has one.
+    pub fn of_linkage(ground: Option<f64>) -> Self {
+        Self {
+            input: Some("φ₁".to_owned()),
+            ground,
+            ..Self::default()
+        }
+    }
 }
 
 /// A position that a linkage was made for; lines go from the first point to the second.
@@ -117,6 +132,7 @@ impl From<&Mixer> for Annotations {
             input: Some("φ₁".to_owned()),
             loop_vectors: vectors.to_vec(),
             given: Vec::new(),
+            ground: None,
         }
     }
 }

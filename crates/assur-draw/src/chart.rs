@@ -33,6 +33,11 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
+/// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is told at once.
+const MOST_OF_A_TURN: f64 = 0.8;
+/// Room beside the arcs, as a share of what they span.
+const BESIDE: f64 = 0.04;
+
 struct Margin {
     left: i32,
     top: i32,
@@ -111,6 +116,8 @@ pub struct Panel {
     pub y_ticks: Vec<Tick>,
     /// What is to be labelled on each curve, in the order of the series.
     pub marks: Vec<Vec<Mark>>,
+    /// The value that a curve has throughout, where it does not change, in the order of the series.
+    pub levels: Vec<Option<f64>>,
     /// Points of the curves a few pixels apart, in pixels of the reader: x and y
     /// of each, one after the other. Labels keep off them.
     pub points: Vec<f64>,
@@ -141,7 +148,7 @@ impl Chart {
     ) -> Self {
         let runs = curves::sampled(cycle, sample);
         Self {
-            axis: cycle.axis(),
+            axis: axis(cycle),
             turns: cycle.period().is_some(),
             kind,
             settings,
@@ -190,7 +197,7 @@ impl Chart {
 
     /// Draws the chart on an area [`FINE`] times as many units wide and high as
     /// it has pixels, and says where the text belongs. Margins, lines and dots are
-    /// `scale` times as large as usual.
+    /// `scale` times as large as usual. `only`: the order of the plot that has all of it.
     ///
     /// # Errors
     /// What the backend could not draw. An area too small for a plot is left
@@ -200,29 +207,34 @@ impl Chart {
         area: &DrawingArea<B, Shift>,
         palette: &Palette,
         scale: f64,
+        only: Option<usize>,
     ) -> Result<Vec<Panel>, DrawingAreaErrorKind<B::ErrorType>> {
-        let panels = self.panels(area.dim_in_pixel(), scale);
-        for (panel, plot) in panels.iter().zip(&self.plots) {
-            self.draw_panel(area, panel, plot, palette, scale)?;
+        let panels = self.panels(area.dim_in_pixel(), scale, only);
+        for panel in &panels {
+            self.draw_panel(area, panel, palette, scale)?;
         }
         Ok(panels)
     }
 
-    /// The three panels of an area, none where they would have no room.
-    fn panels(&self, (width, height): (u32, u32), scale: f64) -> Vec<Panel> {
+    /// The panels of an area, none where they would have no room.
+    fn panels(&self, (width, height): (u32, u32), scale: f64, only: Option<usize>) -> Vec<Panel> {
+        let plots = self.plots.iter().enumerate();
+        let plots = plots.filter(|(order, _)| only.is_none_or(|only| only == *order));
+        let plots: Vec<(usize, &Plot)> = plots.collect();
         let [width, height] = [width, height].map(|fine| (fine as i32 / FINE).max(0));
         let margin = MARGIN.scaled(scale);
         let inner = width - margin.left - margin.right;
-        let each = (height - margin.bottom) / 3 - margin.top;
+        let count = plots.len().max(1) as i32;
+        let each = (height - margin.bottom) / count - margin.top;
         if inner < 20 || each < 20 {
             return Vec::new();
         }
-        let panel = |(order, plot): (usize, &Plot)| {
+        let panel = |(at, (order, plot)): (usize, (usize, &Plot))| {
             let Range { min, max } = plot.range;
             let mut panel = Panel {
                 order,
                 left: f64::from(margin.left),
-                top: f64::from(margin.top + order as i32 * (margin.top + each)),
+                top: f64::from(margin.top + at as i32 * (margin.top + each)),
                 width: f64::from(inner),
                 height: f64::from(each),
                 x: self.axis,
@@ -234,12 +246,17 @@ impl Chart {
                 },
                 y_ticks: ticks::values(plot.range, self.in_degrees(order), f64::from(each), scale),
                 marks: plot.curves.iter().map(|c| c.marks(min, max)).collect(),
+                levels: self
+                    .series
+                    .iter()
+                    .map(|s| s.features[order].level)
+                    .collect(),
                 points: Vec::new(),
             };
             panel.points = panel.along(plot);
             panel
         };
-        self.plots.iter().enumerate().map(panel).collect()
+        plots.into_iter().enumerate().map(panel).collect()
     }
 
     /// Whether the values of an order are labelled in degrees.
@@ -251,10 +268,10 @@ impl Chart {
         &self,
         area: &DrawingArea<B, Shift>,
         panel: &Panel,
-        plot: &Plot,
         palette: &Palette,
         scale: f64,
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+        let plot = &self.plots[panel.order];
         let fine = |pixels: f64| pixels as i32 * FINE;
         let (left, top) = (fine(panel.left), fine(panel.top));
         let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
@@ -332,6 +349,25 @@ impl Panel {
             }
         }
         points
+    }
+}
+
+/// What the axis of a motion spans: all that the input is told by, or of a crank that goes to and fro over little of its
+/// turn only where it moves.
+fn axis(cycle: &Cycle) -> [f64; 2] {
+    let whole = cycle.axis();
+    let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =
+        (cycle.period(), cycle.is_full(), cycle.arcs())
+    else {
+        return whole;
+    };
+    let beside = BESIDE * (to - from);
+    let fitted = [from - beside, to + beside];
+    let span = |[from, to]: [f64; 2]| to - from;
+    if span(fitted) > MOST_OF_A_TURN * span(whole) {
+        whole
+    } else {
+        fitted
     }
 }
 

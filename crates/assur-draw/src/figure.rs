@@ -6,6 +6,7 @@ mod given;
 mod layout;
 mod names;
 mod nearest;
+mod numbers;
 mod overlaid;
 mod paths;
 mod plots;
@@ -24,6 +25,7 @@ use crate::parts;
 use given::Given;
 use layout::Layout;
 use names::Names;
+use numbers::Number;
 use overlaid::Overlaid;
 use paths::Path;
 use slides::Guide;
@@ -81,6 +83,7 @@ pub struct Figure {
     gearing: Gearing,
     names: Names,
     overlaid: Overlaid,
+    numbers: Vec<Number>,
     given: Given,
     /// Numbers of wheels: each where it stands in a pose, and its name.
     tags: Vec<(LinkId, Tag, usize)>,
@@ -106,11 +109,16 @@ impl Figure {
             Some((link, tag.clone(), names.add(tag.text.clone())))
         });
         let tags = tags.collect();
-        let mut overlaid = Overlaid::new(mechanism, &layout, &home, view, &mut names);
+        let mut overlaid = Overlaid::new(motion, &layout, &home, view, &mut names);
+        let numbers = if view.overlays.numbers {
+            numbers::numbers(mechanism, &layout, &home, view, &mut names)
+        } else {
+            Vec::new()
+        };
         let given = Given::new(&view.annotations.given, &mut names);
 
         let runs = paths::sampled(motion);
-        let guides = slides::guides(&layout, mechanism, &home, &runs);
+        let guides = slides::guides(&layout, mechanism, &home, &runs, view);
         let path = |point: PointId| (point, paths::path(motion, &layout, &runs, point));
         let points = mechanism.point_ids();
         let (tracers, listed): (Vec<PointId>, Vec<PointId>) =
@@ -141,9 +149,14 @@ impl Figure {
         );
         let size = bounds::size(base);
         let unit = size / 100.0;
-        let supports = fixed.iter().filter(|point| layout.is_support(**point));
-        let symbols = supports.flat_map(|point| parts::support_reach(place(point), 1.5 * unit));
-        let base = bounds::grown(base, symbols, size);
+        let supports = mechanism.point_ids().filter_map(|point| {
+            let size = layout.support(point)?;
+            Some(parts::support_reach(place(&point), size * unit))
+        });
+        let symbols = supports.flatten();
+        let symbols = symbols.chain(guides.iter().flat_map(|guide| guide.reach(unit)));
+        let ground = slides::ground(base, size, view.annotations.ground);
+        let base = bounds::grown(base, symbols.chain(ground.into_iter().flatten()), size);
         let curves = traced
             .iter()
             .flat_map(|(_, paths)| paths)
@@ -157,6 +170,7 @@ impl Figure {
             gearing,
             names,
             overlaid,
+            numbers,
             given,
             tags,
             rigid: List::default(),
@@ -167,7 +181,7 @@ impl Figure {
             .map(|point| (point, paths::path(motion, &figure.layout, &runs, point)))
             .chain(traced)
             .collect();
-        figure.draw(&home, &guides, &seen, view);
+        figure.draw(&home, &guides, ground, &seen, view);
         Ok(figure)
     }
 
@@ -266,12 +280,19 @@ impl Figure {
 
     /// How far a point's name stands off in a direction.
     fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
-        let on_block = self.layout.is_on_block(point);
-        let off = direction.normalize() * if on_block { 2.3 } else { 1.5 };
+        let wide = self.layout.is_wide(point);
+        let off = direction.normalize() * if wide { 2.3 } else { 1.5 };
         [off.x, off.y]
     }
 
-    fn draw(&mut self, home: &Pose<1>, guides: &[Guide], seen: &[Ways], view: &View) {
+    fn draw(
+        &mut self,
+        home: &Pose<1>,
+        guides: &[Guide],
+        ground: Option<[Point; 3]>,
+        seen: &[Ways],
+        view: &View,
+    ) {
         let (u, mechanism) = (self.unit, self.motion.mechanism());
         let mut list = List::default();
         for (point, paths) in seen {
@@ -282,20 +303,35 @@ impl Figure {
             }
         }
         self.given.draw(&mut list, u);
+        if let Some([from, to, _]) = ground {
+            parts::hatched(&mut list, [from, to], -Vector::y(), u);
+        }
         for guide in guides {
             guide.draw_line(&mut list, u);
         }
+        for guide in guides {
+            guide.empty(&mut list, u);
+        }
         list.body(0);
         let points = mechanism.point_ids();
-        let supports = points.clone();
-        for point in supports.filter(|point| self.layout.is_support(*point)) {
-            parts::support(&mut list, mechanism.place(home, point).place(), 1.5 * u);
+        for point in points.clone() {
+            if let Some(size) = self.layout.support(point) {
+                parts::support(&mut list, mechanism.place(home, point).place(), size * u);
+            }
+        }
+        for centre in self.gearing.fixed_idlers() {
+            parts::support(&mut list, centre, u);
         }
         self.gearing.draw(&mut list, u);
         // The first link, the crank as a rule, on top.
         for link in mechanism.link_ids().rev() {
             list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));
+            let mut slots = guides.iter().filter(|guide| guide.is_slot_of(link));
+            if let Some(slot) = slots.next() {
+                slot.draw_slot(&mut list, outline, BAR * u, u);
+                continue;
+            }
             match outline[..] {
                 [] | [_] => {}
                 [from, to] if self.gearing.is_wheel(link) && !self.layout.is_bar(link) => {
@@ -328,6 +364,9 @@ impl Figure {
                 list.body(layout::number(Some(link)));
                 overlays::mass(&mut list, at, u);
             }
+        }
+        for number in &self.numbers {
+            number.draw(&mut list, u);
         }
         self.rigid = list;
     }

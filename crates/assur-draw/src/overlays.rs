@@ -26,6 +26,8 @@ pub struct Overlays {
     pub transmission: bool,
     /// Each link in the colour of its Assur group.
     pub groups: bool,
+    /// The number of each link; the frame is 0.
+    pub numbers: bool,
 }
 
 /// How long the vectors of a motion are drawn: lengths of the drawing per

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::Point;
+use assur::{Point, Vector};
 
 use crate::list::{List, Look, Role};
 use assur::sorting::sort_by;
@@ -29,7 +29,7 @@ pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: 
         let turn = (outward(*corner, corners[(i + 1) % count]) - start).rem_euclid(TAU);
         outline.extend((0..=ARC).map(|k| {
             let (sin, cos) = (start + turn * k as f64 / ARC as f64).sin_cos();
-            corner + assur::Vector::new(cos, sin) * half_width
+            corner + Vector::new(cos, sin) * half_width
         }));
     }
     list.polygons(role, Look::Pale, &[outline]);
@@ -74,16 +74,63 @@ pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f
     let along = to - from;
     let length = along.norm();
     let along = along / length;
-    let head = along * (2.6 * unit).min(0.5 * length);
-    let across = assur::Vector::new(-head.y, head.x) * 0.36;
-    let neck = to - head;
+    let neck = to - along * (HEAD * unit).min(0.5 * length);
     list.polyline(role, Look::Line, &[from, neck]);
-    list.polygons(role, Look::Solid, &[vec![to, neck + across, neck - across]]);
+    head(list, role, neck, to);
+}
+
+/// How long the head of an arrow is, in units, where there is room.
+pub(crate) const HEAD: f64 = 2.6;
+
+/// The head of an arrow, from its neck to its tip.
+pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
+    let along = tip - neck;
+    let across = Vector::new(-along.y, along.x) * 0.36;
+    list.polygons(
+        role,
+        Look::Solid,
+        &[vec![tip, neck + across, neck - across]],
+    );
+}
+
+/// How far hatching is seen beside its line, in units.
+pub(crate) const HATCH: f64 = 1.1;
+/// Strokes of a hatching are so far from each other, in units; a line has no more than so many.
+const STROKES: f64 = 1.5;
+const MOST_STROKES: f64 = 400.0;
+
+/// A line of the frame, hatched on one side (a direction of length one).
+pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, unit: f64) {
+    list.polyline(Role::Secondary, Look::Line, &[from, to]);
+    let length = (to - from).norm();
+    let count = (length / (STROKES * unit)).floor().clamp(1.0, MOST_STROKES);
+    let step = (to - from) / count;
+    for i in 1..=count as usize {
+        let at = from + step * i as f64;
+        let stroke = (side * unit - step * (unit / step.norm())) * HATCH;
+        list.polyline(Role::Secondary, Look::Thin, &[at, at + stroke]);
+    }
+}
+
+/// A bar with a slot along it; half the widths of both.
+pub(crate) fn slot(list: &mut List, role: Role, [from, to]: [Point; 2], half: [f64; 2]) {
+    let around = half.map(|half| capsule(from, to, half));
+    list.polygons(role, Look::Solid, &around);
+}
+
+/// The corners of a rectangle, from its middle and half its sides.
+pub(crate) fn rectangle(middle: Point, [along, across]: [Vector; 2]) -> Vec<Point> {
+    vec![
+        middle + along + across,
+        middle - along + across,
+        middle - along - across,
+        middle + along - across,
+    ]
 }
 
 /// A fixed support: a triangle under the hinge on a hatched line.
 pub(crate) fn support(list: &mut List, at: Point, size: f64) {
-    let point = |x: f64, y: f64| at + assur::Vector::new(x * size, y * size);
+    let point = |x: f64, y: f64| at + Vector::new(x * size, y * size);
     let triangle = vec![point(0.0, 0.0), point(-1.5, -2.6), point(1.5, -2.6)];
     list.polygons(Role::Secondary, Look::Pale, &[triangle]);
     list.polyline(
@@ -100,7 +147,7 @@ pub(crate) fn support(list: &mut List, at: Point, size: f64) {
 
 /// The corners of the rectangle that holds a support.
 pub(crate) fn support_reach(at: Point, size: f64) -> [Point; 2] {
-    [[-2.4, -3.3], [2.3, 0.0]].map(|[x, y]| at + assur::Vector::new(x, y) * size)
+    [[-2.4, -3.3], [2.3, 0.0]].map(|[x, y]| at + Vector::new(x, y) * size)
 }
 
 /// A tracer: a point that a link carries and that joins nothing.
@@ -129,9 +176,14 @@ pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
 
 /// How far a place is from the line between two others.
 pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
+    (place - nearest(place, from, to)).norm()
+}
+
+/// The place nearest to another on the line between two.
+pub(crate) fn nearest(place: Point, from: Point, to: Point) -> Point {
     let along = to - from;
     let share = (place - from).dot(&along) / along.norm_squared();
-    (place - (from + along * share.clamp(0.0, 1.0))).norm()
+    from + along * share.clamp(0.0, 1.0)
 }
 
 /// How far a place is from a convex plate, given counter-clockwise: zero on it. None
@@ -160,7 +212,7 @@ pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
         let [a, b] = [two[0] - first, two[1] - first];
         (a.perp(&b), (a + b) / 3.0)
     });
-    let zero = (0.0, assur::Vector::zeros());
+    let zero = (0.0, Vector::zeros());
     let (area, moment) = pieces.fold(zero, |(area, moment), (piece, middle)| {
         (area + piece, moment + middle * piece)
     });
@@ -178,7 +230,7 @@ fn capsule(from: Point, to: Point, half_width: f64) -> Vec<Point> {
     let end = |centre: Point, start: f64| {
         (0..=ARC).map(move |i| {
             let angle = start + PI * i as f64 / ARC as f64;
-            centre + assur::Vector::new(angle.cos(), angle.sin()) * half_width
+            centre + Vector::new(angle.cos(), angle.sin()) * half_width
         })
     };
     end(to, direction - PI / 2.0)

@@ -111,7 +111,7 @@ impl Svg {
             size,
         };
         // Writing into memory cannot fail.
-        let panels = chart.draw(&canvas.into_drawing_area(), &LIGHT, 1.0);
+        let panels = chart.draw(&canvas.into_drawing_area(), &LIGHT, 1.0, None);
         for panel in panels.iter().flatten() {
             self.axes(panel, chart, input);
         }
@@ -123,8 +123,16 @@ impl Svg {
         let angle = panel.order == 0 && chart.kind() == Kind::Angle;
         let strokes = ["", "′", "″"].get(panel.order).copied().unwrap_or_default();
         let mut right = panel.left;
-        for series in chart.series() {
-            let name = format!("{}{strokes}", series.name);
+        for (series, level) in chart.series().iter().zip(&panel.levels) {
+            let mut name = format!("{}{strokes}", series.name);
+            if let Some(level) = level {
+                let (level, unit) = if angle {
+                    (level.to_degrees(), "°")
+                } else {
+                    (*level, "")
+                };
+                name += &format!(" = {}{unit}", short(level));
+            }
             self.text(&name, [right, panel.top - 9.0], "start", series.role, 13.0);
             right += 8.0 * name.chars().count() as f64 + 14.0;
         }

@@ -19,7 +19,7 @@ use crate::kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
 };
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
-use crate::view::{Axes, OpenLesson, SpeedUnit};
+use crate::view::{Axes, Only, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
 
 #[test]
@@ -28,6 +28,7 @@ fn the_scripts_know_what_is_saved() {
     let types = [
         View::decl(&config),
         OpenLesson::decl(&config),
+        Only::decl(&config),
         Axes::decl(&config),
         SpeedUnit::decl(&config),
         LengthUnit::decl(&config),

@@ -56,9 +56,15 @@ pub struct View {
     /// Links in the colours of their Assur groups.
     #[serde(default)]
     pub groups: bool,
+    /// Numbers of the links shown.
+    #[serde(default)]
+    pub numbers: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
+    /// Which of the plots is shown alone, if one is.
+    #[serde(default)]
+    pub only: Only,
     /// What the derivatives are by.
     #[serde(default)]
     pub axes: Axes,
@@ -96,6 +102,34 @@ pub struct OpenLesson {
     pub id: String,
     /// The step, counted from 1.
     pub step: u8,
+}
+
+/// The plot that is shown alone, if one is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum Only {
+    /// None: all three are shown.
+    #[default]
+    All,
+    /// That of the quantities themselves.
+    Value,
+    /// That of their first derivatives.
+    First,
+    /// That of their second derivatives.
+    Second,
+}
+
+impl Only {
+    /// The order of the derivatives that are shown alone; none where all are.
+    pub fn order(self) -> Option<usize> {
+        match self {
+            Self::All => None,
+            Self::Value => Some(0),
+            Self::First => Some(1),
+            Self::Second => Some(2),
+        }
+    }
 }
 
 /// What derivatives are by.
@@ -146,7 +180,9 @@ impl Default for View {
             loop_vectors: false,
             transmission: false,
             groups: false,
+            numbers: false,
             plot: angles(),
+            only: Only::default(),
             axes: Axes::default(),
             omega: one(),
             omega_unit: SpeedUnit::default(),

@@ -24,7 +24,7 @@ fn good() -> Value {
         "view": {
             "phi_deg": 62, "playing": false, "direction": 1,
             "speed": 1, "traces": true, "lang": "en",
-            "plot": "C2", "axes": "physical", "omega": 2, "omega_unit": "per_min",
+            "plot": "C2", "only": "second", "axes": "physical", "omega": 2, "omega_unit": "per_min",
             "epsilon": 0.5, "true_time": true, "differenced": true,
         },
     })

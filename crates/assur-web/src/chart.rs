@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use assur_draw::ROLES;
 use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
-use assur_file::Problem;
+use assur_file::{Only, Problem};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -26,6 +26,10 @@ pub(crate) struct ChartRequest {
     /// Whether curves go through all their points: for a picture that may be enlarged.
     #[serde(default)]
     pub(crate) whole: bool,
+    /// The plot that has all of the room, if one has.
+    #[serde(default)]
+    #[cfg_attr(test, ts(type = "Only"))]
+    pub(crate) only: Only,
     /// The input around which a motion is plotted that goes on and on.
     #[serde(default)]
     pub(crate) around: f64,
@@ -93,6 +97,8 @@ pub(crate) struct SeriesLayout<'a> {
     /// The number by which the angle is called, where it is.
     number: Option<&'a str>,
     role: &'static str,
+    /// The value that the curve has throughout, where it does not change.
+    level: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -149,10 +155,12 @@ impl<'a> PanelLayout<'a> {
             xticks: ticks(panel.x_ticks),
             yticks: ticks(panel.y_ticks),
             series: series
-                .map(|series| SeriesLayout {
+                .zip(panel.levels)
+                .map(|(series, level)| SeriesLayout {
                     name: &series.name,
                     number: number_of(numbers, &series.name),
                     role: series.role.name(),
+                    level,
                 })
                 .collect(),
             points: panel.points,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, RrrDyad, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
 use assur::motion::Motion;
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
@@ -24,12 +24,13 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    dyads: Vec<RrrDyad>,
+    /// How well dyads transmit: read out without derivatives.
+    transmitting: Vec<Quantity>,
     /// The numbers of links, by which their angles are called.
     numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
     /// What is listed whatever is plotted.
-    listed: Vec<Reading>,
+    listed: Vec<Quantity>,
     plotted: Vec<Quantity>,
     driven: Option<Driven>,
     /// What can be dragged.
@@ -39,14 +40,6 @@ pub(crate) struct Moving {
     figure: Figure,
     chart: Chart,
     explain: Explain,
-}
-
-/// What is read of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Reading {
-    Quantity(Quantity),
-    /// The transmission angle of a dyad, by its number.
-    Transmission(usize),
 }
 
 impl Moving {
@@ -88,7 +81,7 @@ impl Moving {
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
         Ok(Self {
-            dyads: mechanism.rrr_dyads(),
+            transmitting: mechanism.transmitting(),
             numbers,
             quantities,
             listed: Vec::new(),
@@ -107,9 +100,8 @@ impl Moving {
     /// The same with every transmission angle and the angles of these links listed, whatever
     /// is plotted.
     pub(crate) fn listing(mut self, links: impl Iterator<Item = LinkId>) -> Self {
-        let angles = links.map(|link| Reading::Quantity(Quantity::Angle(link)));
-        let transmissions = (0..self.dyads.len()).map(Reading::Transmission);
-        self.listed = angles.chain(transmissions).collect();
+        let transmitting = self.transmitting.iter().copied();
+        self.listed = links.map(Quantity::Angle).chain(transmitting).collect();
         self
     }
 
@@ -155,14 +147,26 @@ impl Moving {
         &self.plotted
     }
 
+    /// Whose colour the curve of a quantity has, if it is plotted.
+    pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
+        let mut plotted = self.plotted.iter().zip(self.chart.series());
+        let found = plotted.find(|(plotted, _)| **plotted == quantity);
+        found.map(|(_, series)| series.role.name())
+    }
+
     /// Which of the assemblies at the drawn input moves, from 1.
     pub(crate) fn assembly(&self) -> usize {
         let drawn = self.mechanism().drawn_assembly() + 1;
         self.document.assembly.unwrap_or(drawn)
     }
 
-    pub(crate) fn dyads(&self) -> &[RrrDyad] {
-        &self.dyads
+    pub(crate) fn transmitting(&self) -> &[Quantity] {
+        &self.transmitting
+    }
+
+    /// What is plotted first, if that is an output: how well a dyad transmits is none.
+    pub(crate) fn plotted_output(&self) -> Option<Quantity> {
+        self.plotted.first().copied().filter(|one| !one.is_folded())
     }
 
     /// The outputs that the document names, whatever is plotted now; of one that names none
@@ -173,33 +177,21 @@ impl Moving {
         let named = named.filter_map(|name| Quantity::named(mechanism, name));
         let named: Vec<Quantity> = named.collect();
         if named.is_empty() {
-            self.plotted.first().copied().into_iter().collect()
+            self.plotted_output().into_iter().collect()
         } else {
             named
         }
     }
 
     /// What is listed beside the drawing: what always is, then what is plotted.
-    pub(crate) fn listed(&self) -> impl Iterator<Item = Reading> + '_ {
-        let plotted = self.plotted.iter().copied().map(Reading::Quantity);
+    pub(crate) fn listed(&self) -> impl Iterator<Item = Quantity> + '_ {
+        let plotted = self.plotted.iter().copied();
         let plotted = plotted.filter(|one| !self.listed.contains(one));
         self.listed.iter().copied().chain(plotted)
     }
 
     pub(crate) fn handles(&self) -> &[Handle] {
         &self.handles
-    }
-
-    /// The name of a read-out.
-    pub(crate) fn reading_name(&self, reading: Reading) -> String {
-        let mechanism = self.mechanism();
-        match reading {
-            Reading::Quantity(quantity) => quantity.name(mechanism, 0),
-            Reading::Transmission(dyad) => {
-                let joint = mechanism.point_name(self.dyads[dyad].inner);
-                format!("{joint}.transmission")
-            }
-        }
     }
 
     /// The pose at an input.
@@ -276,10 +268,8 @@ impl Moves for Moving {
         match self.motion.pose::<3>(input) {
             Ok(pose) => {
                 let mechanism = self.mechanism();
-                let angles = self
-                    .dyads
-                    .iter()
-                    .map(|dyad| mechanism.transmission_angle(&pose, dyad));
+                let angles = self.transmitting.iter();
+                let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
                 Ok(Here {
                     frame: self.figure.frame(&pose),
                     handles: self.places(&pose),
@@ -317,8 +307,7 @@ impl Moves for Moving {
 
     fn readout_names(&self) -> Vec<String> {
         let mechanism = self.mechanism();
-        let angles =
-            (0..self.dyads.len()).map(|dyad| self.reading_name(Reading::Transmission(dyad)));
+        let angles = self.transmitting.iter().map(|one| one.name(mechanism, 0));
         let quantities = self.quantities.iter().flat_map(|one| {
             let name = one.name(mechanism, 0);
             ["", "′", "″"].map(|stroke| [&name, stroke].concat())
@@ -356,6 +345,7 @@ fn overlays(view: &View) -> Overlays {
         loop_vectors: view.loop_vectors,
         transmission: view.transmission,
         groups: view.groups,
+        numbers: view.numbers,
     }
 }
 

@@ -212,6 +212,7 @@ impl Simulator {
             &canvas.into_drawing_area(),
             &request.palette(),
             request.scale,
+            request.only.order(),
         );
         let panels = drawn.map_err(|error| one(bad("chart", &error.to_string())))?;
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))

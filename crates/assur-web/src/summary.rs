@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::capabilities::Moves;
 use crate::equations::EquationSummary;
 use crate::kinds::BECOMES;
-use crate::moving::{Moving, Reading};
+use crate::moving::Moving;
 use crate::profile::ProfileSummary;
 
 /// What is said of a drawing and of its structure, whether it moves or not.
@@ -121,13 +121,16 @@ pub(crate) struct FourBarSummary<'a> {
     grashof: &'static str,
 }
 
-/// The least transmission angle of an RRR dyad, at the inner joint, and where it is.
+/// The least transmission angle of a dyad RRR or the greatest pressure angle of a dyad RRP, at the inner joint, and where
+/// it is.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TransmissionSummary<'a> {
+    #[cfg_attr(test, ts(type = "\"transmission\" | \"pressure\""))]
+    what: &'static str,
     joint: &'a str,
     links: [&'a str; 2],
-    min: f64,
+    worst: f64,
     input: f64,
 }
 
@@ -164,10 +167,10 @@ pub(crate) struct LimitSummary {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
     pub(crate) name: String,
-    /// `angle`, `load_angle`, `x`, `y` or `transmission`.
+    /// `angle`, `load_angle`, `x`, `y`, `transmission` or `pressure`.
     #[cfg_attr(
         test,
-        ts(type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\"")
+        ts(type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\" | \"pressure\"")
     )]
     pub(crate) what: &'static str,
     pub(crate) of: Vec<&'a str>,
@@ -238,13 +241,20 @@ impl<'a> MotionSummary<'a> {
             .map(link),
             grashof: grashof(one.grashof()),
         });
-        let transmissions = moving.dyads().iter().filter_map(|dyad| {
-            let least = motion.least_transmission(dyad)?;
+        let transmissions = moving.transmitting().iter().filter_map(|angle| {
+            let (links, worst) = match angle {
+                Quantity::Transmission(dyad) => (dyad.links, motion.least_transmission(dyad)?),
+                Quantity::Pressure(dyad) => {
+                    ([dyad.rod, dyad.slider], motion.greatest_pressure(dyad)?)
+                }
+                _ => return None,
+            };
             Some(TransmissionSummary {
-                joint: mechanism.point_name(dyad.inner),
-                links: dyad.links.map(|one| link(Some(one))),
-                min: least.angle,
-                input: least.input,
+                what: angle.what(),
+                joint: angle.whose(mechanism),
+                links: links.map(|one| link(Some(one))),
+                worst: worst.angle,
+                input: worst.input,
             })
         });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
@@ -260,14 +270,14 @@ impl<'a> MotionSummary<'a> {
             (name, OutputProfile::new(motion, *one))
         });
         let profiles: Vec<(String, OutputProfile<'_>)> = profiles.collect();
-        let first = moving.plotted().first().map(|plotted| {
-            let known = outputs.iter().position(|output| output == plotted);
+        let first = moving.plotted_output().map(|plotted| {
+            let known = outputs.iter().position(|output| *output == plotted);
             let summed = |profile: &OutputProfile<'_>| {
-                ProfileSummary::new(mechanism, *plotted, profile, moving.document().band)
+                ProfileSummary::new(mechanism, plotted, profile, moving.document().band)
             };
             match known {
                 Some(index) => summed(&profiles[index].1),
-                None => summed(&OutputProfile::new(motion, *plotted)),
+                None => summed(&OutputProfile::new(motion, plotted)),
             }
         });
         let course = CourseSummary {
@@ -282,7 +292,7 @@ impl<'a> MotionSummary<'a> {
                 .collect(),
             numbers: moving.numbers(),
             listed: (moving.listed())
-                .map(|reading| ListedSummary::new(moving, reading))
+                .map(|quantity| ListedSummary::new(moving, quantity))
                 .collect(),
             overviews: &["angles"],
             plotted: plotted.map(|one| one.name(mechanism, 0)).collect(),
@@ -307,31 +317,29 @@ impl<'a> MotionSummary<'a> {
 }
 
 impl<'a> ListedSummary<'a> {
-    fn new(moving: &'a Moving, reading: Reading) -> Self {
-        let mechanism = moving.mechanism();
-        let (what, of, role) = match reading {
-            Reading::Quantity(Quantity::Angle(link)) => {
+    fn new(moving: &'a Moving, quantity: Quantity) -> Self {
+        let (mechanism, what) = (moving.mechanism(), quantity.what());
+        let (of, role) = match quantity {
+            Quantity::Angle(link) => {
                 let fixed = mechanism.link_ids();
                 let fixed =
                     fixed.filter(|one| *one != link && mechanism.root_of(*one) == Some(link));
                 let links = [link].into_iter().chain(fixed);
                 let of = links.map(|link| mechanism.link_name(link)).collect();
-                ("angle", of, moving.figure().role(link).name())
+                (of, moving.figure().role(link).name())
             }
-            Reading::Quantity(Quantity::X(point)) => ("x", vec![mechanism.point_name(point)], "x"),
-            Reading::Quantity(Quantity::Y(point)) => ("y", vec![mechanism.point_name(point)], "y"),
-            Reading::Transmission(dyad) => {
-                let joint = mechanism.point_name(moving.dyads()[dyad].inner);
-                ("transmission", vec![joint], "secondary")
+            Quantity::X(_) | Quantity::Y(_) => (vec![quantity.whose(mechanism)], what),
+            Quantity::Transmission(_) | Quantity::Pressure(_) => {
+                (vec![quantity.whose(mechanism)], "secondary")
             }
         };
         let number = of.first().and_then(|link| moving.numbers().get(*link));
         Self {
-            name: moving.reading_name(reading),
+            name: quantity.name(mechanism, 0),
             what,
             number: number.map(String::as_str).filter(|_| what == "angle"),
             of,
-            role,
+            role: moving.plotted_role(quantity).unwrap_or(role),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The table of a motion, under names of the page.
 
-use assur::mechanism::{Mechanism, Quantity};
+use assur::mechanism::Mechanism;
 use assur::motion::{Column, Grid};
 use assur_file::Problem;
 use serde::Serialize;
@@ -136,12 +136,8 @@ impl SweepDimension {
 
 impl SweepColumn {
     fn of(mechanism: &Mechanism, column: Column) -> Self {
-        let (kind, of) = match column.quantity {
-            Quantity::Angle(link) => ("angle", mechanism.link_name(link)),
-            Quantity::X(point) => ("x", mechanism.point_name(point)),
-            Quantity::Y(point) => ("y", mechanism.point_name(point)),
-        };
-        let (of, order) = (of.to_owned(), column.order);
+        let Column { quantity, order } = column;
+        let (kind, of) = (quantity.what(), quantity.whose(mechanism).to_owned());
         Self {
             name: column.name(mechanism),
             quantity: Some(SweepQuantity { kind, of, order }),

@@ -108,7 +108,7 @@ fn the_scripts_know_what_crosses_the_border() {
         ReachedSummary::decl(&config),
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
-                 import { KindDocument, LinkageDocument } from \"assur/types/file.js\";\n\
+                 import { KindDocument, LinkageDocument, Only } from \"assur/types/file.js\";\n\
                  export type Summaries = { \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))

@@ -67,7 +67,11 @@ fn what_is_no_mechanism_names_links_and_points() {
     let brace =
         r#"{ "name": "slider", "points": ["C"] }, { "name": "brace", "points": ["G", "B"] }"#;
     let slide = r#"{ "link": "slider", "point": "C", "on": "frame", "line": ["A", "G"] }"#;
-    let flat = changed(SCOTCH_YOKE, r#", "shape": [[0, 0], [3, 0], [1.5, 0]]"#, "");
+    let flat = changed(
+        SCOTCH_YOKE,
+        r#", "shape": [[0, 0], [3, 0], [1.5, 0], [1.5, -2.6]]"#,
+        "",
+    );
     let flat = changed(
         &flat,
         "[0.5000000000000001, 1.5]",

@@ -18,6 +18,7 @@ use flate2::write::GzEncoder;
 use serde::Serialize;
 
 use crate::media::media_type;
+use crate::notes::FOLDER;
 use crate::step::announce;
 use crate::workspace::Workspace;
 
@@ -40,6 +41,8 @@ type Files = BTreeMap<String, Vec<u8>>;
 pub(crate) fn write(workspace: &Workspace) -> Result<()> {
     let mut files = Files::new();
     collect(&workspace.site(), "", &mut files)?;
+    // The notes are documents of their own.
+    files.retain(|name, _| Path::new(name).parent() != Some(Path::new(FOLDER)));
     let page = assemble(&files)?;
 
     let path = workspace.bundle();

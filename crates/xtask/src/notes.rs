@@ -8,7 +8,7 @@ use pulldown_cmark::{Event, Options, Parser, Tag, html};
 use crate::site::{read, write};
 
 /// The folder of the repository and of the site.
-const FOLDER: &str = "docs";
+pub(crate) const FOLDER: &str = "docs";
 
 /// Those that are for readers of the page.
 const NOTES: [&str; 3] = ["model", "errata", "file-format"];

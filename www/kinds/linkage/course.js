@@ -33,10 +33,10 @@ const INSET = Object.freeze({ width: 0.42, height: 0.36 });
  */
 export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {
   if (kind !== "linkage" || state.kind !== "linkage") return;
-  const { profile } = summary;
+  const { profile, cycle } = summary;
   if (!state.document.band || !profile?.dwell) return;
   const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
-  for (const panel of panels) paintDwell(context, panel, profile.dwell, value, words, theme);
+  for (const panel of panels) paintDwell(context, panel, profile.dwell, cycle, value, words, theme);
 }
 
 /**
@@ -44,12 +44,12 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
+ * @param {{ start: number, end: number }} cycle
  * @param {(phi: number) => number | undefined} value of the output at a crank angle
  * @param {Words} words
  * @param {Theme} theme
  */
-function paintDwell(context, panel, dwell, value, words, theme) {
-  const { x0: start, x1: end } = panel;
+function paintDwell(context, panel, dwell, { start, end }, value, words, theme) {
   const period = end - start;
   const turns = period * Math.floor((dwell.arc[0] - start) / period);
   const [from, to] = [dwell.arc[0] - turns, dwell.arc[1] - turns];
@@ -161,6 +161,7 @@ export class CourseView {
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
+    this.#fold.hidden = !profile;
     if (!profile) return;
     const folded = `${state.document.origin} ${state.document.title} ${state.document.band !== undefined}`;
     if (folded !== this.#folded) this.#fold.open = Boolean(state.document.band);

@@ -3,6 +3,7 @@ import { StatusLine } from "assur/controls/status.js";
 import { called, calledIn } from "assur/core/names.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { subscript } from "assur/core/symbols.js";
 
 /**
  * @typedef {import("assur/engine.js").MotionSummary} Summary
@@ -26,7 +27,8 @@ const ENTRIES = Object.freeze({
     outputs.flatMap(({ name, time_ratio: ratio }) =>
       ratio === null ? [] : [`${words.numbers.fixed(ratio, 3)} (${called(name.replace(/\.angle$/, ""), words)})`],
     ).join("; "),
-  "linkage-transmission": ({ transmissions }, words) => transmissions.map(({ joint, min }) => `${angle(min, words)} (${joint})`).join("; "),
+  "linkage-transmission": ({ transmissions }, words) => worst(transmissions, "transmission", words),
+  "linkage-pressure": ({ transmissions }, words) => worst(transmissions, "pressure", words),
   "linkage-range": ({ cycle }, words, { coordinate }) =>
     (cycle.full ? "" : cycle.arcs.map((arc) => arc.map((end) => coordinate.short(end, words, 2)).join("…")).join(", ")),
   "linkage-dead": ({ dead_points: dead }, words, { coordinate }) =>
@@ -37,7 +39,7 @@ const ENTRIES = Object.freeze({
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-stroke": "stroke",
   "linkage-time-ratio": "time-ratio",
-  "linkage-transmission": "transmission", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
+  "linkage-transmission": "transmission", "linkage-pressure": "pressure", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
 }));
 
 /** @returns {StatusLine<Snapshot>} */
@@ -68,6 +70,17 @@ function strokes(outputs, angles, words) {
   return outputs.filter(({ name, swing }) => name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
     `${swing.map((one) => said(one?.stroke ?? 0)).join(", ")} (${called(name.replace(/\.angle$/, ""), words)})`,
   ).join("; ");
+}
+
+/**
+ * @param {Summary["transmissions"]} transmissions
+ * @param {Summary["transmissions"][number]["what"]} what
+ * @param {Words} words
+ * @returns {string} how badly dyads transmit, each with its inner joint
+ */
+function worst(transmissions, what, words) {
+  const found = transmissions.filter((one) => one.what === what);
+  return found.map((one) => `${angle(one.worst, words)} (${subscript(one.joint)})`).join("; ");
 }
 
 /**

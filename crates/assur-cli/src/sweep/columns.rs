@@ -81,6 +81,7 @@ impl Names<'_> {
     pub(super) fn chosen(self, names: &str) -> Result<Vec<Column>, Failure> {
         let all: Vec<(String, Column)> = Column::all(self.mechanism)
             .into_iter()
+            .chain(Column::transmitting(self.mechanism))
             .map(|column| (self.name(column), column))
             .collect();
         let mut chosen = Vec::new();
@@ -131,6 +132,11 @@ impl Names<'_> {
             let points = points.map(|point| mechanism.point_name(point));
             let ends = ends(&[Quantity::X(point), Quantity::Y(point)]);
             there.push(format!("{ends} of {}", list(points.collect())));
+        }
+        let further = Column::transmitting(mechanism).map(|column| self.name(column));
+        let further: Vec<String> = further.collect();
+        if !further.is_empty() {
+            there.push(further.join(", "));
         }
         let there = there.join("; ");
         Failure::Input(format!("--columns: there is no {name}; there are {there}"))

@@ -39,7 +39,8 @@ pub(crate) struct Asked {
         conflicts_with_all = ["step", "from", "to"]
     )]
     at: Vec<f64>,
-    /// These columns only, in this order, by their names in the header without units
+    /// These columns only, in this order, by their names in the header without units; C.transmission and C.pressure, by the
+    /// joint within a dyad, say how well it transmits
     #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
     columns: Option<String>,
     /// Rates by time in place of derivatives, while the driver has this speed: rad/s, of a slide lengths/s

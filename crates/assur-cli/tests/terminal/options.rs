@@ -117,6 +117,41 @@ fn columns_by_their_names() {
     }
 }
 
+/// How well dyads transmit is in no table but where it is asked for: μ by the cosine rule, tan α of a slider-crank.
+#[test]
+fn columns_of_dyads() {
+    let names = ["C.transmission", "C.dtransmission"];
+    let asked = names.join(",");
+    let chosen = table(&["mixer-a", "--degrees", "--at", "0,180", "--columns", &asked]);
+    for (row, diagonal) in [(0, 0.85_f64 - 0.37), (1, 0.85 + 0.37)] {
+        let [l2, l3] = [0.85_f64, 0.55];
+        let cosine = (l2 * l2 + l3 * l3 - diagonal * diagonal) / (2.0 * l2 * l3);
+        let expected = cosine.abs().acos().to_degrees();
+        assert!((chosen.number(row, names[0]) - expected).abs() < 1e-11);
+        assert!(chosen.number(row, names[1]).abs() < 1e-12);
+    }
+    let rates = "C.transmission_omega,C.transmission_epsilon";
+    let timed = table(&["mixer-a", "--omega", "2", "--at", "40", "--columns", rates]);
+    let plain = table(&["mixer-a", "--at", "40", "--columns", names[1]]);
+    let rate = timed.number(0, "C.transmission_omega");
+    assert!((rate - 2.0 * plain.number(0, names[1])).abs() < 1e-14);
+    // The crank of 1 stands upright, 2 from the way of the slider, on a rod of 3.
+    let pressure = table(&[
+        "slider-crank-offset",
+        "--at",
+        "90",
+        "--columns",
+        "C.pressure",
+    ]);
+    let found = pressure.number(0, "C.pressure");
+    assert!((found - (2.0_f64 / 3.0).asin()).abs() < 1e-14, "{found}");
+    let (_, said) = refused(&["sweep", "slider-crank", "--columns", "C.transmission"]);
+    assert!(
+        said.contains("C.pressure, C.dpressure, C.ddpressure"),
+        "{said}"
+    );
+}
+
 /// A name may have commas of its own.
 #[test]
 fn columns_of_names_with_commas() {

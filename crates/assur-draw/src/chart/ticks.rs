@@ -17,10 +17,20 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
+/// Crank angles stand at least so many degrees apart; along less than the span, closer.
+const FINEST: f64 = 30.0;
+const SHORT: f64 = 120.0;
+const FINEST_OF_SHORT: f64 = 5.0;
+
 /// Labels of the crank angle, radians, about 50 pixels apart, or `scale` times as many.
 pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
-    let step = angle_step((to - from) * 50.0 * scale / width, 30.0);
+    let finest = if to - from < SHORT {
+        FINEST_OF_SHORT
+    } else {
+        FINEST
+    };
+    let step = angle_step((to - from) * 50.0 * scale / width, finest);
     multiples(step, from, to)
         .map(|value| Tick {
             value,
@@ -109,6 +119,12 @@ mod tests {
         );
         assert_eq!(crank([0.0, 2.0 * TAU], 330.0, 1.0).len(), 7);
         assert_eq!(written(&crank([0.0, TAU], 330.0, 2.0)).len(), 4);
+        let short = [35.0_f64, 105.0].map(f64::to_radians);
+        assert_eq!(
+            written(&crank(short, 330.0, 1.0)),
+            [45.0, 60.0, 75.0, 90.0, 105.0]
+        );
+        assert_eq!(written(&crank(short, 900.0, 1.0))[..3], [35.0, 40.0, 45.0]);
     }
 
     #[test]

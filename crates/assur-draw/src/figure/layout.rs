@@ -1,6 +1,6 @@
 //! Which points are joints, which links are drawn how.
 
-use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{DraftSlide, FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
 use super::{View, roles};
@@ -37,6 +37,8 @@ struct Pinned {
     /// Whether a centre of mass is shown.
     shown: bool,
     block: bool,
+    /// Whether it is on the line of a slot.
+    slot: bool,
     /// The shaft of a wheel that is drawn plainly.
     shaft: bool,
     /// A link on which it turns about a fixed point, and that point.
@@ -169,6 +171,16 @@ impl Layout {
         self.is_joint(point) && !self.moves(point)
     }
 
+    /// How large the support of a fixed pivot is drawn, in units: smaller under the shaft of a
+    /// wheel. None of what turns about no point of the frame.
+    pub(super) fn support(&self, point: PointId) -> Option<f64> {
+        let fixed = !self.moves(point);
+        let of_links = self.is_joint(point).then_some(1.5);
+        of_links
+            .or(self.is_shaft(point).then_some(1.0))
+            .filter(|_| fixed)
+    }
+
     /// Whether it is not a point of the frame.
     pub(super) fn moves(&self, point: PointId) -> bool {
         !self.points[point.index()].bodies.contains(&None)
@@ -178,9 +190,10 @@ impl Layout {
         self.points[point.index()].centre
     }
 
-    /// Whether a block is drawn around it.
-    pub(super) fn is_on_block(&self, point: PointId) -> bool {
-        self.points[point.index()].block
+    /// Whether a block or a slot is drawn around it.
+    pub(super) fn is_wide(&self, point: PointId) -> bool {
+        let pinned = &self.points[point.index()];
+        pinned.block || pinned.slot
     }
 
     /// Whether anything is seen there: points that only give a line of the frame,
@@ -238,6 +251,9 @@ fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) ->
     let fixed = |link: LinkId| mechanism.root_of(link) != Some(link);
     let pivot = pivots.min_by_key(|(link, _)| fixed(*link));
     let name = mechanism.point_name(point);
+    let slotted = |slide: &DraftSlide| {
+        slide.line.iter().any(|end| end == name) && slides(mechanism, &slide.on)
+    };
     let mut centres = draft
         .links
         .iter()
@@ -247,6 +263,7 @@ fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) ->
         tracer: mechanism.tracer(point).is_some(),
         centre: centres.any(|centre| centre == name),
         block: draft.slides.iter().any(|slide| slide.point == name),
+        slot: draft.slides.iter().any(slotted),
         bodies,
         link: first,
         shaft,
@@ -266,6 +283,12 @@ fn lists(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
             lists.collect()
         }
     }
+}
+
+/// Whether a link slides on anything.
+pub(super) fn slides(mechanism: &Mechanism, link: &str) -> bool {
+    let mut slides = mechanism.draft().slides.iter();
+    slides.any(|slide| slide.link == link)
 }
 
 /// Whether the frame lists a point, or carries it.

@@ -11,11 +11,18 @@ use super::layout::{self, Layout};
 use super::names::Names;
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
+use crate::parts;
 
 /// Inputs of an arc that are looked at for the lengths of vectors.
 const SAMPLES: u32 = 180;
 /// The tips of vectors are named where no more points than this have them.
 const MOST_NAMED: usize = 3;
+
+/// The largest radius of the arc of the input, in units.
+const LARGEST: f64 = 10.0;
+/// An input angle below the one, radians, has its name up to the other off its middle.
+const SMALL: f64 = 0.8;
+const BELOW: f64 = 0.6;
 
 /// The overlays of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
@@ -37,22 +44,24 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
+    /// The angle from which on it counts: below zero it goes the other way.
+    least: f64,
     role: Role,
     name: usize,
 }
 
 impl Overlaid {
     pub(super) fn new(
-        mechanism: &Mechanism,
+        motion: &Motion,
         layout: &Layout,
         home: &Pose<1>,
         view: &View,
         names: &mut Names,
     ) -> Self {
-        let shown = view.overlays;
+        let (mechanism, shown) = (motion.mechanism(), view.overlays);
         let dyads = mechanism.rrr_dyads();
         let mut overlaid = Self {
-            input: InputArc::new(mechanism, layout, home, view, names),
+            input: InputArc::new(motion, layout, home, view, names),
             loop_vectors: Vec::new(),
             transmission: Vec::new(),
             vectors: Vec::new(),
@@ -127,7 +136,7 @@ impl Overlaid {
         unit: f64,
     ) {
         if let Some(arc) = &self.input {
-            arc.draw(list, mechanism, pose);
+            arc.draw(list, mechanism, pose, unit);
         }
         let place = |point: PointId| mechanism.place(pose, point).place();
         for (ends, name) in &self.loop_vectors {
@@ -147,12 +156,13 @@ impl Overlaid {
 
 impl InputArc {
     fn new(
-        mechanism: &Mechanism,
+        motion: &Motion,
         layout: &Layout,
         home: &Pose<1>,
         view: &View,
         names: &mut Names,
     ) -> Option<Self> {
+        let mechanism = motion.mechanism();
         let symbol = view.annotations.input.as_ref()?;
         let Some(DraftDriver::Crank { link, base, .. }) = mechanism.draft().drivers.first() else {
             return None;
@@ -168,24 +178,38 @@ impl InputArc {
             base,
             pivot,
             radius: 0.5 * arms.find(|arm| *arm > 0.0)?,
+            least: motion.cycle().axis()[0],
             role: layout.drawn_role(link),
             name: names.add(format!("{symbol}=input")),
         })
     }
 
-    /// From the base's direction to the link's, with the name at its middle.
-    fn draw<const N: usize>(&self, list: &mut List, mechanism: &Mechanism, pose: &Pose<N>) {
+    /// An arrow from the base's direction to the link's, with the name at its middle.
+    fn draw<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
         let angle = |link: LinkId| mechanism.angle(pose, link).value();
         let from = self.base.map_or(0.0, angle);
-        let turn = (angle(self.link) - from).rem_euclid(TAU);
+        let turn = self.least + (angle(self.link) - from - self.least).rem_euclid(TAU);
         let centre = mechanism.place(pose, self.pivot).place();
         let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
-        let at = |share: f64| centre + along(from + turn * share) * self.radius;
-        let points: Vec<Point> = (0..=48).map(|i| at(f64::from(i) / 48.0)).collect();
+        let radius = self.radius.min(LARGEST * unit);
+        let at = |share: f64| centre + along(from + turn * share) * radius;
+        let neck = 1.0 - (parts::HEAD * unit / (turn.abs() * radius)).min(0.5);
+        let points: Vec<Point> = (0..=48).map(|i| at(neck * f64::from(i) / 48.0)).collect();
+        let base = [centre, centre + along(from) * (1.2 * radius)];
+        list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
-        let middle = along(from + 0.5 * turn);
-        let off = [2.4 * middle.x, 1.1 * middle.y];
-        list.name(self.role, self.name, at(0.5), off);
+        parts::head(list, self.role, at(neck), at(1.0));
+        // Of a small angle the name stands beside its arms.
+        let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
+        let middle = along(from + 0.5 * turn - beside.copysign(turn));
+        let off = [3.1 * middle.x, 1.1 * middle.y];
+        list.name(self.role, self.name, centre + middle * radius, off);
     }
 }
 

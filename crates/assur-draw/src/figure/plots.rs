@@ -15,6 +15,9 @@ const CLEAR: f64 = 15.0 * PI / 180.0;
 /// Where it is no dyad of hinges, ranges keep this share of an arc off its end.
 const CLEAR_SHARE: f64 = 0.04;
 
+/// The colours of an axis of further points.
+const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
+
 /// What tells that derivatives are far from growing without bound at a dead point.
 enum Clear {
     /// Its transmission angle.
@@ -29,16 +32,14 @@ impl Figure {
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let found = motion.features(quantities, settings.input);
-        let series = quantities.iter().zip(found);
-        let series = series.map(|(quantity, features)| Series {
-            name: quantity.name(mechanism, 0),
-            role: match quantity {
-                Quantity::Angle(link) => self.role(*link),
-                Quantity::X(_) => Role::X,
-                Quantity::Y(_) => Role::Y,
-            },
-            features,
-        });
+        let series = quantities.iter().zip(self.plotted_roles(quantities));
+        let series = series
+            .zip(found)
+            .map(|((quantity, role), features)| Series {
+                name: quantity.name(mechanism, 0),
+                role,
+                features,
+            });
         let ends = self.ends();
         let sample = |input: f64| {
             let pose = motion.pose::<3>(self.off_the_ends(input)).ok()?;
@@ -52,6 +53,28 @@ impl Figure {
             _ => Kind::Angle,
         };
         Chart::new(motion.cycle(), kind, series.collect(), &sample, settings)
+    }
+
+    /// Whose colours the curves have: links their own, each axis its own, the same axis of a further point another.
+    fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
+        let mut roles: Vec<Role> = Vec::new();
+        for quantity in quantities {
+            let own = match quantity {
+                Quantity::Angle(link) => self.role(*link),
+                Quantity::X(_) => Role::X,
+                Quantity::Y(_) => Role::Y,
+                Quantity::Transmission(_) | Quantity::Pressure(_) => Role::Secondary,
+            };
+            let mut free = FURTHER.into_iter().filter(|role| !roles.contains(role));
+            let taken = !quantity.is_angle() && roles.contains(&own);
+            let role = if taken {
+                free.next().unwrap_or(own)
+            } else {
+                own
+            };
+            roles.push(role);
+        }
+        roles
     }
 
     /// The dead points.

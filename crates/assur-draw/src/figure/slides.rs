@@ -1,8 +1,9 @@
-//! Blocks and the guides they slide on.
+//! Blocks and the guides they slide on; the ground that legs stand on.
 
-use assur::mechanism::{DraftSlide, LinkId, LinkOrFrame, Mechanism, Pose};
+use assur::mechanism::{DraftDriver, DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
+use super::View;
 use super::layout::{self, Layout};
 use super::paths::Run;
 use crate::list::{List, Look, Role};
@@ -10,13 +11,28 @@ use crate::parts;
 
 /// Half length and half width of a block, in units.
 const BLOCK: [f64; 2] = [2.6, 1.7];
+/// So far a way goes on beyond the middle of a block at either end of its stroke, in units.
+const BEYOND: f64 = 5.0;
+/// Half the width of what is around a slot, in units.
+const AROUND_SLOT: f64 = 2.4;
+/// Half the length of the arrow of a block that drives, and how far it is off the block's middle, in units.
+const ARROW: f64 = 4.0;
+const BESIDE: f64 = 3.4;
+/// A channel is emptied up to so far from its walls, in units.
+const WALL: f64 = 0.15;
+/// Of so many poses of a motion one is looked at for the side of a guide.
+const LOOKED_AT: usize = 16;
+/// A mechanism is on one side of a line where it is so far off it in the mean, relative to the
+/// distance of its points.
+const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
 #[derive(Clone, Debug)]
 pub(super) struct Guide {
     on: LinkOrFrame,
     on_role: Role,
-    /// On the link that has the line: the ends of the way.
+    way: Way,
+    /// On the link that has the line: the ends of the way of the block's middle.
     ends: [Point; 2],
     link: LinkId,
     role: Role,
@@ -25,6 +41,21 @@ pub(super) struct Guide {
     point: Point,
     middle: Point,
     direction: Vector,
+    /// Whether it drives the mechanism, and that is shown.
+    driven: bool,
+}
+
+/// What a block slides on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// A line of the frame on which it stands, hatched towards this side.
+    Line(Vector),
+    /// Two lines of the frame between which it is: where two ways cross.
+    Channel,
+    /// A rod that goes through it.
+    Rod,
+    /// A slot in a link that slides itself: a yoke's.
+    Slot,
 }
 
 /// The prismatic pairs of a mechanism, with the ways that are used over the motion.
@@ -33,8 +64,13 @@ pub(super) fn guides(
     mechanism: &Mechanism,
     home: &Pose<1>,
     runs: &[Run],
+    view: &View,
 ) -> Vec<Guide> {
-    let guide = |slide: &DraftSlide| -> Option<Guide> {
+    let driver = match mechanism.draft().drivers.first() {
+        Some(DraftDriver::Slide { slide, .. }) if view.annotations.input.is_some() => Some(*slide),
+        _ => None,
+    };
+    let guide = |(index, slide): (usize, &DraftSlide)| -> Option<Guide> {
         let link = mechanism.link(&slide.link)?;
         let on = mechanism.link(&slide.on);
         let point = mechanism.point(&slide.point)?;
@@ -53,10 +89,16 @@ pub(super) fn guides(
         if low > high {
             return None;
         }
-        // Of a link the rod begins where the link is drawn.
-        let [low, high] = match on {
-            Some(_) => [low.min((end - start).norm()), high.max(0.0)],
-            None => [low, high],
+        let length = (end - start).norm();
+        let (kind, [low, high]) = if on.is_none() {
+            let side = outer(layout, mechanism, runs, [start, end]);
+            (Way::Line(side), [low, high])
+        } else if layout::slides(mechanism, &slide.on) {
+            // As long as the line is on its link.
+            (Way::Slot, [low.min(0.0), high.max(length)])
+        } else {
+            // Of a link the rod begins where the link is drawn.
+            (Way::Rod, [low.min(length), high.max(0.0)])
         };
         let (_, on_angle) = layout::body(mechanism, home, on);
         let (_, angle) = layout::body(mechanism, home, Some(link));
@@ -65,15 +107,63 @@ pub(super) fn guides(
         Some(Guide {
             on,
             on_role: on.map_or(Role::Secondary, |on| layout.drawn_role(on)),
+            way: kind,
             ends: [low, high].map(|way| start + along * way),
             link,
             role: layout.drawn_role(link),
             point: at,
             middle: at - layout::turned(off, on_angle - angle),
             direction: layout::turned(along, on_angle - angle),
+            driven: driver == Some(index),
         })
     };
-    mechanism.draft().slides.iter().filter_map(guide).collect()
+    let slides = mechanism.draft().slides.iter().enumerate();
+    let mut guides: Vec<Guide> = slides.filter_map(guide).collect();
+    let crossing = |guide: &Guide| guides.iter().any(|other| guide.crosses(other));
+    let crossing: Vec<bool> = guides.iter().map(crossing).collect();
+    for (guide, crossing) in guides.iter_mut().zip(crossing) {
+        if crossing {
+            guide.way = Way::Channel;
+        }
+    }
+    guides
+}
+
+/// The side of a line of the frame on which the mechanism is not; below it, where it is on both.
+fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Point; 2]) -> Vector {
+    let along = (end - start).normalize();
+    let across = Vector::new(along.y, -along.x);
+    let down = if across.y < -1e-6 || (across.y < 1e-6 && across.x < 0.0) {
+        across
+    } else {
+        -across
+    };
+    let points = mechanism.point_ids();
+    let points: Vec<_> = points.filter(|point| layout.is_joint(*point)).collect();
+    let poses = runs.iter().flatten().step_by(LOOKED_AT);
+    let offs = poses.flat_map(|(_, pose)| {
+        let off = |point: &PointId| mechanism.place(pose, *point).place() - start;
+        points.iter().map(off)
+    });
+    let [below, far] = offs.fold([0.0, 0.0], |[below, far], off| {
+        [below + off.dot(&down), far + off.norm()]
+    });
+    if below > ONE_SIDED * far { -down } else { down }
+}
+
+/// The line of ground below a drawing: its ends, and how far down its hatching goes.
+pub(super) fn ground(
+    [left, bottom, right, top]: [f64; 4],
+    size: f64,
+    height: Option<f64>,
+) -> Option<[Point; 3]> {
+    let height = height.filter(|y| (bottom - size..=top + size).contains(y))?;
+    let [u, hatch] = [size / 100.0, parts::HATCH * size / 100.0];
+    Some([
+        Point::new(left - BEYOND * u, height),
+        Point::new(right + BEYOND * u, height),
+        Point::new(right, height - hatch),
+    ])
 }
 
 impl Guide {
@@ -83,24 +173,81 @@ impl Guide {
         ends.into_iter().flatten()
     }
 
-    /// The line: of the frame hatched on one side, of a link a rod.
+    /// The corners of what is drawn of the frame.
+    pub(super) fn reach(&self, u: f64) -> impl Iterator<Item = Point> {
+        let [from, to] = self.drawn(u);
+        let sides = match self.way {
+            Way::Line(side) => vec![side * (parts::HATCH + BLOCK[1])],
+            Way::Channel => [-1.0, 1.0]
+                .map(|side| self.across() * (side * (parts::HATCH + BLOCK[1])))
+                .to_vec(),
+            Way::Rod | Way::Slot => Vec::new(),
+        };
+        sides
+            .into_iter()
+            .flat_map(move |side| [from + side * u, to + side * u])
+    }
+
+    /// Whether both are on the frame and the ways of their blocks cross.
+    fn crosses(&self, other: &Self) -> bool {
+        let apart = |one: &Self, [a, b]: [Point; 2]| {
+            let side = |at: Point| one.along().perp(&(at - one.ends[0]));
+            side(a) * side(b) < 0.0
+        };
+        let on_frame = self.on.is_none() && other.on.is_none();
+        on_frame && apart(self, other.ends) && apart(other, self.ends)
+    }
+
+    /// Whether it is a slot in a link.
+    pub(super) fn is_slot_of(&self, link: LinkId) -> bool {
+        self.way == Way::Slot && self.on == Some(link)
+    }
+
+    /// What the block slides on, except for slots: lines of the frame hatched on their outer
+    /// sides, of a link a rod.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
-        let [from, to] = self.ends;
-        let along = self.along();
-        let [from, to] = [from - along * (4.0 * u), to + along * (4.0 * u)];
+        let ends = self.drawn(u);
         list.body(layout::number(self.on));
-        if self.on.is_some() {
-            parts::bar(list, self.on_role, from, to, 0.7 * u);
-        } else {
-            list.polyline(Role::Secondary, Look::Line, &[from, to]);
-            let below = Vector::new(along.y, -along.x);
-            let count = ((to - from).norm() / (2.0 * u)).floor().min(400.0) as usize;
-            for i in 0..count {
-                let at = from + along * (2.0 * u * (i as f64 + 0.8));
-                let hatch = [at, at + (below - along) * (0.8 * u)];
-                list.polyline(Role::Secondary, Look::Thin, &hatch);
+        let mut wall = |side: Vector| {
+            let [from, to] = ends.map(|end| end + side * (BLOCK[1] * u));
+            parts::hatched(list, [from, to], side, u);
+        };
+        match self.way {
+            Way::Line(side) => wall(side),
+            Way::Channel => [self.across(), -self.across()].into_iter().for_each(wall),
+            Way::Rod => parts::bar(list, self.on_role, ends[0], ends[1], 0.7 * u),
+            Way::Slot => {}
+        }
+    }
+
+    /// Empties a channel of the walls of those it crosses.
+    pub(super) fn empty(&self, list: &mut List, u: f64) {
+        if self.way == Way::Channel {
+            let [from, to] = self.drawn(u);
+            let half = [(to - from) / 2.0, self.across() * ((BLOCK[1] - WALL) * u)];
+            list.body(0);
+            let corners = parts::rectangle(from + half[0], half);
+            list.polygons(Role::Paper, Look::Solid, &[corners]);
+        }
+    }
+
+    /// A link with a slot, and arms from the slot to the other corners of the link.
+    pub(super) fn draw_slot(&self, list: &mut List, corners: &[Point], arm: f64, u: f64) {
+        let [from, to] = self.ends;
+        for corner in corners {
+            let foot = parts::nearest(*corner, from, to);
+            let off = corner - foot;
+            let edge = off.normalize() * (BLOCK[1] * u + arm);
+            if off.norm() > 2.0 * edge.norm() {
+                parts::bar(list, self.on_role, foot + edge, *corner, arm);
             }
         }
+        parts::slot(
+            list,
+            self.on_role,
+            [from, to],
+            [AROUND_SLOT * u, BLOCK[1] * u],
+        );
     }
 
     pub(super) fn draw_block(&self, list: &mut List, u: f64) {
@@ -108,15 +255,31 @@ impl Guide {
         if (self.point - self.middle).norm() > 0.1 * u {
             parts::bar(list, self.role, self.point, self.middle, 0.9 * u);
         }
-        let along = self.direction * (BLOCK[0] * u);
-        let across = Vector::new(-self.direction.y, self.direction.x) * (BLOCK[1] * u);
-        let corners = [
-            self.middle + along + across,
-            self.middle - along + across,
-            self.middle - along - across,
-            self.middle + along - across,
-        ];
-        list.polygons(self.role, Look::Hollow, &[corners.to_vec()]);
+        let across = Vector::new(-self.direction.y, self.direction.x);
+        let half = [self.direction * (BLOCK[0] * u), across * (BLOCK[1] * u)];
+        let corners = parts::rectangle(self.middle, half);
+        list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
+        list.polygons(self.role, Look::Pale, &[corners]);
+        if self.driven {
+            let free = match self.way {
+                Way::Line(side) => -side.dot(&self.across()).signum(),
+                _ => 1.0,
+            };
+            let beside = self.middle - across * (free * BESIDE * u);
+            let half = self.direction * (ARROW * u);
+            parts::arrow(list, self.role, beside - half, beside + half, u);
+        }
+    }
+
+    /// The ends of what is drawn of the way: the block stands on it all along its stroke.
+    fn drawn(&self, u: f64) -> [Point; 2] {
+        let beyond = self.along() * (BEYOND * u);
+        [self.ends[0] - beyond, self.ends[1] + beyond]
+    }
+
+    fn across(&self) -> Vector {
+        let along = self.along();
+        Vector::new(along.y, -along.x)
     }
 
     fn along(&self) -> Vector {

@@ -253,6 +253,12 @@ impl Gearing {
         })
     }
 
+    /// The centres of idlers on the frame.
+    pub(super) fn fixed_idlers(&self) -> impl Iterator<Item = Point> {
+        let fixed = self.idlers.iter().filter(|idler| idler.carrier.is_none());
+        fixed.map(|idler| idler.centre)
+    }
+
     /// Draws all, rings behind what turns inside them.
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);

@@ -25,6 +25,7 @@ pub(crate) const ALL: Overlays = Overlays {
     loop_vectors: true,
     transmission: true,
     groups: false,
+    numbers: false,
 };
 
 pub(crate) struct Drawn {

@@ -219,8 +219,9 @@ fn loop_vectors_lie_on_the_loop() {
     let drawn = Drawn::new(&Case::A.dimensions(), vectors);
     let moving = drawn.moving(1.0);
     let [a, b, c, d] = drawn.joints(1.0);
-    let heads = moving.iter().filter(|record| record[0] == 1.0);
-    let lines = moving.iter().filter(|record| record[0] == 2.0).skip(1);
+    // After the base, the arc and the head of φ₁.
+    let heads = moving.iter().filter(|record| record[0] == 1.0).skip(1);
+    let lines = moving.iter().filter(|record| record[0] == 2.0).skip(2);
     let vectors: Vec<_> = lines.zip(heads).collect();
     assert_eq!(vectors.len(), 5);
     let ends = [

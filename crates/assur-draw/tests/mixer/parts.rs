@@ -26,12 +26,12 @@ fn lists_are_whole_and_bodies_have_poses() {
         assert!(named.clone().count() > 5);
         assert!(named.clone().all(|record| (record[1] as usize) < bodies));
         assert!(drawn.figure.rigid().numbers().iter().all(|x| x.is_finite()));
-        // The joints and the wheels have their names, φ₁ its arc.
+        // The joints and the wheels have their names, φ₁ its arc with a head and a base.
         let moving = drawn.moving(1.0);
         let labels = moving.iter().filter(|record| record[0] == 4.0);
         let labels: Vec<&str> = labels.map(|label| drawn.text(label)).collect();
         assert_eq!(labels, ["A", "B", "C", "D", "4", "5", "φ₁=input"]);
-        assert_eq!(moving.len(), labels.len() + 1);
+        assert_eq!(moving.len(), labels.len() + 3);
     }
 }
 
@@ -76,7 +76,8 @@ fn parts_are_painted_in_their_order_and_colours() {
     let [rocker, coupler, crank] =
         [Role::Rocker, Role::Coupler, Role::Crank].map(|role| role as u8);
     let (support, paper) = (Role::Secondary as u8, Role::Paper as u8);
-    let mut expected = vec![support; 2];
+    // Under A, D and the shaft of wheel 5.
+    let mut expected = vec![support; 3];
     // The ring with its four blades, wheel 4 with three.
     expected.extend([five; 5]);
     expected.extend([four; 4]);

@@ -63,6 +63,10 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
+    /// The height of the ground that it stands on, where it is drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub ground: Option<f64>,
     /// The full width of the band within which the first quantity that is plotted
     /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,7 +3,7 @@ use assur::mixer::Case;
 use assur::motion::Input;
 use serde_json::json;
 
-use crate::{Axes, MixerDocument, MixerTracerDocument, SpeedUnit, WheelDocument};
+use crate::{Axes, MixerDocument, MixerTracerDocument, Only, SpeedUnit, WheelDocument};
 
 fn state() -> State {
     State {
@@ -22,7 +22,9 @@ fn state() -> State {
             loop_vectors: false,
             transmission: true,
             groups: true,
+            numbers: false,
             plot: "C2".to_owned(),
+            only: Only::First,
             axes: Axes::Physical,
             omega: -2.5,
             omega_unit: SpeedUnit::PerMin,
@@ -202,6 +204,7 @@ fn older_views_say_less() {
         "loop_vectors",
         "transmission",
         "plot",
+        "only",
         "axes",
         "omega",
         "omega_unit",
@@ -218,6 +221,7 @@ fn older_views_say_less() {
         vectors: false,
         transmission: false,
         plot: "angles".to_owned(),
+        only: Only::All,
         axes: Axes::Analogues,
         omega: 1.0,
         omega_unit: SpeedUnit::RadPerS,

@@ -27,13 +27,11 @@ impl Linkage {
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
         let quantities = Quantity::all(moved.motion.mechanism());
+        let ground = moved.document.ground;
         let moving = Moving::new(
             &state.view,
             moved,
-            Annotations {
-                input: Some("φ₁".to_owned()),
-                ..Annotations::default()
-            },
+            Annotations::of_linkage(ground),
             quantities,
             Box::new(explain),
         )?;

@@ -84,7 +84,7 @@ impl Mixer {
         let quantities = readouts(&moved.document, moved.motion.mechanism());
         let angles = quantities.iter().filter_map(|one| match one {
             Quantity::Angle(link) => Some(*link),
-            Quantity::X(_) | Quantity::Y(_) => None,
+            _ => None,
         });
         let angles: Vec<LinkId> = angles.collect();
         let moving = Moving::new(

@@ -100,7 +100,7 @@ impl Mechanism {
         self.link_of(rocker.body)
     }
 
-    fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
+    pub(super) fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
         let inner = self.shared([arms[0].body, arms[1].body], Some(arms[0].to))?;
         let outer = |arm: &Arm| {
             Some(OuterJoint {
@@ -153,7 +153,7 @@ impl Mechanism {
     }
 
     /// A point that two bodies share, at a place on the first if one is given.
-    fn shared(&self, [one, other]: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
+    pub(super) fn shared(&self, [one, other]: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
         let mut points = self.bodies[one].iter();
         let shared = points.find(|(point, local)| {
             at.is_none_or(|at| at == *local) && self.bodies[other].iter().any(|p| p.0 == *point)
@@ -163,7 +163,7 @@ impl Mechanism {
 }
 
 /// The arms of a step that is a dyad RRR.
-fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
+pub(super) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
         Step::Rrr(Rrr { arms }) => Some(arms),
         Step::Closed(closed) => Some(&closed.arms),

@@ -28,6 +28,7 @@ mod slide;
 mod structured;
 mod tracer;
 mod train;
+mod transmitting;
 mod willis;
 
 use std::f64::consts::TAU;
@@ -46,6 +47,8 @@ pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
 pub use tracer::DraftTracer;
+pub use transmitting::RrpDyad;
+pub(crate) use transmitting::{acute, sense};
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
 pub use crate::position::{Cause, Method};

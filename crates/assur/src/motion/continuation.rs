@@ -10,20 +10,24 @@ use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
 
-/// Samples a turn: no step is longer, so that what lies between two poses can be interpolated.
+/// Samples a turn: between two of them what groups are solved from can be interpolated, and no step of theirs is longer.
 pub(super) const GRID: usize = 360;
+/// No step is longer than so many samples, of dyads, which need no guess.
+const LONGEST: f64 = 4.0;
 /// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 pub(super) const HALVINGS: i32 = 24;
 /// … nor for a group, which may be drawn close to a singular pose and leave it.
 const MOST_HALVINGS: i32 = 40;
-/// After so many that were short enough a longer one is tried.
+/// After so many that were short enough longer ones are tried.
 const BEFORE_LONGER: usize = 4;
+/// A step is as long as this part of what one bound alone lets expect to be certified.
+const EASED: f64 = 0.8;
 /// Within this part the singular pose that a group comes to is found by extrapolation.
 const EXTRAPOLATED: f64 = 1e-10;
 /// A motion repeats where all links are in the places of its start, within this of
 /// the size.
 const SAME: f64 = 1e-7;
-/// No more steps are tried, by bodies that are solved in each: about half a second. Hunting teeth may take more turns.
+/// No more steps are tried, by bodies that are solved in each and by samples as many as are in one: about half a second. Hunting teeth may take more turns.
 const MOST_WORK: usize = 250_000;
 
 /// How a motion ended.
@@ -43,6 +47,8 @@ pub(super) struct Continuation<'a> {
     pub(super) here: Predictor,
     pub(super) there: Predictor,
     pub(super) cell: Enclosure,
+    /// How the bodies are turned here.
+    pub(super) orientations: List<BodyId, Orientation>,
     /// The bodies whose angles are found by their turns, to a whole turn.
     winding: Vec<BodyId>,
     /// Where steps of the plan have passed through in line and turned over, as exactly as poses beside are solved.
@@ -54,15 +60,34 @@ pub(super) struct Continuation<'a> {
 }
 
 /// A pose that is expected.
-pub(super) struct Prediction {
-    orientations: List<BodyId, Orientation>,
+pub(super) struct Prediction<'a> {
+    orientations: &'a List<BodyId, Orientation>,
     natural: Vec<f64>,
 }
 
-impl Prediction {
-    pub(super) fn near<'a>(&'a self, smooth_roots: &'a [SmoothRoot]) -> Nearby<'a> {
+impl<'a> Prediction<'a> {
+    /// Where everything should be at an input as far off, by the derivatives of a pose. No body turns by half a turn in
+    /// a certified step.
+    pub(super) fn of(
+        here: &Predictor,
+        orientations: &'a List<BodyId, Orientation>,
+        width: f64,
+    ) -> Self {
+        let by = |jet: Jet<4>| {
+            let orders = (0..4).rev();
+            orders.fold(0.0, |sum, order| sum * width + jet.coefficient(order))
+        };
+        let places = here.natural.iter();
+        let natural = places.flat_map(|place| [by(place.x()), by(place.y())]);
+        Self {
+            orientations,
+            natural: natural.collect(),
+        }
+    }
+
+    pub(super) fn near<'b>(&'b self, smooth_roots: &'b [SmoothRoot]) -> Nearby<'b> {
         Nearby {
-            orientations: &self.orientations,
+            orientations: self.orientations,
             natural: &self.natural,
             smooth_roots,
         }
@@ -83,6 +108,7 @@ impl<'a> Continuation<'a> {
             there: here.clone(),
             here: here.clone(),
             cell: mechanism.enclosure(),
+            orientations: here.orientations(),
             winding: mechanism.bodies().filter(winds).collect(),
             smooth_roots: Vec::new(),
             repeats: input,
@@ -95,77 +121,76 @@ impl<'a> Continuation<'a> {
         let start = self.here.clone();
         knots.push(self.input, &self.signs, &self.here, 0.0);
         let home = self.input;
-        let cell = self.mechanism.span() / GRID as f64;
         let least = self.mechanism.least_turns().unwrap_or(NEVER);
-        let mut sample = 0;
+        let mut turns = 0;
         loop {
-            if sample % (GRID * least) == 0 {
-                let whole = (sample / GRID + least) as f64;
-                self.repeats = home + sense * self.mechanism.span() * whole;
-            }
-            sample += 1;
-            let target = home + sense * cell * sample as f64;
-            if let Some(dead) = self.go_to(target, knots) {
+            turns += least;
+            self.repeats = home + sense * self.mechanism.span() * turns as f64;
+            if let Some(dead) = self.go_to(self.repeats, knots) {
                 return End::Dead(dead);
             }
-            if sample % (GRID * least) == 0
-                && self.mechanism.period().is_some()
+            if self.mechanism.period().is_some()
                 && self.mechanism.is_same_pose(&start, &self.here, SAME)
             {
-                return End::Closed(sample / GRID);
+                return End::Closed(turns);
             }
         }
     }
 
-    /// One cell of the grid, in as many steps as it takes.
+    /// Up to an input, in as many steps as it takes.
     fn go_to(&mut self, target: f64, knots: &mut Knots) -> Option<DeadPoint> {
         let sense = (target - self.input).signum();
-        let whole = self.mechanism.span() / GRID as f64;
-        let mut halved = 0;
-        let mut taken = 0;
+        let cell = self.mechanism.span() / GRID as f64;
+        let has_groups = self.mechanism.steps().ids().any(|step| self.is_group(step));
+        let longest = if has_groups { cell } else { LONGEST * cell };
+        let mut width = longest;
+        let mut taken = BEFORE_LONGER;
         while (target - self.input) * sense > 0.0 {
             let left = (target - self.input).abs();
-            let width = left.min(whole * 0.5_f64.powi(halved));
             let next = if width < left {
                 self.input + sense * width
             } else {
                 target
             };
+            let tried = width.min(left);
+            // A long step is no more work, but what is read off the motion is.
+            let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
-            let Some(work) = self.work.checked_sub(bodies) else {
+            let Some(work) = self.work.checked_sub(samples * bodies) else {
                 return Some(self.ends(StepId::FIRST, DeadPointKind::Unfollowed));
             };
             self.work = work;
             let Err(step) = self.step_to(next) else {
                 self.take(next, knots);
-                // Where one step was too long the next ones will be.
+                // Where one step was too long for a dyad the next ones will be; a group tells how long they may be.
                 taken += 1;
-                if taken % BEFORE_LONGER == 0 {
-                    halved = (halved - 1).max(0);
+                if taken >= BEFORE_LONGER {
+                    let longer = (EASED * self.cell.ease()).min(2.0) * tried;
+                    width = width.max(longer.min(longest));
                 }
                 continue;
             };
             let is_group = self.is_group(step);
             let most = if is_group { MOST_HALVINGS } else { HALVINGS };
-            let in_line = self.in_line(step, sense * width);
+            let in_line = self.in_line(step, sense * tried);
             let comes_into_line = in_line.is_some();
             if in_line.is_some_and(|found| self.pass(found, sense, knots)) {
-                halved = 0;
+                width = longest;
             } else if is_group
-                && width < EXTRAPOLATED * self.mechanism.span()
+                && tried < EXTRAPOLATED * self.mechanism.span()
                 && let Some(dead) = self
                     .out_of_range(sense)
                     .or_else(|| self.singular(sense, knots))
             {
                 return Some(dead);
-            } else if halved < most && next != self.input {
-                halved += 1;
+            } else if tried > cell * 0.5_f64.powi(most) && next != self.input {
+                width = 0.5 * tried;
             } else if is_group || comes_into_line {
                 return Some(self.ends(step, DeadPointKind::NearSingular));
             } else {
                 return Some(self.stopped(step, sense));
             }
-            taken = 0;
+            taken = if is_group { BEFORE_LONGER } else { 0 };
         }
         None
     }
@@ -205,6 +230,7 @@ impl<'a> Continuation<'a> {
         let turned = self.turned();
         self.input = next;
         std::mem::swap(&mut self.here, &mut self.there);
+        self.here.orient(&mut self.orientations);
         knots.push(self.input, &self.signs, &self.here, turned);
     }
 
@@ -221,43 +247,21 @@ impl<'a> Continuation<'a> {
         input: f64,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let predicted = self.predicted(input);
-        self.mechanism.solve(
-            input,
-            &self.signs,
-            predicted.near(&self.smooth_roots),
-            state,
-        )
+        let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
+        let near = predicted.near(&self.smooth_roots);
+        self.mechanism.solve(input, &self.signs, near, state)
     }
 
     /// The same into the second pose.
     pub(super) fn try_next(&mut self, input: f64) -> Result<(), StepId> {
-        let predicted = self.predicted(input);
+        let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
         let near = predicted.near(&self.smooth_roots);
-        let solved = self
-            .mechanism
-            .solve(input, &self.signs, near, &mut self.there);
+        let there = &mut self.there;
+        let solved = self.mechanism.solve(input, &self.signs, near, there);
         solved.map_err(|(step, _)| step)
     }
 
     pub(super) fn is_group(&self, step: StepId) -> bool {
         matches!(self.mechanism.steps()[step], Step::Group(_))
-    }
-
-    /// Where everything should be at another input, by the derivatives here.
-    pub(super) fn predicted(&self, next: f64) -> Prediction {
-        let width = next - self.input;
-        let by = |jet: Jet<4>| {
-            let orders = (0..4).rev();
-            orders.fold(0.0, |sum, order| sum * width + jet.coefficient(order))
-        };
-        let places = self.here.natural.iter();
-        Prediction {
-            // No body turns by half a turn in a certified step.
-            orientations: self.here.orientations(),
-            natural: places
-                .flat_map(|place| [by(place.x()), by(place.y())])
-                .collect(),
-        }
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Extremum, Input, Kind, Motion};
-use crate::mechanism::Quantity;
+use crate::mechanism::{Quantity, acute, sense};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
@@ -14,6 +14,8 @@ pub struct Features {
     pub zeros: Vec<f64>,
     /// Its local extrema.
     pub extrema: Vec<Extremum>,
+    /// The value that it has throughout, where it does not change: 0 where that is rounding alone.
+    pub level: Option<f64>,
 }
 
 impl Features {
@@ -22,6 +24,7 @@ impl Features {
         Self {
             zeros: self.zeros.clone(),
             extrema: self.extrema.iter().map(|e| e.scaled(ratio)).collect(),
+            level: self.level.map(|level| ratio * level),
         }
     }
 }
@@ -37,13 +40,17 @@ const MOST_SAMPLES: usize = 1 << 18;
 /// vanishing diagonal, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
-const CONSTANT: f64 = 1e-9;
+pub(super) const CONSTANT: f64 = 1e-9;
+/// Where an angle between two links stands while both turn, rounding alone passes zero to and fro within this, radians
+/// or the unit of lengths.
+const ALIKE: f64 = 1e-9;
 /// An angle with less of an offset to a multiple of another, radians, is that.
 const NO_OFFSET: f64 = 1e-12;
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives by time,
     /// as of [`features`], of a motion of no more than 256 turns: found once for all that are multiples of the same one.
+    /// Where an acute angle is folded it has neither.
     pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
@@ -54,17 +61,25 @@ impl Motion {
                 bases.push(*base);
             }
         }
-        let size = mechanism.size();
-        let unit = |base: &Quantity| if base.is_angle() { 1.0 } else { size };
-        let samples: usize = stretches(self.cycle()).iter().map(Vec::len).sum();
+        let stretches = stretches(self.cycle());
+        let samples: usize = stretches.iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
-            let units: Vec<f64> = bases.iter().map(unit).collect();
+            let units: Vec<f64> = bases.iter().map(|base| self.unit(*base)).collect();
             let jets = |input: f64| -> Option<Vec<Jet<5>>> {
                 let pose = self.pose::<5>(input).ok()?;
-                Some(bases.iter().map(|base| base.of(mechanism, &pose)).collect())
+                let bases = bases.iter();
+                Some(bases.map(|base| base.unfolded(mechanism, &pose)).collect())
             };
-            features(self.cycle(), &jets, &units, input)
+            let found = features_over(&stretches, self.cycle(), &jets, &units, input);
+            let found = bases.iter().zip(found);
+            found.map(|(base, found)| {
+                if base.is_folded() {
+                    self.folded(*base, found)
+                } else {
+                    found
+                }
+            })
         });
         let found: Vec<[Features; 3]> = found.collect();
         let scaled = |(base, factor): (Quantity, f64)| {
@@ -73,6 +88,50 @@ impl Motion {
             found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
         };
         multiples.into_iter().filter_map(scaled).collect()
+    }
+
+    /// What counts as one of a quantity: 1 for an angle, else the size of the mechanism.
+    pub(super) fn unit(&self, quantity: Quantity) -> f64 {
+        if quantity.is_angle() {
+            1.0
+        } else {
+            self.mechanism().size()
+        }
+    }
+
+    /// Those of an acute angle from those of the angle before it is folded: what is folded turns its sense, and passes no
+    /// zero.
+    fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
+        let turned = |extremum: Extremum| {
+            let pose = self.pose::<3>(extremum.crank).ok()?;
+            let angle = quantity.unfolded(self.mechanism(), &pose);
+            Some(extremum.scaled(sense(&angle)))
+        };
+        let [value, first, second] = found.map(|mut order| {
+            order
+                .zeros
+                .dedup_by(|one, other| (*one - *other).abs() < ALIKE);
+            order.extrema.dedup_by(|one, other| {
+                one.kind == other.kind && (one.crank - other.crank).abs() < ALIKE
+            });
+            order.extrema = order.extrema.into_iter().filter_map(turned).collect();
+            order
+        });
+        let value = Features {
+            zeros: Vec::new(),
+            extrema: (value.extrema.into_iter())
+                .map(|extremum| Extremum {
+                    value: acute(extremum.value),
+                    ..extremum
+                })
+                .collect(),
+            level: value.level.map(acute),
+        };
+        let rate = |order: Features| Features {
+            level: order.level.filter(|level| *level == 0.0),
+            ..order
+        };
+        [value, rate(first), rate(second)]
     }
 
     /// The quantity that another is a multiple of, and how many times. With an offset
@@ -96,20 +155,29 @@ impl Motion {
 /// coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded
-/// Newton steps with the exact one after that. None where it is constant, nor over more than 256 turns.
+/// Newton steps with the exact one after that. Where it is constant there are none, but its level; over more than 256
+/// turns there is neither.
 pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
     units: &[f64],
     input: Input,
 ) -> Vec<[Features; 3]> {
-    let sweeps: Vec<Vec<_>> = stretches(cycle)
-        .into_iter()
-        .map(|stretch| {
-            let at = |crank: f64| Some((crank, motion(crank)?));
-            stretch.into_iter().map(at).collect()
-        })
-        .collect();
+    features_over(&stretches(cycle), cycle, motion, units, input)
+}
+
+/// The same from samples at these crank angles.
+fn features_over(
+    stretches: &[Vec<f64>],
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    input: Input,
+) -> Vec<[Features; 3]> {
+    let at = |crank: &f64| Some((*crank, motion(*crank)?));
+    let sweeps = stretches.iter();
+    let sweeps = sweeps.map(|stretch| stretch.iter().map(at).collect());
+    let sweeps: Vec<Vec<_>> = sweeps.collect();
     let of = |index: usize, order: usize| {
         let sample = |(crank, jets): &(f64, Vec<Jet<5>>)| Sample {
             crank: *crank,
@@ -154,7 +222,7 @@ pub(super) fn turning_points(
         }
     });
     let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-    let Some(seam) = seam(&sweeps, unit) else {
+    let Course::Varied { seam } = course(&sweeps, unit) else {
         return Vec::new();
     };
     let turns = ordered_roots(cycle, &sweeps, &sample, 1, seam);
@@ -169,26 +237,49 @@ fn features_of(
     sample: &dyn Fn(f64) -> Option<Sample>,
     size: f64,
 ) -> Features {
-    let Some(seam) = seam(sweeps, size) else {
-        return Features::default();
+    let seam = match course(sweeps, size) {
+        Course::Varied { seam } => seam,
+        Course::Level(level) => {
+            return Features {
+                level,
+                ..Features::default()
+            };
+        }
     };
     let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, sweeps, sample, order, seam));
     Features {
         zeros: zeros.iter().map(|sample| sample.crank).collect(),
         extrema: turns.iter().filter_map(Sample::extremum).collect(),
+        level: None,
     }
 }
 
-/// By how much a function moves at most from the end of a cycle to its start; none
-/// where it is constant.
-fn seam(sweeps: &[Vec<Option<Sample>>], size: f64) -> Option<f64> {
+/// Whether a function changes.
+enum Course {
+    /// It does; from the end of a cycle to its start it moves by no more than `seam`.
+    Varied { seam: f64 },
+    /// It does not; its value, if there are any samples.
+    Level(Option<f64>),
+}
+
+fn course(sweeps: &[Vec<Option<Sample>>], size: f64) -> Course {
     let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
     let [least, most] = values.fold(
         [f64::INFINITY, f64::NEG_INFINITY],
         |[least, most], value| [least.min(value), most.max(value)],
     );
-    let constant = most - least <= CONSTANT * least.abs().max(most.abs()).max(size);
-    (!constant).then_some(0.5 * (most - least))
+    let largest = least.abs().max(most.abs());
+    let rounding = CONSTANT * largest.max(size);
+    if most - least > rounding {
+        let seam = 0.5 * (most - least);
+        return Course::Varied { seam };
+    }
+    let value = if largest > rounding {
+        least.midpoint(most)
+    } else {
+        0.0
+    };
+    Course::Level((least <= most).then_some(value))
 }
 
 /// [`all_roots`] within the cycle, in ascending order.

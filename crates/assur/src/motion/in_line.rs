@@ -1,6 +1,6 @@
 //! Links that pass through in line where a motion is followed: a change point.
 
-use super::continuation::Continuation;
+use super::continuation::{Continuation, Prediction};
 use super::interpolation::{Knots, MOST_TURNED};
 use crate::Jet;
 use crate::index::StepId;
@@ -80,7 +80,7 @@ impl Continuation<'_> {
     /// The pose at an input, as far as it can be solved by what is known of links that are in line there.
     fn at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
-        let predicted = self.predicted(input);
+        let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
         let near = predicted.near(smooth_roots);
         // A step that fails leaves those after it as they are in the blank state: nothing is in line.
         let _ = self.mechanism.solve(input, &self.signs, near, &mut state);

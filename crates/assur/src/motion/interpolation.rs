@@ -26,6 +26,9 @@ const UNEVEN: f64 = 2.5;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots {
     list: Vec<Knot>,
+    /// Of each of as many equal parts of the way as there are knots, how many of them come before it, and of all how
+    /// many there are: to find one at once. Made when all are there.
+    before: Vec<usize>,
     /// Where links pass through in line.
     smooth_roots: Vec<SmoothRoot>,
     /// How far apart samples are at most.
@@ -69,7 +72,7 @@ impl Knots {
             orientations: state.orientations(),
             natural: natural.collect(),
         };
-        self.span(knot.margins.iter().map(|margin| [*margin; 2]).collect());
+        self.span(knot.margins.iter().map(|margin| [*margin; 2]));
         self.list.push(knot);
         while let [.., a, b, c] = &self.list[..]
             && b.is_told_by(a, c, self.cell)
@@ -83,12 +86,12 @@ impl Knots {
     }
 
     /// With the margins of other samples.
-    fn span(&mut self, others: List<StepId, [f64; 2]>) {
+    fn span(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
-            self.margins = others;
+            self.margins = others.collect();
             return;
         }
-        for ([low, high], other) in self.margins.iter_mut().zip(others.iter()) {
+        for ([low, high], other) in self.margins.iter_mut().zip(others) {
             (*low, *high) = (low.min(other[0]), high.max(other[1]));
         }
     }
@@ -108,6 +111,7 @@ impl Knots {
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
+            before: Vec::new(),
             smooth_roots: Vec::new(),
             cell: 0.0,
             margins: signs.alike([1.0; 2]),
@@ -116,10 +120,11 @@ impl Knots {
 
     /// With the knots of another motion over other inputs.
     pub(super) fn join(&mut self, mut other: Self) {
-        self.span(other.margins);
+        self.span(other.margins.iter().copied());
         self.list.append(&mut other.list);
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
         self.smooth_roots.append(&mut other.smooth_roots);
+        self.index();
     }
 
     /// Between which values the determinant of a group of higher class is over the motion.
@@ -141,7 +146,7 @@ impl Knots {
         back.list.pop();
         back.list.append(&mut self.list);
         self.list = back.list;
-        self.span(back.margins);
+        self.span(back.margins.iter().copied());
     }
 
     pub(super) fn shift(&mut self, by: f64) {
@@ -212,8 +217,8 @@ impl Knots {
         let knot = &self.list[at];
         guess.clear();
         match self.list.get(at + 1) {
-            Some(next) => guess.extend(between(knot, next, input)),
-            None => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
+            Some(next) if !knot.natural.is_empty() => guess.extend(between(knot, next, input)),
+            _ => guess.extend(knot.natural.iter().map(|[value, ..]| value)),
         }
         let near = Nearby {
             orientations: &knot.orientations,
@@ -223,10 +228,39 @@ impl Knots {
         (&knot.signs, near)
     }
 
+    /// Lets knots be found at once; after it none is moved or put in.
+    pub(super) fn index(&mut self) {
+        let mut before = vec![0; self.list.len() + 1];
+        for knot in &self.list {
+            before[self.part(knot.input) + 1] += 1;
+        }
+        let mut sum = 0;
+        for count in &mut before {
+            sum += *count;
+            *count = sum;
+        }
+        self.before = before;
+    }
+
+    /// The part of the way that an input is in: never a lesser one for a greater input.
+    fn part(&self, input: f64) -> usize {
+        let [first, .., last] = &self.list[..] else {
+            return 0;
+        };
+        let parts = self.list.len();
+        let way = (input - first.input) / (last.input - first.input);
+        ((way * parts as f64) as usize).min(parts - 1)
+    }
+
     /// The last knot that is not after an input, or the first.
     fn before(&self, input: f64) -> usize {
-        let after = self.list.partition_point(|knot| knot.input <= input);
-        after.saturating_sub(1)
+        let part = self.part(input);
+        let [from, to] = match self.before.get(part..part + 2) {
+            Some(&[from, to]) => [from, to],
+            _ => [0, self.list.len()],
+        };
+        let after = self.list[from..to].partition_point(|knot| knot.input <= input);
+        (from + after).saturating_sub(1)
     }
 }
 
@@ -291,7 +325,40 @@ fn weights(u: f64, width: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::weights;
+    use super::{Knot, Knots, weights};
+    use crate::index::List;
+
+    /// Knots crowded at one end, two at one input among them, and a gap: found as by going through all.
+    #[test]
+    fn knots_are_found_at_once() {
+        let inputs = (0..40).map(|k| 1.0 - 0.5_f64.powi(k));
+        let inputs: Vec<f64> = inputs.chain([1.0, 1.0, 3.0, 3.5, 9.0]).collect();
+        let knot = |input: &f64| Knot {
+            input: *input,
+            signs: List::default(),
+            turned: 0.0,
+            margins: List::default(),
+            orientations: List::default(),
+            natural: Vec::new(),
+        };
+        let mut knots = Knots {
+            list: inputs.iter().map(knot).collect(),
+            ..Knots::default()
+        };
+        let beside = |input: &f64| [input.next_down(), *input, input.next_up(), input + 0.3];
+        let asked: Vec<f64> = inputs.iter().flat_map(beside).collect();
+        let found = |knots: &Knots| -> Vec<usize> {
+            asked.iter().map(|input| knots.before(*input)).collect()
+        };
+        let expected = asked.iter().map(|input| {
+            let not_after = inputs.iter().filter(|knot| **knot <= *input);
+            not_after.count().saturating_sub(1)
+        });
+        let expected: Vec<usize> = expected.collect();
+        assert_eq!(found(&knots), expected);
+        knots.index();
+        assert_eq!(found(&knots), expected);
+    }
 
     /// Polynomials of degree 7 come out as they are.
     #[test]

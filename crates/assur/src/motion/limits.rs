@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::OutputProfile;
+use super::features::CONSTANT;
 use crate::Swing;
 use crate::sorting::sort_by;
 
@@ -26,7 +27,7 @@ impl OutputProfile<'_> {
         self.extrema.iter().map(limit).collect()
     }
 
-    /// The least and the greatest value on each arc of the motion.
+    /// The least and the greatest value on each arc of the motion; the same where they differ by rounding alone.
     pub fn swings(&self) -> Vec<Swing> {
         if self.motion.cycle().is_full() && self.gain != 0.0 {
             return vec![Swing::Turns];
@@ -36,6 +37,13 @@ impl OutputProfile<'_> {
             let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], v| {
                 [min.min(v), max.max(v)]
             });
+            if max - min <= CONSTANT * self.motion.unit(self.quantity) {
+                let value = min.midpoint(max);
+                return Swing::Between {
+                    min: value,
+                    max: value,
+                };
+            }
             Swing::Between { min, max }
         };
         self.motion.cycle().arcs().iter().map(swing).collect()

@@ -34,7 +34,7 @@ pub use limits::LimitPosition;
 pub use placed::Placed;
 pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
-pub use transmission::LeastTransmission;
+pub use transmission::WorstTransmission;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -126,10 +126,11 @@ impl Motion {
     fn of(
         mechanism: Mechanism,
         cycle: Cycle,
-        knots: Knots,
+        mut knots: Knots,
         dead_points: Vec<DeadPoint>,
         home: f64,
     ) -> Self {
+        knots.index();
         let arcs = cycle.arcs().iter();
         let change_points = arcs.flat_map(|arc| {
             let closed = mechanism.closed_steps();

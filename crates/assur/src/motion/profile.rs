@@ -39,7 +39,7 @@ impl Dwell {
 #[derive(Clone, Debug)]
 pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
-    quantity: Quantity,
+    pub(super) quantity: Quantity,
     /// Inputs and values at which pieces meet: extrema, and the ends of the range
     /// of a motion to and fro. A full cycle is there twice, from an extremum on.
     pub(super) stations: Vec<[f64; 2]>,
@@ -62,11 +62,7 @@ impl<'a> OutputProfile<'a> {
     /// The profile of a quantity.
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
         let mechanism = motion.mechanism();
-        let unit = if quantity.is_angle() {
-            1.0
-        } else {
-            mechanism.size()
-        };
+        let unit = motion.unit(quantity);
         let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
         let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
             Some(inputs) => inputs,

@@ -30,6 +30,12 @@ impl Column {
         columns
     }
 
+    /// Those of how well dyads transmit: of each angle with two derivatives.
+    pub fn transmitting(mechanism: &Mechanism) -> impl Iterator<Item = Self> {
+        let angles = mechanism.transmitting().into_iter();
+        angles.flat_map(|quantity| [0, 1, 2].map(|order| Self { quantity, order }))
+    }
+
     /// Its name in tables: `rocker.angle`, `rocker.dangle`, `C.ddx`.
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.quantity.name(mechanism, self.order)
@@ -37,10 +43,13 @@ impl Column {
 
     /// Its name where its derivatives are by time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
     pub fn name_by_time(self, mechanism: &Mechanism) -> String {
-        let (of, rates) = match self.quantity {
-            Quantity::Angle(link) => (mechanism.link_name(link), ["omega", "epsilon"]),
-            Quantity::X(point) => (mechanism.point_name(point), ["vx", "ax"]),
-            Quantity::Y(point) => (mechanism.point_name(point), ["vy", "ay"]),
+        let of = self.quantity.whose(mechanism);
+        let rates = match self.quantity {
+            Quantity::Angle(_) => ["omega", "epsilon"],
+            Quantity::X(_) => ["vx", "ax"],
+            Quantity::Y(_) => ["vy", "ay"],
+            Quantity::Transmission(_) => ["transmission_omega", "transmission_epsilon"],
+            Quantity::Pressure(_) => ["pressure_omega", "pressure_epsilon"],
         };
         match self.order.checked_sub(1).and_then(|rate| rates.get(rate)) {
             Some(rate) => format!("{of}.{rate}"),

@@ -1,13 +1,17 @@
-//! The least transmission angle of a dyad over a motion.
+//! Where dyads transmit worst over a motion.
 
 use super::Motion;
 use super::features::turning_points;
-use crate::mechanism::RrrDyad;
+use crate::Jet;
+use crate::mechanism::{Quantity, RrpDyad, RrrDyad};
+
+/// What is beside an end of an arc, as a share of it.
+const BESIDE: f64 = 1e-12;
 
 /// Where a dyad transmits worst.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LeastTransmission {
-    /// The transmission angle, radians; 0 at a dead point.
+pub struct WorstTransmission {
+    /// The least transmission angle, 0 at a dead point; the greatest pressure angle, 90° there. Radians.
     pub angle: f64,
     /// The input.
     pub input: f64,
@@ -17,23 +21,22 @@ impl Motion {
     /// The least transmission angle of a dyad: at an extremum of the cosine between
     /// its links, at the end of an arc, or where links pass through in line. None
     /// where there is no pose at all.
-    pub fn least_transmission(&self, dyad: &RrrDyad) -> Option<LeastTransmission> {
+    pub fn least_transmission(&self, dyad: &RrrDyad) -> Option<WorstTransmission> {
         let mechanism = self.mechanism();
-        let lesser = |least: LeastTransmission, next: LeastTransmission| {
+        let lesser = |least: WorstTransmission, next: WorstTransmission| {
             if next.angle < least.angle {
                 next
             } else {
                 least
             }
         };
-        let ends = self.cycle().arcs().iter().flatten().copied();
         if let Some(closed) = mechanism.closed_form_of(dyad) {
             let arcs = self.cycle().arcs().iter();
-            let inputs = ends.chain(arcs.flat_map(|arc| closed.half_turns(*arc)));
+            let inputs = arcs.flat_map(|arc| arc.iter().copied().chain(closed.half_turns(*arc)));
             let found = inputs.filter_map(|input| {
                 let angle = closed.linkage.transmission_angle(input + closed.lead);
                 let angle = angle.ok()?;
-                Some(LeastTransmission { angle, input })
+                Some(WorstTransmission { angle, input })
             });
             return found.reduce(lesser);
         }
@@ -43,14 +46,50 @@ impl Motion {
             Some(mechanism.diagonal(&pose, dyad))
         };
         let unit = mechanism.size() * mechanism.size();
-        let extrema = turning_points(self.cycle(), &diagonal, unit);
-        let inputs = extrema.iter().map(|extremum| extremum.crank).chain(ends);
-        let inputs = inputs.chain(self.change_points().iter().copied());
-        let found = inputs.chain([self.home()]).filter_map(|input| {
-            let pose = self.pose::<1>(input).ok()?;
-            let angle = mechanism.transmission_angle(&pose, dyad);
-            Some(LeastTransmission { angle, input })
-        });
+        let found = self.extreme(Quantity::Transmission(*dyad), &diagonal, unit);
         found.reduce(lesser)
+    }
+
+    /// The greatest pressure angle of a dyad: at an extremum of its sine, at the end of an arc, or where it passes a
+    /// dead point. None where there is no pose at all.
+    pub fn greatest_pressure(&self, dyad: &RrpDyad) -> Option<WorstTransmission> {
+        let mechanism = self.mechanism();
+        let rise = |input: f64| {
+            let pose = self.pose::<3>(input).ok()?;
+            Some(mechanism.rise(&pose, dyad))
+        };
+        let found = self.extreme(Quantity::Pressure(*dyad), &rise, mechanism.size());
+        found.reduce(|greatest, next| {
+            if next.angle > greatest.angle {
+                next
+            } else {
+                greatest
+            }
+        })
+    }
+
+    /// An acute angle wherever it can be extreme: where what it is told by is, and at the ends, change points and in the
+    /// drawn pose.
+    fn extreme(
+        &self,
+        angle: Quantity,
+        told_by: &dyn Fn(f64) -> Option<Jet<3>>,
+        unit: f64,
+    ) -> impl Iterator<Item = WorstTransmission> + '_ {
+        let extrema = turning_points(self.cycle(), told_by, unit);
+        // Where joints fall into one at an end, there are digits only beside it.
+        let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
+            let beside = BESIDE * (to - from);
+            [*from, from + beside, to - beside, *to]
+        });
+        let inputs = extrema.into_iter().map(|extremum| extremum.crank);
+        let inputs = inputs
+            .chain(ends)
+            .chain(self.change_points().iter().copied());
+        inputs.chain([self.home()]).filter_map(move |input| {
+            let pose = self.pose::<1>(input).ok()?;
+            let angle = angle.of(self.mechanism(), &pose).value();
+            Some(WorstTransmission { angle, input })
+        })
     }
 }

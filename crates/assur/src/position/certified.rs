@@ -7,7 +7,7 @@
 //! there is just one solution in it (Kantorovich), it depends continuously on the input, and J is regular: the
 //! determinant keeps its sign, so that the step has no singular pose, no other assembly and no flight to infinity.
 
-use super::enclosure::{AT_ONCE, Bounds, Enclosure};
+use super::enclosure::{AT_ONCE, Bounds, Enclosure, REGULAR};
 use super::equation::{Equation, MOST_FORMS};
 use super::group::{Group, Input};
 use super::{Predictor, Vector};
@@ -34,9 +34,6 @@ impl Known {
         self.travels(reach) + self.by_unknowns * radius
     }
 }
-
-/// The Jacobian changes by no more than this, relative to itself.
-const REGULAR: f64 = 0.5;
 
 impl Group {
     /// See [`super::Solvable::enclose`].
@@ -105,6 +102,7 @@ impl Group {
             return false;
         }
         cell.strays[step] = radius;
+        cell.changed = cell.changed.max(change);
         let inverse = (1.0 - change).recip();
 
         // By how much the rates of the unknowns differ from those where the step begins …
@@ -134,7 +132,8 @@ impl Group {
             };
             cell.bounds.sums[row] = [defect, 0.0, 0.0];
         }
-        let rate_off = inverse * self.weighed(cell)[0];
+        let [rate_off] = self.weighed(cell);
+        let rate_off = inverse * rate_off;
         // … and with that what their second derivatives are at most.
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
@@ -162,7 +161,8 @@ impl Group {
             };
             cell.bounds.sums[row] = [bend, 0.0, 0.0];
         }
-        let bend = inverse * self.weighed(cell)[0];
+        let [bend] = self.weighed(cell);
+        let bend = inverse * bend;
         for placed in &self.bodies {
             let [origin, turn] = placed.forms.map(|form| {
                 let known = self.known(cell, form);
@@ -226,21 +226,18 @@ impl Group {
         inverse.iter().all(|value| value.is_finite())
     }
 
-    /// What sums of the equations, of either sign, come to in the unknowns, each in its unit.
-    fn weighed(&self, cell: &Enclosure) -> [f64; 3] {
+    /// What the first sums of the equations, of either sign, come to in the unknowns, each in its unit.
+    fn weighed<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
+        let Bounds { inverse, sums, .. } = &cell.bounds;
         let size = 2 * self.unknowns;
-        let mut most = [0.0_f64; 3];
+        let mut most = [0.0_f64; L];
         for (unknown, unit) in self.units.iter().enumerate() {
-            let mut parts = [[0.0_f64; 2]; 3];
-            for (column, sums) in cell
-                .bounds
-                .inverse
-                .chunks_exact(size)
-                .zip(&cell.bounds.sums)
-            {
+            let mut parts = [[0.0_f64; 2]; L];
+            for (column, sums) in inverse.chunks_exact(size).zip(sums) {
+                let [x, y] = [0, 1].map(|axis| column[2 * unknown + axis].abs());
                 for (part, sum) in parts.iter_mut().zip(sums) {
-                    part[0] += column[2 * unknown].abs() * sum;
-                    part[1] += column[2 * unknown + 1].abs() * sum;
+                    part[0] += x * sum;
+                    part[1] += y * sum;
                 }
             }
             for (most, [x, y]) in most.iter_mut().zip(parts) {

@@ -8,6 +8,8 @@
 //! in line, which the enclosures of the same bodies tell. (For groups of higher class: L. V. Kantorovich's theorem,
 //! J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear Equations in Several Variables*, 1970, 12.6.)
 
+use std::f64::consts::PI;
+
 use super::work::Work;
 use super::{Anchor, Arm, Predictor, Step, Track, conjugate, product};
 use crate::Vector;
@@ -22,10 +24,16 @@ pub(crate) struct Enclosure {
     bodies: List<BodyId, Bound>,
     /// How far the solution of a group may be from where its tangent leads, in units of its unknowns.
     pub(super) strays: List<StepId, f64>,
+    /// By how much the Jacobian of any group changes at most, relative to itself.
+    pub(super) changed: f64,
     pub(super) work: Work<2>,
     pub(super) bounds: Bounds,
 }
 
+/// The Jacobian of a group changes by no more than this, relative to itself.
+pub(super) const REGULAR: f64 = 0.5;
+/// A body that a bound lets turn farther, radians, may be shown to turn less.
+const FAR: f64 = 0.5;
 /// So many columns of an inverse are found at once.
 pub(super) const AT_ONCE: usize = 4;
 
@@ -45,6 +53,8 @@ pub(super) struct Bounds {
 pub(crate) struct Bound {
     /// The second derivative of its angle.
     pub(crate) spin: f64,
+    /// How far it turns at most, where that is known otherwise.
+    turned: f64,
     /// That of two places on it.
     pub(crate) places: [(Vector, f64); 2],
 }
@@ -74,6 +84,7 @@ impl Enclosure {
             reach: 0.0,
             bodies: vec![Bound::default(); bodies].into(),
             strays: vec![0.0; steps].into(),
+            changed: 0.0,
             work: Work::default(),
             bounds: Bounds::default(),
         }
@@ -102,6 +113,7 @@ impl Enclosure {
         (passing, to): (&[StepId], &Predictor),
     ) -> Result<(), StepId> {
         (self.width, self.reach) = (width, width.abs());
+        self.changed = 0.0;
         for (step, placing) in steps.enumerate() {
             if passing.contains(&step) {
                 self.take_over(placing, from, to);
@@ -110,6 +122,12 @@ impl Enclosure {
             }
         }
         Ok(())
+    }
+
+    /// How many times as long as the step that was certified last one may be at most, as far as groups tell: their
+    /// Jacobians change at least in proportion.
+    pub(crate) fn ease(&self) -> f64 {
+        REGULAR / self.changed
     }
 
     /// Twice what the second derivatives are at both ends, whichever is more.
@@ -137,7 +155,12 @@ impl Enclosure {
     }
 
     pub(crate) fn set(&mut self, body: BodyId, spin: f64, places: [(Vector, f64); 2]) {
-        self.bodies[body] = Bound { spin, places };
+        let turned = f64::INFINITY;
+        self.bodies[body] = Bound {
+            spin,
+            turned,
+            places,
+        };
     }
 
     /// What the second derivative of a body's angle is at most.
@@ -158,7 +181,8 @@ impl Enclosure {
 
     /// How far a body turns at most.
     pub(crate) fn turned(&self, from: &Predictor, body: BodyId) -> f64 {
-        self.reach * self.pace(from, body)
+        let turned = self.reach * self.pace(from, body);
+        turned.min(self.bodies[body].turned)
     }
 
     /// What the second derivative of a direction of a body is at most.
@@ -252,7 +276,23 @@ impl Enclosure {
             let places = [(arm.from, outer.bend), (arm.to, joint)];
             self.set(arm.body, bend / arm.length(), places);
         }
+        // Where the base is short or the links are nearly in line the triangle tells better how far they turn.
+        for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
+            if self.turned(from, arm.body) > FAR {
+                let turned = self.swept(&base) + opened([arm.length(), other], [least, most]);
+                self.bodies[arm.body].turned = turned;
+            }
+        }
         true
+    }
+
+    /// How far a direction turns at most that keeps from vanishing.
+    fn swept(&self, way: &Way) -> f64 {
+        let end = way.at + way.rate * self.width;
+        let straight = way.at.perp(&end).atan2(way.at.dot(&end)).abs();
+        let [least, _] = self.distances(way);
+        let room = 0.5 * self.reach * self.reach * way.bend;
+        straight + (room / (least + room)).asin()
     }
 
     /// What the second derivative of the point is at most where two lines cross, each by a body that it is fixed to
@@ -294,5 +334,54 @@ impl Enclosure {
     pub(crate) fn slid(&mut self, track: &Track, bend: f64) {
         let spin = self.spin(track.line.body);
         self.set(track.body, spin, [(track.point, bend); 2]);
+    }
+}
+
+/// How far the angle of a triangle between the base and a side changes at most while the base is between two lengths;
+/// of the two sides the one at the angle is the first.
+fn opened([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
+    let [sum, difference] = [side + other, side - other];
+    let angle = |r: f64| {
+        let cosine = (r * r + sum * difference) / (2.0 * r * side);
+        cosine.clamp(-1.0, 1.0).acos()
+    };
+    let [least, most] = base;
+    // The angle is widest where the other side is square to the base.
+    let widest = (sum * difference).max(0.0).sqrt().max(least).min(most);
+    let angles = [least, widest, most].map(angle);
+    let range = angles.into_iter().fold([PI, 0.0], |[low, high], angle| {
+        [angle.min(low), angle.max(high)]
+    });
+    range[1] - range[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::opened;
+
+    /// Between all lengths that the base may have the angle changes by as much, and by no more.
+    #[test]
+    fn angles_of_triangles() {
+        for [side, other] in [[2.0, 3.0], [3.0, 2.0], [1.0, 1.0], [5.0, 0.1]] {
+            let [short, long] = [f64::abs(side - other), side + other];
+            for (from, to) in [(0.001, 1.0), (0.1, 0.3), (0.4, 0.41), (0.7, 0.99)] {
+                let base = [from, to].map(|part| short + part * (long - short));
+                let angle = |k: u32| {
+                    let r = base[0] + f64::from(k) / 1e4 * (base[1] - base[0]);
+                    let cosine = (r * r + side * side - other * other) / (2.0 * r * side);
+                    cosine.clamp(-1.0, 1.0).acos()
+                };
+                let angles = (0..=10_000).map(angle);
+                let [low, high] = angles.fold([9.0, 0.0], |[low, high], angle: f64| {
+                    [angle.min(low), angle.max(high)]
+                });
+                let found = opened([side, other], base);
+                let off = found - (high - low);
+                assert!(
+                    (-1e-12..1e-3).contains(&off),
+                    "{side} {other} {base:?}: {off:e}"
+                );
+            }
+        }
     }
 }

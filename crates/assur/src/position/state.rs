@@ -150,6 +150,13 @@ impl<const N: usize> State<N> {
         Orientation { angle, turn }
     }
 
+    /// Tells how all bodies are turned.
+    pub(crate) fn orient(&self, orientations: &mut List<BodyId, Orientation>) {
+        for (body, orientation) in self.turn.ids().zip(orientations.iter_mut()) {
+            *orientation = self.orientation(body);
+        }
+    }
+
     /// How all bodies are turned.
     pub(crate) fn orientations(&self) -> List<BodyId, Orientation> {
         self.turn.ids().map(|body| self.orientation(body)).collect()

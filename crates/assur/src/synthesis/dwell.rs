@@ -132,7 +132,10 @@ impl Search {
         if !sound(target.stroke) {
             return Err(SearchError::Stroke);
         }
-        let output = Quantity::named(mechanism, output).ok_or(SearchError::Output)?;
+        let output = Quantity::named(mechanism, output);
+        let output = output
+            .filter(|one| !one.is_folded())
+            .ok_or(SearchError::Output)?;
         if variables.is_empty() {
             return Err(SearchError::Rigid);
         }

@@ -1,0 +1,135 @@
+//! The numbers of the links; the frame is 0.
+
+use assur::Point;
+use assur::mechanism::{LinkId, LinkOrFrame, Mechanism, Pose};
+use assur::sorting::sort_by;
+
+use super::View;
+use super::layout::{self, Layout};
+use super::names::Names;
+use crate::list::{List, Look, Role};
+use crate::parts;
+
+/// The circle around a number, in units.
+const CIRCLE: f64 = 1.9;
+/// Where on a bar its number is; on that which drives beyond the arc of its angle, so many units
+/// off its end.
+const MIDDLE: f64 = 0.5;
+const BEYOND_ARC: f64 = 0.75;
+const ROOM: f64 = 3.2;
+/// How far beside a place a number without a circle stands, in heights of text.
+const BESIDE: [f64; 2] = [1.5, -1.5];
+/// Beside a support, in units, and from there in heights of text.
+const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
+const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
+
+/// A number of a link.
+#[derive(Clone, Debug)]
+pub(super) struct Number {
+    link: LinkOrFrame,
+    /// In the link's coordinates.
+    at: Place,
+    name: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    /// On the link, in a circle.
+    On(Point),
+    /// In a circle on a bar that drives, between these places: beyond the arc of its angle, if it is
+    /// long enough.
+    Driving([Point; 2]),
+    /// Beside a pin: of a block, of a wheel.
+    Beside(Point),
+    /// Beside a support of this size.
+    Support(Point, f64),
+}
+
+/// The numbers of links that are no parts of others, in the order of the document, or as it notes
+/// them. Wheels that have theirs by their rims are passed over.
+pub(super) fn numbers(
+    mechanism: &Mechanism,
+    layout: &Layout,
+    home: &Pose<1>,
+    view: &View,
+    names: &mut Names,
+) -> Vec<Number> {
+    let notes = &view.annotations;
+    let bodies = mechanism
+        .link_ids()
+        .filter(|link| mechanism.root_of(*link) == Some(*link));
+    let mut numbers = Vec::new();
+    for (index, link) in bodies.enumerate() {
+        let own = mechanism.link_name(link);
+        if notes.tags.iter().any(|tag| tag.link == own) {
+            continue;
+        }
+        let noted = notes.numbers.iter().find(|(name, _)| name == own);
+        let text = noted.map_or_else(|| (index + 1).to_string(), |(_, number)| number.clone());
+        let Some(at) = place(mechanism, layout, home, link) else {
+            continue;
+        };
+        let (link, name) = (Some(link), names.add(text));
+        numbers.push(Number { link, at, name });
+    }
+    let supports = mechanism.point_ids().filter_map(|point| {
+        let at = mechanism.place(home, point).place();
+        Some(Place::Support(at, layout.support(point)?))
+    });
+    let name = names.add("0".to_owned());
+    numbers.extend(supports.map(|at| Number {
+        link: None,
+        at,
+        name,
+    }));
+    numbers
+}
+
+/// Where a link has its number: at the middle of a plate, and of the longest part of a bar that
+/// has no hinge.
+fn place(mechanism: &Mechanism, layout: &Layout, home: &Pose<1>, link: LinkId) -> Option<Place> {
+    let outline = layout.outline(link);
+    let [from, to] = outline else {
+        let middle = parts::centroid(outline).map(Place::On);
+        return middle.or(outline.first().copied().map(Place::Beside));
+    };
+    let along = (to - from).normalize();
+    let points = mechanism.points_of(link).iter();
+    let places = points.map(|point| layout::local(mechanism, home, Some(link), *point));
+    let mut ways: Vec<f64> = places.map(|at| (at - from).dot(&along)).collect();
+    sort_by(&mut ways, f64::total_cmp);
+    let parts = ways.windows(2).map(|part| [part[0], part[1]]);
+    let [start, end] = parts.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+    let drivers = &mechanism.draft().drivers;
+    let mut driven = drivers
+        .iter()
+        .filter_map(|driver| mechanism.draft().driven(driver));
+    let drives = driven.any(|name| name == mechanism.link_name(link));
+    let ends = [start, end].map(|way| from + along * way);
+    let on = Place::On(ends[0] + (ends[1] - ends[0]) * MIDDLE);
+    Some(if drives { Place::Driving(ends) } else { on })
+}
+
+impl Number {
+    pub(super) fn draw(&self, list: &mut List, u: f64) {
+        list.body(layout::number(self.link));
+        let mut circled = |at: Point| {
+            list.circle(Role::Secondary, Look::Hollow, at, CIRCLE * u);
+            (at, [0.0, 0.0])
+        };
+        let (at, off) = match self.at {
+            Place::On(at) => circled(at),
+            Place::Driving([from, to]) => {
+                let room = (1.0 - BEYOND_ARC) * (to - from).norm() > ROOM * u;
+                let share = if room { BEYOND_ARC } else { MIDDLE };
+                circled(from + (to - from) * share)
+            }
+            Place::Beside(at) => (at, BESIDE),
+            Place::Support(at, size) => {
+                let [x, y] = AT_SUPPORT.map(|by| by * size * u);
+                (at + assur::Vector::new(x, y), BESIDE_SUPPORT)
+            }
+        };
+        list.name(Role::Ink, self.name, at, off);
+    }
+}

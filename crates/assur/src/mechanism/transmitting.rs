@@ -1,0 +1,124 @@
+//! How well dyads transmit force, in a pose: the transmission angle of a dyad RRR, the pressure angle of a dyad RRP. Both
+//! are acute angles between two lines, which are folded at 0 and at 90°: there their rates jump.
+
+use std::f64::consts::PI;
+
+use super::dyads::arms_of;
+use super::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDyad};
+use crate::index::{LinkId, PointId, StepId};
+use crate::position::{Rrp, Step};
+use crate::{Jet, Vector};
+
+/// Two lines are in line or at right angles, and an angle stands, within rounding.
+const FOLD: f64 = 1e-12;
+const RATE: f64 = 1e-9;
+
+/// An Assur group of two links, two hinges and a slide: a rod and what it pushes along a way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RrpDyad {
+    /// The link with the two hinges.
+    pub rod: LinkId,
+    /// The link that slides.
+    pub slider: LinkId,
+    /// The point at which they are hinged on each other.
+    pub inner: PointId,
+    /// Where the rod is hinged on what is solved before.
+    pub outer: OuterJoint,
+    /// The link that has the way.
+    pub on: LinkOrFrame,
+    step: StepId,
+}
+
+impl Mechanism {
+    /// The angles that tell how well dyads transmit, in the order in which these are solved.
+    pub fn transmitting(&self) -> Vec<Quantity> {
+        let steps = self.steps.enumerate();
+        let found = steps.filter_map(|(step, placing)| match placing {
+            Step::Rrp(dyad) => self.rrp_dyad(step, dyad).map(Quantity::Pressure),
+            other => {
+                let dyad = self.dyad_of(arms_of(other)?);
+                dyad.map(Quantity::Transmission)
+            }
+        });
+        found.collect()
+    }
+
+    fn rrp_dyad(&self, step: StepId, Rrp { arm, track }: &Rrp) -> Option<RrpDyad> {
+        Some(RrpDyad {
+            rod: self.link_of(arm.body)?,
+            slider: self.link_of(track.body)?,
+            inner: self.shared([arm.body, track.body], Some(arm.to))?,
+            outer: OuterJoint {
+                point: self.shared([arm.body, arm.outer.body], Some(arm.from))?,
+                on: self.link_of(arm.outer.body),
+            },
+            on: self.link_of(track.line.body),
+            step,
+        })
+    }
+
+    /// The angle from one link of a dyad to the other as it turns, not folded.
+    pub(super) fn between_links<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
+        let at = |point: PointId| self.place(pose, point).place();
+        let inner = at(dyad.inner);
+        let lines = dyad.outer.map(|outer| at(outer.point) - inner);
+        let angles = dyad.links.map(|link| self.angle(pose, link));
+        turned(lines, angles)
+    }
+
+    /// The angle from the way of a dyad to its rod as it turns, not folded.
+    pub(super) fn off_the_way<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
+        let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+            return Jet::constant(0.0);
+        };
+        let state = &pose.state;
+        let (_, way) = state.line(track);
+        let [from, to] = [dyad.outer.point, dyad.inner].map(|point| self.place(pose, point));
+        let lines = [way.value(), to.place() - from.place()];
+        turned(
+            lines,
+            [track.line.body, arm.body].map(|body| state.angle(body)),
+        )
+    }
+
+    /// By how much the rod of a dyad rises above its way.
+    pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
+        let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+            return Jet::constant(0.0);
+        };
+        let state = &pose.state;
+        let (start, way) = state.line(track);
+        let from = (state.place(arm.outer) - start) * way.conjugate();
+        -from.y() + track.off
+    }
+}
+
+/// The angle between two lines, that turn with links of these angles.
+fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
+    let grown = b - a;
+    grown + (u.perp(&v).atan2(u.dot(&v)) - grown.value())
+}
+
+/// The acute angle between two lines of which one is turned from the other by an angle.
+pub(crate) fn acute(angle: f64) -> f64 {
+    let turned = angle.rem_euclid(PI);
+    turned.min(PI - turned)
+}
+
+/// 1 where the acute angle grows with the angle between two lines, else −1; where it is folded, as just after that.
+pub(crate) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
+    let (sin, cos) = angle.value().sin_cos();
+    if (sin * cos).abs() > FOLD {
+        return (sin * cos).signum();
+    }
+    let rates = [1, 2].map(|order| angle.derivative(order));
+    let grows = rates.into_iter().find(|rate| rate.abs() > RATE);
+    let grows = grows.unwrap_or(1.0).signum();
+    if sin.abs() < cos.abs() { grows } else { -grows }
+}
+
+/// The acute angle with its derivatives.
+pub(super) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
+    let folded = angle * sense(&angle);
+    folded + (acute(angle.value()) - folded.value())
+}

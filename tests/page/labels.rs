@@ -1,0 +1,102 @@
+//! Labels of the drawing: off each other, steady in motion, with the numbers of their frame.
+
+use std::collections::BTreeSet;
+
+use crate::browser::{Page, setting};
+
+/// A label as it was written: its text, its middle and its width.
+type Written = (String, f64, f64, f64);
+
+/// Of so many pixels is the height of a label.
+const HEIGHT: f64 = 15.0;
+
+/// Everything over the first mixer, and from now on its labels are kept, drawing by drawing.
+async fn watched() -> Page {
+    let all = "v.vectors=true&v.loop_vectors=true&v.transmission=true&v.playing=false";
+    let page = Page::open_at(&format!("{}#mixer-a&{all}", setting("ASSUR_URL")), "en-US").await;
+    page.settle().await;
+    page.ask(
+        "const kind = CanvasRenderingContext2D.prototype;
+        const { fillText } = kind;
+        window.shown = [];
+        kind.fillText = function (text, x, y) {
+            if (this.canvas.id === 'mechanism' && this.font.startsWith('600 ')) {
+                if (text === 'A') window.shown.push([]);
+                window.shown.at(-1).push([text, x, y, this.measureText(text).width]);
+            }
+            fillText.call(this, text, x, y);
+        };",
+    )
+    .await;
+    page
+}
+
+async fn shown(page: &Page) -> Vec<Vec<Written>> {
+    let shown = page.ask("return window.shown.splice(0)").await;
+    serde_json::from_value(shown).unwrap()
+}
+
+/// Round a whole turn none is over another, with everything shown; where it is crowded a label changes its side, but not
+/// again with the next step.
+#[tokio::test]
+async fn labels_keep_off_each_other() {
+    let page = watched().await;
+    let mut last: Option<Vec<Written>> = None;
+    let mut jumps = vec![Vec::new(); 40];
+    for step in 0..=90 {
+        page.stop_at(&format!("{}", 4 * step)).await;
+        page.settle().await;
+        let labels = shown(&page).await.pop().unwrap();
+        assert!(labels.len() > 12, "{labels:?}");
+        for (i, one) in labels.iter().enumerate() {
+            for other in &labels[..i] {
+                let beside = (one.1 - other.1).abs() >= (one.3 + other.3) / 2.0 - 0.5;
+                let under = (one.2 - other.2).abs() >= HEIGHT - 0.5;
+                assert!(beside || under, "{step}: {one:?} {other:?}");
+            }
+        }
+        for (i, (one, before)) in labels.iter().zip(last.iter().flatten()).enumerate() {
+            if (one.1 - before.1).hypot(one.2 - before.2) > 1.6 * HEIGHT {
+                jumps[i].push(step);
+            }
+        }
+        last = Some(labels);
+    }
+    // The tips of vectors are that fast themselves.
+    let last = last.unwrap().into_iter().zip(&jumps);
+    let steady = last.filter(|(label, _)| !label.0.ends_with(['′', '″']));
+    for (label, jumps) in steady {
+        let restless = jumps.windows(2).any(|two| two[1] - two[0] < 2);
+        assert!(!restless && jumps.len() <= 8, "{label:?}: {jumps:?}");
+    }
+    page.close().await;
+}
+
+/// While it plays φ₁ is written in whole degrees, anew with every frame; it stands still with a decimal.
+#[tokio::test]
+async fn numbers_in_motion_are_those_of_their_frame() {
+    let page = watched().await;
+    page.click("play").await;
+    page.until("some frames", async || {
+        page.ask("return window.shown.length > 40").await == true
+    })
+    .await;
+    let angles = |drawings: &[Vec<Written>]| -> Vec<String> {
+        let labels = drawings.iter().flatten();
+        let angles = labels.filter_map(|label| label.0.strip_prefix("φ₁ = "));
+        angles.map(str::to_owned).collect()
+    };
+    let playing = angles(&shown(&page).await[2..]);
+    assert!(
+        playing.iter().all(|angle| !angle.contains('.')),
+        "{playing:?}"
+    );
+    // Far more often than five times a second, as the read-outs are.
+    let different: BTreeSet<&String> = playing.iter().collect();
+    assert!(3 * different.len() > playing.len(), "{playing:?}");
+    page.stop_at("75").await;
+    page.settle().await;
+    let still = angles(&shown(&page).await);
+    assert_eq!(still.last().map(String::as_str), Some("75.0°"));
+    page.close().await;
+}

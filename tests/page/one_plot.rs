@@ -1,0 +1,146 @@
+//! One plot alone, numbers at the cursor beside labels, and how well dyads transmit, plotted.
+
+use assur_tests::assert_near;
+use thirtyfour::prelude::*;
+
+use crate::browser::{Page, setting};
+use crate::gallery::open;
+use crate::plots::texts;
+
+/// Which derivatives of the rocker's angle have a plot.
+async fn orders(page: &Page) -> Vec<usize> {
+    let seen = texts(page).await;
+    let titles = ["φ₃", "φ₃′", "φ₃″"].into_iter().enumerate();
+    let shown = titles.filter(|(_, title)| seen.iter().any(|text| text == title));
+    shown.map(|(order, _)| order).collect()
+}
+
+/// A double click shows the plot under it alone, another one all again; keys choose it, links keep it.
+#[tokio::test]
+async fn one_plot_is_shown_alone() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    assert_eq!(orders(&page).await, [0, 1, 2]);
+    let area = page.element("charts").await.rect().await.unwrap();
+    let at = |order: f64| (0.6 * area.width, (0.2 + 0.3 * order) * area.height);
+    for (order, name) in ["value", "first", "second"].into_iter().enumerate() {
+        page.double_click("charts", at(order as f64)).await;
+        assert_eq!(orders(&page).await, [order], "{name}");
+        assert_eq!(page.written("only").await, name);
+        page.double_click("charts", at(1.0)).await;
+        assert_eq!(orders(&page).await, [0, 1, 2], "{name}");
+    }
+    page.press("only", Key::Down).await;
+    assert_eq!(orders(&page).await, [0]);
+    page.press("only", Key::End).await;
+    assert_eq!(orders(&page).await, [2]);
+    page.until("the address", async || {
+        page.address().await.contains("v.only=second")
+    })
+    .await;
+    page.reload().await;
+    assert_eq!(page.written("only").await, "second");
+    assert_eq!(orders(&page).await, [2]);
+    // It takes the room of all three.
+    page.choose("plot", "rocker.angle").await;
+    page.choose("only", "first").await;
+    let rows = async || {
+        let picture = page.picture("charts").await;
+        let curve = picture.places(ROCKER).filter(|(_, y)| *y > 30);
+        let rows: Vec<usize> = curve.map(|(_, y)| y).collect();
+        rows.iter().max().unwrap() - rows.iter().min().unwrap()
+    };
+    let (alone, height) = (rows().await, area.height as usize);
+    assert!(alone > height / 2, "{alone} of {height}");
+    page.close().await;
+}
+
+/// The colour of the rocker's curve.
+const ROCKER: [u8; 3] = [0x00, 0x9E, 0x73];
+
+/// The numbers at the cursor cover no label, wherever it stands.
+#[tokio::test]
+async fn numbers_keep_off_labels() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    // Labels are written on an edge of paper, the boxes of numbers are round.
+    let script = "const kind = CanvasRenderingContext2D.prototype;
+        const { strokeText, roundRect } = kind;
+        window.labels = []; window.tags = [];
+        kind.strokeText = function (text, x, y) {
+            if (this.canvas.id === 'charts') window.labels.push([x, y - 5, x + this.measureText(text).width, y + 5]);
+            strokeText.call(this, text, x, y);
+        };
+        kind.roundRect = function (x, y, w, h, r) {
+            if (this.canvas.id === 'chart-cursor') window.tags.push([x, y, x + w, y + h]);
+            roundRect.call(this, x, y, w, h, r);
+        };";
+    page.ask(script).await;
+    page.ask("document.querySelector('.charts').style.flex = '0 0 560px'")
+        .await;
+    page.settle().await;
+    let labels = page.ask("return window.labels.length").await;
+    assert!(labels.as_u64().unwrap() > 10, "{labels}");
+    let (mut tags, mut covered) = (0, 0);
+    for degrees in (0..360).step_by(12) {
+        page.ask("window.tags = []").await;
+        page.write("angle", &degrees.to_string()).await;
+        let found = page
+            .numbers(
+                "const over = ([a, b, c, d], [e, f, g, h]) => a < g && e < c && b < h && f < d;
+                arguments[0]([window.tags.length, window.tags.filter((tag) => window.labels.some((label) => over(tag, label))).length])",
+            )
+            .await;
+        tags += found[0] as usize;
+        covered += found[1] as usize;
+    }
+    assert!(tags >= 30 * 6, "{tags}");
+    assert_eq!(covered, 0, "of {tags}");
+    page.close().await;
+}
+
+/// μ of the mixer, α of a slider-crank, by choice; what is said of them is the engine's.
+#[tokio::test]
+async fn how_well_dyads_transmit_is_plotted() {
+    let page = Page::open().await;
+    page.stop_at("0").await;
+    page.choose("plot", "C.transmission").await;
+    let seen = texts(&page).await;
+    let cosine = |diagonal: f64| {
+        (0.85_f64.powi(2) + 0.55_f64.powi(2) - diagonal.powi(2)) / (2.0 * 0.85 * 0.55)
+    };
+    let [near, far] = [0.48, 1.22].map(|diagonal| cosine(diagonal).abs().acos().to_degrees());
+    for wanted in [
+        "μ C".to_owned(),
+        "μ′ C".to_owned(),
+        "μ″ C".to_owned(),
+        format!("{near:.1}° at 0.0°"),
+        format!("{far:.1}° at 180.0°"),
+    ] {
+        assert!(seen.contains(&wanted), "{wanted}: {seen:?}");
+    }
+    assert_near(page.value("out-C.transmission").await, near, 1e-9, "μ");
+    page.until("the address", async || {
+        page.address().await.contains("v.plot=C.transmission")
+    })
+    .await;
+    page.reload().await;
+    assert_eq!(page.written("plot").await, "C.transmission");
+
+    open(&page, "slider-crank-offset").await;
+    assert_eq!(page.text("out-linkage-pressure").await, "41.81° (C)");
+    page.choose("plot", "C.pressure").await;
+    page.write("angle", "90").await;
+    let greatest = (2.0_f64 / 3.0).asin().to_degrees();
+    assert_near(page.value("out-C.pressure").await, greatest, 1e-9, "α");
+    let seen = texts(&page).await;
+    for wanted in ["α C", "α″ C", "41.8° at 90.0°", "0.0° at 270.0°"] {
+        assert!(seen.iter().any(|text| text == wanted), "{wanted}: {seen:?}");
+    }
+    // Of a dyad within a longer linkage its own.
+    let url = format!("{}#watt-2&v.playing=false", setting("ASSUR_URL"));
+    page.anew(&url).await;
+    let offered = page.count("#plot option[value$='.transmission']").await;
+    assert_eq!(offered, 2);
+    page.close().await;
+}

@@ -1,0 +1,107 @@
+// Where the numbers beside the cursor stand: on either side of its line, off each other and off the labels.
+import { overlap } from "assur/plots/marks.js";
+
+/** @typedef {import("assur/plots/marks.js").Box} Box */
+
+/** A tag gives way to labels by at most so many times its height: farther off it would seem to be another curve's. */
+const FARTHEST = 3;
+
+/** Between two tags, in pixels. */
+const APART = 2;
+
+/**
+ * @typedef {object} Tags
+ * @property {readonly number[]} middles of the tags as they would stand by themselves, in rising order
+ * @property {readonly number[]} widths
+ * @property {number} tall their height
+ * @property {number} x the cursor's line
+ * @property {number} off how far from the line they stand
+ * @property {Box} room that is theirs
+ * @property {readonly Box[]} labels that they keep off
+ */
+
+/**
+ * @param {Tags} tags
+ * @returns {readonly Box[]} where they stand: on the right, or where they cover fewer labels there, on the left
+ */
+export function placedTags(tags) {
+  const { widths, x, off, room } = tags;
+  const widest = Math.max(...widths);
+  const sides = [];
+  if (x + off + widest <= room.right) sides.push(aside(tags, widths.map(() => x + off)));
+  if (sides.length === 0 || (sides[0].covered > 0 && x - off - widest >= room.left)) {
+    sides.push(aside(tags, widths.map((width) => x - off - width)));
+  }
+  return fewest(sides).boxes;
+}
+
+/**
+ * @param {Tags} tags
+ * @param {readonly number[]} lefts
+ * @returns their places beside each other on one side, and how many of them cover a label
+ */
+function aside({ middles, widths, tall, room, labels }, lefts) {
+  const at = (/** @type {number} */ i, /** @type {number} */ top) => ({ left: lefts[i], top, right: lefts[i] + widths[i], bottom: top + tall });
+  const own = middles.map((middle) => middle - tall / 2);
+  const free = (/** @type {number} */ i, first = room.top, last = room.bottom) => freeTop(at(i, own[i]), labels, first, last);
+  const apart = (/** @type {readonly number[]} */ tops) => spread(tops, room.top, room.bottom, tall);
+  const down = own.reduce((/** @type {number[]} */ tops, _, i) => [...tops, free(i, i > 0 ? tops[i - 1] + tall + APART : room.top)], []);
+  const up = own.reduceRight((/** @type {number[]} */ tops, _, i) => [free(i, room.top, tops.length > 0 ? tops[0] - APART : room.bottom), ...tops], []);
+  const ways = [apart(own), apart(own.map((_, i) => free(i))), apart(down), apart(up)];
+  return fewest(
+    ways.map((tops) => {
+      const boxes = tops.map((top, i) => at(i, top));
+      return { boxes, covered: boxes.filter((tag) => labels.some((label) => overlap(tag, label))).length };
+    }),
+  );
+}
+
+/**
+ * @template {{ covered: number }} T
+ * @param {readonly T[]} ways
+ * @returns {T} the first of those that cover the fewest labels
+ */
+function fewest(ways) {
+  return ways.reduce((best, way) => (way.covered < best.covered ? way : best));
+}
+
+/**
+ * @param {Box} tag
+ * @param {readonly Box[]} labels
+ * @param {number} first
+ * @param {number} last
+ * @returns {number} the top nearest to its own, between first and last, where it covers no label; its own where that is far off
+ */
+function freeTop(tag, labels, first, last) {
+  const tall = tag.bottom - tag.top;
+  const covers = (/** @type {number} */ top) => labels.some((label) => overlap({ ...tag, top, bottom: top + tall }, label));
+  const beside = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
+  const near = [tag.top, first, last - tall, ...beside].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
+  const free = near.filter((top) => !covers(top)).sort((a, b) => Math.abs(a - tag.top) - Math.abs(b - tag.top));
+  return free[0] ?? tag.top;
+}
+
+/**
+ * @param {readonly number[]} tops in rising order
+ * @param {number} first
+ * @param {number} last
+ * @param {number} tall the height of a tag
+ * @returns {number[]} as near to them as may be, at least that far apart, between first and last
+ */
+function spread(tops, first, last, tall) {
+  const step = tall + APART;
+  // Those that would meet stand in a block round the mean of their places.
+  /** @type {{ sum: number, count: number }[]} */
+  const blocks = [];
+  tops.forEach((top, i) => {
+    let block = { sum: top - i * step, count: 1 };
+    for (let before = blocks.at(-1); before && before.sum / before.count > block.sum / block.count; before = blocks.at(-1)) {
+      block = { sum: before.sum + block.sum, count: before.count + block.count };
+      blocks.pop();
+    }
+    blocks.push(block);
+  });
+  const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
+  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
+  return places.map((place, i) => place + i * step);
+}
