@@ -1,7 +1,9 @@
 //! The Class IV mechanism with dwell against a table in 40-digit arithmetic.
 
+use std::f64::consts::TAU;
+
 use assur::Point;
-use assur::mechanism::{ConstraintKind, Draft, Mechanism, Quantity};
+use assur::mechanism::{ConstraintKind, Draft, Mechanism, Method, Quantity};
 use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -229,7 +231,7 @@ fn dwell_and_cyclogram() {
 
     let phases = profile.cyclogram(0.1_f64.to_radians());
     let turn: f64 = phases.iter().map(|phase| phase.arc[1] - phase.arc[0]).sum();
-    assert!((turn - std::f64::consts::TAU).abs() < 1e-9, "{phases:?}");
+    assert!((turn - TAU).abs() < 1e-9, "{phases:?}");
     let kinds: Vec<PhaseKind> = phases.iter().map(|phase| phase.kind).collect();
     let longest = phases.iter().filter(|phase| phase.kind == PhaseKind::Dwell);
     let longest = longest
@@ -257,12 +259,40 @@ fn dwells_at_the_bounds() {
     assert_eq!(crank.cyclogram(0.1).len(), 1);
     let profile = output(&motion);
     let whole = profile.dwell(2.0).unwrap();
-    assert!((whole.length() - std::f64::consts::TAU).abs() < 1e-12);
+    assert!((whole.length() - TAU).abs() < 1e-12);
     assert!((whole.residual().to_degrees() - 43.2908).abs() < 2e-4);
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(
             profile.dwell(tolerance).is_none() && profile.cyclogram(tolerance).is_empty()
                 || tolerance.is_infinite()
         );
+    }
+}
+
+/// All real assemblies, by the angle of CD, of a table in 40-digit arithmetic; over the complex numbers there are 14.
+#[wasm_bindgen_test(unsupported = test)]
+fn all_assemblies() {
+    let mechanism = Mechanism::new(&dwell()).unwrap();
+    let output = mechanism.link("CD").unwrap();
+    for row in include_str!("data/class4_assemblies.csv").lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let expected: Vec<f64> = cells[2].split(' ').map(number).collect();
+        assert_eq!(expected.len().to_string(), cells[1]);
+        for method in [Method::Usual, Method::Paths] {
+            let found = mechanism.assemblies_at(number(cells[0]).to_radians(), method);
+            assert_eq!(found.complex, [14]);
+            assert!(found.whole);
+            let angle = |pose| mechanism.angle(pose, output).value();
+            let mut angles: Vec<f64> = found.poses.iter().map(angle).collect();
+            angles
+                .iter_mut()
+                .for_each(|angle| *angle = angle.rem_euclid(TAU));
+            angles.sort_by(f64::total_cmp);
+            assert_eq!(angles.len(), expected.len(), "{row}");
+            for (angle, expected) in angles.iter().zip(&expected) {
+                assert_near(*angle, expected.to_radians(), 2e-11, row);
+            }
+        }
     }
 }

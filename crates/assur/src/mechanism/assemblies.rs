@@ -1,4 +1,4 @@
-//! All ways to join the links at an input: every group in every way, one after the other.
+//! All assemblies at an input: the links joined in every way, group by group.
 
 use super::{Mechanism, Pose, Signs};
 use crate::Jet;
@@ -9,9 +9,9 @@ use crate::position::{Cause, Given, Method, Nearby, Sign, State, Step};
 const MOST: usize = 4096;
 const MOST_TRIES: usize = 1 << 16;
 
-/// The ways to join the links at an input.
+/// The assemblies of a linkage at an input.
 #[derive(Clone, Debug)]
-pub struct Ways {
+pub struct Assemblies {
     /// A pose of each.
     pub poses: Vec<Pose<1>>,
     /// Of each group that was solved over the complex numbers, once for every way in which it could hang, how many
@@ -22,12 +22,11 @@ pub struct Ways {
 }
 
 impl Mechanism {
-    /// All ways to join the links at an input: radians, or the way of a driven slide. Dyads are joined in closed form;
-    /// the equations of other groups are solved over the complex numbers, so that none is missed. What hangs on wheels is
-    /// as they are mounted.
+    /// All assemblies at an input: radians, or the way of a driven slide. Dyads are joined in closed form; the equations
+    /// of other groups are solved over the complex numbers, so that none is missed. Wheels stay as they are mounted.
     ///
-    /// The poses come in no particular order. None is listed twice; one in which a group is singular is listed once.
-    pub fn ways(&self, input: f64, method: Method) -> Ways {
+    /// They come in no particular order, none twice; those that meet in a singular pose are none.
+    pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let mut search = Search {
             mechanism: self,
             input: Jet::linear(input, 1.0),
@@ -42,7 +41,7 @@ impl Mechanism {
         let steps: Vec<StepId> = self.steps.ids().collect();
         let mut state: State<1> = self.blank_state();
         search.join(&steps, &mut state);
-        Ways {
+        Assemblies {
             poses: search.found,
             complex: search.complex,
             whole: search.whole,

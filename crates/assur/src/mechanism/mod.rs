@@ -33,7 +33,7 @@ mod willis;
 
 use std::f64::consts::TAU;
 
-pub use assemblies::Ways;
+pub use assemblies::Assemblies;
 pub(crate) use assembly::Signs;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};

@@ -17,7 +17,7 @@ mod equation;
 mod four_bar;
 mod geared;
 mod group;
-mod joined;
+
 mod margin;
 mod mesh;
 mod newton;
@@ -30,6 +30,7 @@ mod slider;
 mod smooth_root;
 mod state;
 mod step;
+mod ways;
 mod work;
 
 use crate::Vector;
@@ -42,7 +43,6 @@ pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;
 pub(crate) use geared::{Geared, Member};
 pub(crate) use group::{Group, Input, Placed};
-pub use joined::Method;
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing};
 pub(crate) use mesh::{Drive, Mesh};
@@ -56,6 +56,7 @@ pub(crate) use smooth_root::{KNOWN, SmoothRoot};
 use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Given, Sign, Solvable, Step};
+pub use ways::Method;
 
 /// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;

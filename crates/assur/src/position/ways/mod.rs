@@ -15,6 +15,8 @@ const ONE: f64 = 1e-8;
 /// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
 const REAL: f64 = 1e-5;
 
+/// So many directions are hidden, one after the other, where solutions are missed.
+const MOST_HIDDEN: usize = 3;
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
 
@@ -112,13 +114,8 @@ fn number(v: Vector) -> C {
 impl System {
     fn ways(&self, units: &[f64], method: Method) -> Ways {
         let mut found: Vec<Vec<C>> = Vec::new();
-        let by_loops = match method {
-            Method::Usual => truss::candidates(self, 0),
-            Method::Paths => None,
-        };
-        match by_loops {
-            Some(candidates) => self.add(candidates, &mut found),
-            None => self.add_by_paths(&mut found),
+        if method == Method::Paths || !self.add_by_loops(&mut found) {
+            self.add_by_paths(&mut found);
         }
         let mut ways = Ways {
             real: Vec::new(),
@@ -134,6 +131,27 @@ impl System {
             }
         }
         ways
+    }
+
+    /// Adds what the loops of a group of hinges tell; false where it is none. Where fewer are found than groups of
+    /// general dimensions have, other directions are hidden as well: one may be lost to rounding.
+    fn add_by_loops(&self, found: &mut Vec<Vec<C>>) -> bool {
+        for hidden in 0..MOST_HIDDEN {
+            let Some(candidates) = truss::candidates(self, hidden) else {
+                return hidden > 0;
+            };
+            self.add(candidates, found);
+            let usual = match self.unknowns {
+                1 => found.len() == 2,
+                2 => found.len() == 6,
+                3 => matches!(found.len(), 14 | 16 | 18 | 20),
+                _ => false,
+            };
+            if usual {
+                break;
+            }
+        }
+        true
     }
 
     /// Adds what paths lead to. Of two that come close to each other one may be left for the other: then others lead to
