@@ -27,7 +27,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 49] = [
+const BUILT: [(&str, &[&str]); 48] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -56,7 +56,6 @@ const BUILT: [(&str, &[&str]); 49] = [
         ],
     ),
     ("equations.", &["www/kinds/linkage/equations.js"]),
-    ("papers.", &["www/help/help.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("gallery.group.", &["www/gallery/cards.js"]),
     ("grashof.", &["crates/assur-web/src/summary.rs"]),

@@ -63,6 +63,10 @@ export class Engine {
   roles = module.roleNames();
   /** @type {readonly string[]} of the display lists */
   labels = [];
+  /** @type {import("assur/types/file.js").LengthUnit} what lengths of the document are in */
+  lengths = "none";
+  /** Whether the document may say so itself. */
+  choosesLengths = false;
   /** @type {readonly Preset[]} */
   catalogue = module.catalogue();
   /** @type {readonly string[]} */
@@ -130,6 +134,8 @@ export class Engine {
       const taken = simulator.set(state);
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
+      this.lengths = /** @type {import("assur/types/file.js").LengthUnit} */ (simulator.lengths());
+      this.choosesLengths = simulator.choosesLengths();
       return taken;
     });
     this.#good = state;

@@ -28,9 +28,20 @@ fn residual(motion: &Motion, input: f64) -> f64 {
     let mechanism = motion.mechanism();
     let pose = motion.pose::<3>(input).unwrap();
     let size = mechanism.size().powi(2).max(1.0);
+    // Derivatives are of the size of what they are summed of: rates of links, their squares, their accelerations.
+    let rates = mechanism.link_ids().map(|link| {
+        let angle = mechanism.angle(&pose, link);
+        let [first, second] = [1, 2].map(|order| angle.derivative(order).abs());
+        [1.0, first, first.powi(2) + second]
+    });
+    let scale = rates.fold([1.0; 3], |most: [f64; 3], rates| {
+        [0, 1, 2].map(|order| most[order].max(rates[order]))
+    });
     let all = mechanism.constraints().iter().flat_map(|constraint| {
-        let sides = [0, 1, 2].map(|order| mechanism.sides(&pose, constraint, order));
-        sides.map(|sides| sides.residual().abs() / (size + sides.left.abs()))
+        [0, 1, 2].map(|order| {
+            let sides = mechanism.sides(&pose, constraint, order);
+            sides.residual().abs() / (size * scale[order] + sides.left.abs())
+        })
     });
     all.fold(0.0, |most, residual| {
         if residual > most || residual.is_nan() {

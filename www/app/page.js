@@ -21,7 +21,7 @@ import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
 import { Player, placed } from "assur/state/player.js";
-import { lengthsOf, withMechanism, withView } from "assur/state/state.js";
+import { withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
@@ -54,11 +54,11 @@ export class Page {
     const redraw = () => this.redraw();
     this.engine = engine;
     this.habits = habits;
-    this.words = words.measured(lengthsOf(state));
     this.store = new Store(state);
     this.address = new Address(engine, habits.lang);
     this.drafts = new Drafts(redraw);
     this.model = new Model(engine, this.drafts, state);
+    this.words = words.measured(engine.lengths);
     this.history = new History(this.store, this.drafts);
     this.theme = new Theme(engine.roles, redraw);
     this.notices = new Notices(redraw);
@@ -203,7 +203,7 @@ export class Page {
 
   /** @param {Words} words with whatever unit */
   #say(words) {
-    const measured = words.measured(lengthsOf(this.store.get()));
+    const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;
     this.words = measured;
     speak(measured);

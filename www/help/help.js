@@ -11,8 +11,8 @@ const GESTURES = Object.freeze([
   ["gesture.fit", "gesture.fit.does"],
 ]);
 
-/** The source papers, with the words `papers.…`. */
-const PAPERS = Object.freeze(["mixer", "class4", "synthesis", "mobility", "differential"]);
+/** The source papers. */
+const PAPERS = Object.freeze(["papers.mixer", "papers.class4", "papers.synthesis", "papers.mobility", "papers.differential"]);
 
 /** The teachers' notes as the site has them; the page that is one file comes without. */
 const NOTES = Object.freeze({ "notes.model": "docs/model.html", "notes.errata": "docs/errata.html" });
@@ -31,7 +31,7 @@ export function openHelp(words) {
       heading("help.keys"),
       table(combinations(words).map(({ name, keys }) => row(keys, name))),
       heading("help.papers"),
-      make("ul", {}, PAPERS.map((paper) => make("li", {}, [words.text(`papers.${paper}`)]))),
+      make("ul", {}, PAPERS.map((paper) => make("li", {}, [words.text(paper)]))),
       ...(served() ? [make("p", {}, [words.text("help.notes"), " ", ...notes(words)])] : []),
       heading("help.cite"),
       make("p", {}, [citation(words)]),

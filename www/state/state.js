@@ -32,18 +32,6 @@ export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
-/** What the lengths of a document are in that does not say so, by its kind; of others only proportions count. */
-const LENGTHS = Object.freeze({ mixer: /** @type {const} */ ("m"), "gear-train": /** @type {const} */ ("mm") });
-
-/**
- * @param {State} state
- * @returns {import("assur/types/file.js").LengthUnit} what its lengths are in
- */
-export function lengthsOf({ kind, document }) {
-  const usual = kind in LENGTHS ? LENGTHS[/** @type {keyof typeof LENGTHS} */ (kind)] : "none";
-  return ("unit" in document && document.unit) || usual;
-}
-
 /** How many traced points a mechanism may have. */
 export const TRACERS = Object.freeze({ most: 6 });
 

@@ -2,7 +2,7 @@
 
 use assur::Point;
 use assur_draw::ROLES;
-use assur_file::{Document, Preset, Problem, Shelf};
+use assur_file::{Document, LengthUnit, Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -21,6 +21,8 @@ use crate::moving::Moving;
 #[derive(Default)]
 pub struct Simulator {
     document: Option<Box<dyn Capabilities>>,
+    /// What its lengths are in, and whether it may say so itself.
+    lengths: Option<(LengthUnit, bool)>,
 }
 
 #[wasm_bindgen]
@@ -40,7 +42,20 @@ impl Simulator {
         let document = open(&state).map_err(thrown)?;
         let summary = document.summary();
         self.document = Some(document);
+        self.lengths = Some((state.document.unit(), state.document.chooses_unit()));
         Ok(summary)
+    }
+
+    /// What lengths are in: `m`, `cm`, `mm`, `in`, or `none`, also before the first `set`.
+    pub fn lengths(&self) -> String {
+        let (unit, _) = self.lengths.unwrap_or((LengthUnit::None, false));
+        unit.name().to_owned()
+    }
+
+    /// Whether a document of its kind may have a `unit`.
+    #[wasm_bindgen(js_name = choosesLengths)]
+    pub fn chooses_lengths(&self) -> bool {
+        self.lengths.is_some_and(|(_, chooses)| chooses)
     }
 
     /// The names of the labels of the display lists, in order.

@@ -15,7 +15,7 @@ pub use load::{
 pub use problem::GearTrainProblem;
 
 use super::Kind;
-use crate::{LinkageDocument, LinkageProblem, Problem};
+use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
 /// The longest text, in characters.
 const LONGEST_TEXT: usize = 400;
@@ -386,6 +386,10 @@ impl GearTrain {
 }
 
 impl Kind for GearTrainDocument {
+    fn unit(&self) -> LengthUnit {
+        LengthUnit::Mm
+    }
+
     fn origin(&self) -> Option<&str> {
         self.origin.as_deref()
     }

@@ -207,6 +207,14 @@ pub struct DriverDocument {
 }
 
 impl Kind for LinkageDocument {
+    fn unit(&self) -> LengthUnit {
+        self.unit.unwrap_or(LengthUnit::None)
+    }
+
+    fn chooses_unit(&self) -> bool {
+        true
+    }
+
     fn origin(&self) -> Option<&str> {
         self.origin.as_deref()
     }

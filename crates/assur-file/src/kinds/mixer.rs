@@ -158,6 +158,14 @@ impl From<&Tracer> for MixerTracerDocument {
 }
 
 impl Kind for MixerDocument {
+    fn unit(&self) -> LengthUnit {
+        self.unit.unwrap_or(LengthUnit::M)
+    }
+
+    fn chooses_unit(&self) -> bool {
+        true
+    }
+
     fn origin(&self) -> Option<&str> {
         None
     }
@@ -165,7 +173,7 @@ impl Kind for MixerDocument {
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         let mut document =
             LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])?;
-        document.unit = Some(self.unit.unwrap_or(LengthUnit::M));
+        document.unit = Some(self.unit());
         Ok(document)
     }
 

@@ -12,8 +12,8 @@ use assur::motion::Motion;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::Problem;
 use crate::state::within;
+use crate::{LengthUnit, Problem};
 use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
@@ -30,6 +30,16 @@ pub trait Kind {
     /// # Errors
     /// Every problem for which it describes none.
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>>;
+
+    /// What its lengths are in.
+    fn unit(&self) -> LengthUnit {
+        LengthUnit::None
+    }
+
+    /// Whether it may say so itself.
+    fn chooses_unit(&self) -> bool {
+        false
+    }
 
     /// The motion of what it describes.
     ///
@@ -127,6 +137,16 @@ impl Document {
     /// The mechanism of the catalogue that it came from, by name.
     pub fn origin(&self) -> Option<&str> {
         self.kind().origin()
+    }
+
+    /// What its lengths are in.
+    pub fn unit(&self) -> LengthUnit {
+        self.kind().unit()
+    }
+
+    /// Whether a document of its kind may say so itself.
+    pub fn chooses_unit(&self) -> bool {
+        self.kind().chooses_unit()
     }
 
     /// The linkage that it describes, whatever its kind.

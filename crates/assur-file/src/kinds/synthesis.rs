@@ -316,6 +316,14 @@ impl Synthesis {
 }
 
 impl Kind for SynthesisDocument {
+    fn unit(&self) -> LengthUnit {
+        self.unit.unwrap_or(LengthUnit::None)
+    }
+
+    fn chooses_unit(&self) -> bool {
+        true
+    }
+
     fn origin(&self) -> Option<&str> {
         None
     }
