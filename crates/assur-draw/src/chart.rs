@@ -35,6 +35,8 @@ const MARGIN: Margin = Margin {
 
 /// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is told at once.
 const MOST_OF_A_TURN: f64 = 0.8;
+/// Nor where they are a lesser one: nothing is told apart along less, and of some motions only an instant is left.
+const LEAST_OF_A_TURN: f64 = 0.02;
 /// Room beside the arcs, as a share of what they span.
 const BESIDE: f64 = 0.04;
 
@@ -364,10 +366,11 @@ fn axis(cycle: &Cycle) -> [f64; 2] {
     let beside = BESIDE * (to - from);
     let fitted = [from - beside, to + beside];
     let span = |[from, to]: [f64; 2]| to - from;
-    if span(fitted) > MOST_OF_A_TURN * span(whole) {
-        whole
-    } else {
+    let share = span(fitted) / span(whole);
+    if (LEAST_OF_A_TURN..MOST_OF_A_TURN).contains(&share) {
         fitted
+    } else {
+        whole
     }
 }
 

@@ -48,3 +48,11 @@ fn drawings() {
     assert_eq!(status, 1);
     assert!(said.contains("/no/such/folder/a.svg"), "{said}");
 }
+
+/// Of a motion that an instant is left of, the axis of the plots is a turn.
+#[test]
+fn plots_of_an_instant_have_no_number_that_is_none() {
+    let text = said(&["plot", &data("drawings/instant.json"), "--svg", "-"]);
+    assert!(text.contains("360°"), "{text}");
+    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+}
