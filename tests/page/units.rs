@@ -1,5 +1,6 @@
 //! The unit of lengths: chosen for a document, kept with it, written beside every length.
 
+use crate::bad_input::swings;
 use crate::browser::Page;
 use crate::gallery::open;
 
@@ -76,13 +77,7 @@ async fn the_mixer_is_in_metres_unless_it_says_otherwise() {
 async fn angles_of_sentences_are_on_the_scale_of_their_field() {
     let page = Page::open().await;
     page.stop_at("10").await;
-    for (field, length) in [
-        ("field-l1", "0.8"),
-        ("field-l2", "0.4"),
-        ("field-l3", "0.55"),
-    ] {
-        page.write(field, length).await;
-    }
+    swings(&page).await;
     for (typed, said) in [("-165.5", "194.5°"), ("170", "170°"), ("555.25", "195.25°")] {
         page.write("angle", typed).await;
         let sentence = page.text("problem").await;

@@ -19,16 +19,3 @@ pub enum LengthUnit {
     /// Only the proportions count.
     None,
 }
-
-impl LengthUnit {
-    /// Its name as it is saved.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::M => "m",
-            Self::Cm => "cm",
-            Self::Mm => "mm",
-            Self::In => "in",
-            Self::None => "none",
-        }
-    }
-}

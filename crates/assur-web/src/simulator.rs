@@ -47,9 +47,9 @@ impl Simulator {
     }
 
     /// What lengths are in: `m`, `cm`, `mm`, `in`, or `none`, also before the first `set`.
-    pub fn lengths(&self) -> String {
+    pub fn lengths(&self) -> JsValue {
         let (unit, _) = self.lengths.unwrap_or((LengthUnit::None, false));
-        unit.name().to_owned()
+        to_js(&unit)
     }
 
     /// Whether a document of its kind may have a `unit`.

@@ -34,12 +34,6 @@ impl Affine {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 
-    /// Of the conjugates.
-    fn conjugate_at(&self, w: &[C]) -> C {
-        let terms = self.by.iter().zip(w).map(|(by, w)| by.conj() * w);
-        sum(self.constant.conj(), terms)
-    }
-
     /// With one unknown told by the others, and left out.
     fn without(&self, unknown: usize, told: &Self) -> Self {
         let by = self.by[unknown];
@@ -102,36 +96,6 @@ impl Pair {
         let product: C = a.iter().zip(&b).map(|(a, b)| a.conj() * b).sum();
         let [size, of] = [&a, &b].map(|all| all.iter().map(|c| c.norm_sqr()).sum::<f64>());
         (size - of).abs() < SAME * size && (product.norm_sqr() - size * of).abs() < SAME * size * of
-    }
-
-    /// What is left of it, and its derivatives by the unknowns and by their conjugates.
-    fn left(&self, z: &[C], w: &[C], by_z: &mut [C], by_w: &mut [C]) -> C {
-        match self {
-            Self::Unit(one) => {
-                let (v, conjugate) = (one.at(z), one.conjugate_at(w));
-                for (k, by) in one.by.iter().enumerate() {
-                    by_z[k] = by * conjugate;
-                    by_w[k] = by.conj() * v;
-                }
-                v * conjugate - ONE
-            }
-            Self::Parallel(one, other) => {
-                let [u, v] = [one, other].map(|form| (form.at(z), form.conjugate_at(w)));
-                for (k, (by, of)) in one.by.iter().zip(&other.by).enumerate() {
-                    by_z[k] = u.1 * of - by * v.1;
-                    by_w[k] = by.conj() * v.0 - u.0 * of.conj();
-                }
-                u.1 * v.0 - u.0 * v.1
-            }
-            Self::Along(one, other, way) => {
-                let [u, v] = [one, other].map(|form| (form.at(z), form.conjugate_at(w)));
-                for (k, (by, of)) in one.by.iter().zip(&other.by).enumerate() {
-                    by_z[k] = u.1 * of + by * v.1;
-                    by_w[k] = by.conj() * v.0 + u.0 * of.conj();
-                }
-                u.1 * v.0 + u.0 * v.1 - 2.0 * way
-            }
-        }
     }
 }
 
@@ -247,15 +211,18 @@ impl System {
     }
 
     /// What is left of the equations at a place, and their derivatives.
-    pub(super) fn left(&self, at: &[C], left: &mut DVector<C>, slopes: &mut DMatrix<C>) {
-        let (z, w) = at.split_at(self.unknowns);
-        let mut row = vec![NOUGHT; at.len()];
+    fn left(&self, at: &[C], left: &mut DVector<C>, slopes: &mut DMatrix<C>) {
+        let m = self.unknowns;
+        let [z, w] = [&at[..m], &at[m..]].map(|part| {
+            let one = [ONE].into_iter();
+            one.chain(part.iter().copied()).collect::<Vec<C>>()
+        });
         for (k, pair) in self.pairs.iter().enumerate() {
-            row.fill(NOUGHT);
-            let (by_z, by_w) = row.split_at_mut(self.unknowns);
-            left[k] = pair.left(z, w, by_z, by_w);
-            for (column, slope) in row.iter().enumerate() {
-                slopes[(k, column)] = *slope;
+            let (value, by) = pair.homogeneous(&z, &w);
+            left[k] = value;
+            for u in 0..m {
+                slopes[(k, u)] = by[1 + u];
+                slopes[(k, m + u)] = by[m + 2 + u];
             }
         }
     }
