@@ -282,13 +282,15 @@ impl Comparison<'_> {
     }
 
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
-        let told = f64::EPSILON * (known.input.abs() + self.drawn_at.input.abs());
+        // Of angles of many turns so many digits fewer are told, here and there.
+        let input = self.input(motion, known.input);
+        let told = [known.input, self.drawn_at.input, input, motion.home()].map(f64::abs);
+        let told = f64::EPSILON * told.iter().sum::<f64>();
         let error = self.error(&known.shown) + self.error(&self.drawn_at.shown) + told;
         if !determined(known.condition, error) {
             self.tally.open("pose");
             return true;
         }
-        let input = self.input(motion, known.input);
         let pose = match motion.pose::<3>(input) {
             Ok(pose) => pose,
             Err(_) if self.is_open_before(motion, known) => return true,

@@ -361,6 +361,31 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
+        self.solve_some(self.steps.enumerate(), input, signs, near, state)
+    }
+
+    /// The same for the steps before one.
+    pub(crate) fn solve_before<const N: usize>(
+        &self,
+        end: StepId,
+        input: f64,
+        signs: &Signs,
+        near: Nearby<'_>,
+        state: &mut State<N>,
+    ) -> Result<(), (StepId, Cause)> {
+        let steps = self.steps.enumerate().take(end.index());
+        self.solve_some(steps, input, signs, near, state)
+    }
+
+    #[inline(always)]
+    fn solve_some<'a, const N: usize>(
+        &'a self,
+        steps: impl Iterator<Item = (StepId, &'a Step)>,
+        input: f64,
+        signs: &Signs,
+        near: Nearby<'_>,
+        state: &mut State<N>,
+    ) -> Result<(), (StepId, Cause)> {
         let mut given = Given {
             step: StepId::FIRST,
             input: Jet::linear(input, 1.0),
@@ -368,7 +393,7 @@ impl Mechanism {
             near,
         };
         state.corrections = [0.0; 2];
-        for (step, placing) in self.steps.enumerate() {
+        for (step, placing) in steps {
             (given.step, given.sign) = (step, signs[step]);
             let put = placing.put(state, &given);
             put.map_err(|cause| (step, cause))?;

@@ -22,8 +22,8 @@ const MOST_HALVINGS: i32 = 40;
 const BEFORE_LONGER: usize = 4;
 /// A step is as long as this part of what one bound alone lets expect to be certified.
 const EASED: f64 = 0.8;
-/// Within this part the singular pose that a group comes to is found by extrapolation.
-const EXTRAPOLATED: f64 = 1e-10;
+/// Where steps have become as short as this part, the singular pose that a group comes to is looked for.
+const SHORT: f64 = 1e-10;
 /// A motion repeats where all links are in the places of its start, within this of
 /// the size.
 const SAME: f64 = 1e-7;
@@ -177,10 +177,8 @@ impl<'a> Continuation<'a> {
             if in_line.is_some_and(|found| self.pass(found, sense, knots)) {
                 width = longest;
             } else if is_group
-                && tried < EXTRAPOLATED * self.mechanism.span()
-                && let Some(dead) = self
-                    .out_of_range(sense)
-                    .or_else(|| self.singular(sense, knots))
+                && tried < SHORT * self.mechanism.span()
+                && let Some(dead) = self.out_of_range(sense).or_else(|| self.singular(sense))
             {
                 return Some(dead);
             } else if tried > cell * 0.5_f64.powi(most) && next != self.input {

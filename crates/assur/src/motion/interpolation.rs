@@ -132,14 +132,6 @@ impl Knots {
         self.margins[step]
     }
 
-    /// The inputs with the determinants of a group of higher class, the last first.
-    pub(super) fn determinants(&self, step: StepId) -> impl Iterator<Item = [f64; 2]> + '_ {
-        self.list
-            .iter()
-            .rev()
-            .map(move |knot| [knot.input, knot.margins[step]])
-    }
-
     /// Puts a motion followed back before this one; both begin at the same knot.
     pub(super) fn prepend(&mut self, mut back: Self) {
         back.list.reverse();

@@ -8,6 +8,7 @@ mod cyclogram;
 mod dead_point;
 mod extremum;
 mod features;
+mod fold;
 mod grid;
 mod in_line;
 mod input;

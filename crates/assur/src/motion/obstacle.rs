@@ -6,22 +6,22 @@ use super::closed::dead_point;
 use super::continuation::{Continuation, HALVINGS};
 use super::dead_point::{DeadPoint, DeadPointKind};
 use super::in_line::PASSED;
-use super::interpolation::Knots;
 use super::root::bisect;
 use crate::index::StepId;
 use crate::mechanism::Cause;
 use crate::position::{State, Step};
 
-/// Two extrapolations of a group's singular pose agree within this part of its distance.
-const AGREED: f64 = 0.1;
-
 impl Continuation<'_> {
     /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
     /// it move ever faster, so that they may be the first of which nothing can be shown.
-    pub(super) fn singular(&self, sense: f64, knots: &Knots) -> Option<DeadPoint> {
-        let groups = self.mechanism.steps().ids();
-        let groups = groups.filter(|other| self.is_group(*other));
-        let folds = groups.filter_map(|step| Some((step, self.fold(step, sense, knots)?)));
+    pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
+        let window = PASSED * self.mechanism.span();
+        let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
+        let steps = self.mechanism.steps().ids();
+        let folds = steps.filter_map(|step| {
+            let fold = self.fold(step, sense, window)?;
+            Some((step, fold)).filter(|(_, input)| ahead(input))
+        });
         let nearest = folds.min_by(|(_, a), (_, b)| (a * sense).total_cmp(&(b * sense)));
         nearest.map(|(step, input)| DeadPoint {
             input,
@@ -47,28 +47,6 @@ impl Continuation<'_> {
             kind: DeadPointKind::Range,
             step,
         })
-    }
-
-    /// Where just ahead two assemblies of a group meet: the square of its determinant goes to zero in proportion to
-    /// the distance from there.
-    fn fold(&self, step: StepId, sense: f64, knots: &Knots) -> Option<f64> {
-        let square = |[input, determinant]: [f64; 2]| [input, determinant * determinant];
-        let first = square([self.input, self.here.margins[step][0].value()]);
-        let zero = |[x0, f0]: [f64; 2], [x1, f1]: [f64; 2]| x0 + f0 * (x0 - x1) / (f1 - f0);
-        let back = |from: [f64; 2], by: f64| {
-            let mut earlier = knots.determinants(step).map(square);
-            earlier.find(|[input, _]| (from[0] - input) * sense >= by)
-        };
-        let next = back(first, f64::MIN_POSITIVE)?;
-        let distance = (zero(first, next) - first[0]).abs();
-        let second = back(first, 0.5 * distance)?;
-        let third = back(second, 0.5 * distance)?;
-        let [near, far] = [zero(first, second), zero(second, third)];
-        // Neville's scheme: the input where the square is zero.
-        let input = (third[1] * near - first[1] * far) / (third[1] - first[1]);
-        let ahead = (input - first[0]) * sense;
-        let agreed = (near - far).abs() <= AGREED * ahead;
-        (agreed && ahead > 0.0 && ahead <= PASSED * self.mechanism.span()).then_some(input)
     }
 
     /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be

@@ -175,28 +175,37 @@ impl Group {
     fn solve_near<const N: usize>(
         &self,
         state: &mut State<N>,
-        &Given {
-            step, input, near, ..
-        }: &Given<'_, N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        let near = given.near;
+        self.receive(state, given)?;
+        self.guess(&mut state.work, near);
+        self.newton(state, near, given.step)?;
+        for order in 1..N {
+            self.differentiate(&mut state.work, order);
+        }
+        self.settle(state, near)
+    }
+
+    /// Takes what is solved into its forms.
+    pub(super) fn receive<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
     ) -> Result<(), Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
         }
         for (k, mesh) in self.meshes.iter().enumerate() {
-            state.work.given[k] = mesh.given(state, near, input)?;
+            state.work.given[k] = mesh.given(state, given.near, given.input)?;
         }
         let work = &mut state.work;
-        self.guess(work, near);
         self.take(work);
         for (known, value) in work.known.iter_mut().zip(&work.values) {
             *known = value.value();
         }
-        self.newton(state, near, step)?;
-        for order in 1..N {
-            self.differentiate(&mut state.work, order);
-        }
-        self.settle(state, near)
+        Ok(())
     }
 
     /// Counts the turns of solved bodies that its meshes take from where they are drawn.

@@ -84,7 +84,7 @@ impl Group {
 
     /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
     /// of its direction.
-    fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
+    pub(super) fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
         let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
             for term in terms {
                 noise[term.form] += inputs[term.of][0].norm() * term.by.norm();
