@@ -25,6 +25,8 @@ const WITHIN_REACH: &str = "
         if (box.width === 0 || x < 0 || y < 0 || x > innerWidth || y > innerHeight || one.disabled) continue;
         const hit = document.elementFromPoint(x, y);
         if (hit !== one && !one.contains(hit) && !hit?.contains(one)) continue;
+        // A link that leaves the page ends the visit.
+        if (one.localName === 'a' && one.href.split('#')[0] !== location.href.split('#')[0]) continue;
         const kind = one.localName === 'input' ? one.type : one.localName;
         found.push({ id: one.id, kind, x, y, width: box.width, height: box.height });
     }
@@ -105,6 +107,15 @@ struct Hand<'a> {
     page: &'a Page,
     dice: Dice,
     done: VecDeque<String>,
+}
+
+/// Whatever fails, what was done last is told.
+impl Drop for Hand<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("done last: {:#?}", self.done);
+        }
+    }
 }
 
 impl Hand<'_> {
@@ -333,7 +344,7 @@ async fn wander(address: &str) {
         }
         page.settle().await;
         if let Some(wrong) = hand.wrong().await {
-            panic!("seed {seed}, after {count}: {wrong}\n{:#?}", hand.done);
+            panic!("seed {seed}, after {count}: {wrong}");
         }
     }
     assert!(count >= 10, "{count}");
@@ -342,5 +353,6 @@ async fn wander(address: &str) {
     if let Some(wrong) = hand.wrong().await {
         panic!("seed {seed}, opened again: {wrong}");
     }
+    drop(hand);
     page.close().await;
 }

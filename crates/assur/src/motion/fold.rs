@@ -89,7 +89,9 @@ impl Continuation<'_> {
             if curve.rate(&next) * sense <= 0.0 {
                 return curve.turning(&here, &next, way);
             }
-            if (curve.input(&next) - self.input) * sense > window {
+            // A fold ahead, not one that it comes from: the input gets slower all the way.
+            let slower = curve.rate(&next).abs() < curve.rate(&here).abs();
+            if !slower || (curve.input(&next) - self.input) * sense > window {
                 return None;
             }
             here = next;

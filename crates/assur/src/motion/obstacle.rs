@@ -11,11 +11,14 @@ use crate::index::StepId;
 use crate::mechanism::Cause;
 use crate::position::{State, Step};
 
+/// A singular pose is no farther ahead than this part where steps have become short: about a hundred of them.
+const AHEAD: f64 = 1e-7;
+
 impl Continuation<'_> {
     /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
     /// it move ever faster, so that they may be the first of which nothing can be shown.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        let window = PASSED * self.mechanism.span();
+        let window = AHEAD * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
         let folds = steps.filter_map(|step| {
