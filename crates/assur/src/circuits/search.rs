@@ -197,6 +197,8 @@ impl<'a> Search<'a> {
             over.sum::<usize>() != look.assemblies
         });
         self.whole &= !miscounted;
+        eprintln!("DEBUG looks {} miscounted {miscounted} branches {} whole {}", self.looks.len(), self.branches.len(), self.whole);
+        for look in &self.looks { let n: usize = self.branches.iter().map(|m| self.domain.visits(m, look.input).len()).sum(); if n != look.assemblies { eprintln!("  {} : {} vs {n}", look.input.to_degrees(), look.assemblies);} }
     }
 
     fn take(&mut self, motion: Motion) {

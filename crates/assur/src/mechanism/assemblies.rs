@@ -2,8 +2,10 @@
 
 use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
-use crate::index::StepId;
-use crate::position::{Cause, Given, Method, Nearby, Sign, State, Step, Unreal};
+use crate::index::{BodyId, List, StepId};
+use crate::position::{
+    Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
+};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
@@ -52,6 +54,7 @@ impl Mechanism {
             mechanism: self,
             input: Jet::linear(input, 1.0),
             signs: self.signs.clone(),
+            orientations: self.orientations.clone(),
             natural: self.natural.clone(),
             tries: MOST_TRIES,
             method,
@@ -87,6 +90,8 @@ struct Search<'a, const N: usize> {
     mechanism: &'a Mechanism,
     input: Jet<N>,
     signs: Signs,
+    /// Where bodies are turned to, about: angles are told near it.
+    orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
     tries: usize,
     method: Method,
@@ -112,7 +117,11 @@ impl<const N: usize> Search<'_, N> {
             self.found.complex.push(ways.complex);
             self.found.unreal.extend(ways.unreal);
             for way in &ways.real {
-                group.set(&mut self.natural, way);
+                group.set(&mut self.natural, &way.own);
+                for (body, turn) in &way.turned {
+                    let drawn = self.mechanism.orientations[*body];
+                    self.orientations[*body] = drawn.turned_to(*turn);
+                }
                 self.go_on(*step, rest, state);
             }
             return;
@@ -154,7 +163,7 @@ impl<const N: usize> Search<'_, N> {
             input: self.input,
             sign: self.signs[step],
             near: Nearby {
-                orientations: &self.mechanism.orientations,
+                orientations: &self.orientations,
                 natural: &self.natural,
                 smooth_roots: &[],
             },

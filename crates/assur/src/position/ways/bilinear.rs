@@ -30,7 +30,7 @@ impl Affine {
         }
     }
 
-    fn at(&self, z: &[C]) -> C {
+    pub(super) fn at(&self, z: &[C]) -> C {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 

@@ -8,6 +8,7 @@ use super::equation::Equation;
 use super::group::Group;
 use super::{Cause, Course, Given, State};
 use crate::Vector;
+use crate::index::BodyId;
 use bilinear::{Affine, C, Moving, Pair, System};
 
 /// Solutions that differ by less than this part of their size are one.
@@ -29,11 +30,20 @@ pub enum Method {
     Paths,
 }
 
+/// A way to join a group.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    /// Its unknowns.
+    pub(crate) own: Vec<Vector>,
+    /// How those bodies are turned that are driven against each other: their angles are told near it.
+    pub(crate) turned: Vec<(BodyId, Vector)>,
+}
+
 /// All ways to join a group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ways {
-    /// The unknowns of each real one.
-    pub(crate) real: Vec<Vec<Vector>>,
+    /// The real ones.
+    pub(crate) real: Vec<Way>,
     /// How many there are over the complex numbers, the real ones among them.
     pub(crate) complex: usize,
     /// Of each that is not real how far it is from it.
@@ -68,8 +78,8 @@ impl Group {
         method: Method,
     ) -> Result<Option<Ways>, Cause> {
         let system = self.system(state, given)?;
-        Ok(system.map(|system| {
-            let mut ways = system.ways(&self.units, method);
+        Ok(system.map(|(system, turning)| {
+            let mut ways = system.ways(&self.units, &turning, method);
             // Without derivatives of what it hangs on there are none of it.
             if N < 2 {
                 ways.unreal.clear();
@@ -78,12 +88,13 @@ impl Group {
         }))
     }
 
-    /// Its equations over the complex numbers, unknowns in their units, and what their forms change by with the input.
+    /// Its equations over the complex numbers, unknowns in their units, with what their forms change by with the input;
+    /// and the turns of driven bodies.
     fn system<const N: usize>(
         &self,
         state: &mut State<N>,
         given: &Given<'_, N>,
-    ) -> Result<Option<System>, Cause> {
+    ) -> Result<Option<(System, Turning)>, Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
@@ -109,7 +120,7 @@ impl Group {
             forms[term.form][0].by[term.of] += number(term.by) * self.units[term.of];
         }
         let form = |k: usize| forms[k].clone();
-        let (mut pairs, mut zeros) = (Vec::new(), Vec::new());
+        let (mut pairs, mut zeros, mut turning) = (Vec::new(), Vec::new(), Vec::new());
         for equation in &self.equations {
             match *equation {
                 Equation::Unit(one) => pairs.push(Pair::Unit(form(one))),
@@ -133,6 +144,8 @@ impl Group {
                     let [angle, rate] = angles[mesh];
                     let turn = C::from_polar(1.0, angle);
                     let spin = turn * C::new(0.0, rate);
+                    let turns = [form(link), form(base)].map(|[turn, _]| turn);
+                    turning.extend(self.meshes[mesh].turning.iter().copied().zip(turns));
                     let ([mut zero, mut rates], [base, base_rates]) = (form(link), form(base));
                     zero.add(-turn, &base);
                     rates.add(-turn, &base_rates);
@@ -142,16 +155,24 @@ impl Group {
                 Equation::Mesh { .. } => return Ok(None),
             }
         }
-        Ok(System::new(self.units.len(), pairs, zeros))
+        let system = System::new(self.units.len(), pairs, zeros);
+        Ok(system.map(|system| (system, turning)))
     }
 }
+
+/// Bodies with the forms of their turns.
+type Turning = Vec<(BodyId, Affine)>;
 
 fn number(v: Vector) -> C {
     C::new(v.x, v.y)
 }
 
+fn vector(c: C) -> Vector {
+    Vector::new(c.re, c.im)
+}
+
 impl System {
-    fn ways(&self, units: &[f64], method: Method) -> Ways {
+    fn ways(&self, units: &[f64], turning: &Turning, method: Method) -> Ways {
         let mut found: Vec<Vec<C>> = Vec::new();
         if method == Method::Paths || !self.add_by_loops(&mut found) {
             self.add_by_paths(&mut found);
@@ -162,11 +183,13 @@ impl System {
         };
         for at in found {
             if let Some(real) = self.real(&at) {
-                let places = self.own(&real);
-                let places = places.iter().zip(units);
-                let place =
-                    places.map(|(place, unit)| Vector::new(place.re * unit, place.im * unit));
-                ways.real.push(place.collect());
+                let own = self.own(&real);
+                let turned = turning.iter().map(|(body, turn)| (*body, vector(turn.at(&own))));
+                let places = own.iter().zip(units);
+                ways.real.push(Way {
+                    turned: turned.collect(),
+                    own: places.map(|(place, unit)| vector(place * unit)).collect(),
+                });
             } else {
                 ways.unreal.extend(self.unreal(&at));
             }
