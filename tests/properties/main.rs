@@ -4,6 +4,7 @@
 
 mod assemblies;
 mod change_points;
+mod circuits;
 mod closure;
 mod draw;
 mod drivers;

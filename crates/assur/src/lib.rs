@@ -22,6 +22,7 @@
 //! ```
 
 mod angle;
+pub mod circuits;
 pub mod dynamics;
 mod four_bar;
 pub mod gears;

@@ -1,9 +1,11 @@
 //! All assemblies at an input: the links joined in every way, group by group.
 
-use super::{Mechanism, Pose, Signs};
+use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
-use crate::index::StepId;
-use crate::position::{Cause, Given, Method, Nearby, Sign, State, Step};
+use crate::index::{BodyId, List, StepId};
+use crate::position::{
+    Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
+};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
@@ -21,65 +23,105 @@ pub struct Assemblies {
     pub whole: bool,
 }
 
+/// All that is found at an input, with derivatives.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Found<const N: usize> {
+    /// Of each assembly a pose, and which way its dyads are joined.
+    pub(crate) ways: Vec<(Pose<N>, Signs)>,
+    complex: Vec<usize>,
+    /// What is not real, where derivatives tell it: of solutions of groups, and of dyads that do not reach.
+    pub(crate) unreal: Vec<Unreal>,
+    pub(crate) whole: bool,
+}
+
 impl Mechanism {
     /// All assemblies at an input: radians, or the way of a driven slide. Dyads are joined in closed form; the equations
     /// of other groups are solved over the complex numbers, so that none is missed. Wheels stay as they are mounted.
     ///
     /// They come in no particular order, none twice; those that meet in a singular pose are none.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
+        let found: Found<1> = self.found_at(input, method);
+        Assemblies {
+            poses: found.ways.into_iter().map(|(pose, _)| pose).collect(),
+            complex: found.complex,
+            whole: found.whole,
+        }
+    }
+
+    /// The same with derivatives, and with what nearly is an assembly.
+    pub(crate) fn found_at<const N: usize>(&self, input: f64, method: Method) -> Found<N> {
         let mut search = Search {
             mechanism: self,
             input: Jet::linear(input, 1.0),
             signs: self.signs.clone(),
+            orientations: self.orientations.clone(),
             natural: self.natural.clone(),
-            found: Vec::new(),
             tries: MOST_TRIES,
             method,
-            complex: Vec::new(),
-            whole: true,
+            found: Found {
+                whole: true,
+                ..Found::default()
+            },
         };
         let steps: Vec<StepId> = self.steps.ids().collect();
-        let mut state: State<1> = self.blank_state();
-        search.join(&steps, &mut state);
-        Assemblies {
-            poses: search.found,
-            complex: search.complex,
-            whole: search.whole,
-        }
+        search.join(&steps, &mut self.blank_state());
+        search.found
+    }
+
+    /// The same linkage in a pose that was found at an input.
+    pub(crate) fn in_assembly(
+        &self,
+        input: f64,
+        (pose, signs): &(Pose<2>, Signs),
+    ) -> Result<Self, Vec<Defect>> {
+        let mut other = self.clone();
+        other.draft = self.drawn_by(&pose.state);
+        other.home = input;
+        other.signs.clone_from(signs);
+        other.orientations = pose.state.orientations();
+        let places = pose.state.natural.iter().map(|place| place.value());
+        other.natural = places.flat_map(|place| [place.x, place.y]).collect();
+        other.begin()?;
+        Ok(other)
     }
 }
 
-struct Search<'a> {
+struct Search<'a, const N: usize> {
     mechanism: &'a Mechanism,
-    input: Jet<1>,
+    input: Jet<N>,
     signs: Signs,
+    /// Where bodies are turned to, about: angles are told near it.
+    orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
-    found: Vec<Pose<1>>,
     tries: usize,
     method: Method,
-    complex: Vec<usize>,
-    whole: bool,
+    found: Found<N>,
 }
 
-impl Search<'_> {
-    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
+impl<const N: usize> Search<'_, N> {
+    fn join(&mut self, steps: &[StepId], state: &mut State<N>) {
         let [step, rest @ ..] = steps else {
-            self.found
-                .push(Pose::of(state.clone(), self.natural.clone()));
+            let pose = Pose::of(state.clone(), self.natural.clone());
+            self.found.ways.push((pose, self.signs.clone()));
             return;
         };
         if let Step::Group(group) = &self.mechanism.steps[*step] {
             let ways = group.ways(state, &self.given(*step), self.method);
             let Ok(Some(ways)) = ways else {
-                self.whole &= ways.is_err();
+                self.found.whole &= ways.is_err();
                 if ways.is_ok() {
                     self.go_on(*step, rest, state);
                 }
                 return;
             };
-            self.complex.push(ways.complex);
+            self.found.complex.push(ways.complex);
+            self.found.unreal.extend(ways.unreal);
             for way in &ways.real {
-                group.set(&mut self.natural, way);
+                group.set(&mut self.natural, &way.own);
+                for (body, turn) in &way.turned {
+                    let drawn = self.mechanism.orientations[*body];
+                    self.orientations[*body] = drawn.turned_to(*turn);
+                }
                 self.go_on(*step, rest, state);
             }
             return;
@@ -91,28 +133,37 @@ impl Search<'_> {
         self.signs[*step] = Sign::Plus;
     }
 
-    fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<1>) {
-        if self.tries == 0 || self.found.len() == MOST {
-            self.whole = false;
+    fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>) {
+        if self.tries == 0 || self.found.ways.len() == MOST {
+            self.found.whole = false;
             return;
         }
         self.tries -= 1;
-        if self.put(step, state).is_ok() {
-            self.join(rest, state);
+        match self.put(step, state) {
+            Ok(()) => self.join(rest, state),
+            Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
+                let negative = state.margins[step].into_iter();
+                let negative = negative.filter(|margin| margin.value() < 0.0);
+                self.found.unreal.extend(negative.map(|margin| Unreal {
+                    square: -margin.value(),
+                    slope: -margin.derivative(1),
+                }));
+            }
+            Err(_) => {}
         }
     }
 
-    fn put(&self, step: StepId, state: &mut State<1>) -> Result<(), Cause> {
+    fn put(&self, step: StepId, state: &mut State<N>) -> Result<(), Cause> {
         self.mechanism.steps[step].put(state, &self.given(step))
     }
 
-    fn given(&self, step: StepId) -> Given<'_, 1> {
+    fn given(&self, step: StepId) -> Given<'_, N> {
         Given {
             step,
             input: self.input,
             sign: self.signs[step],
             near: Nearby {
-                orientations: &self.mechanism.orientations,
+                orientations: &self.orientations,
                 natural: &self.natural,
                 smooth_roots: &[],
             },

@@ -81,6 +81,11 @@ impl Mechanism {
         let places = state.natural.iter().map(|place| place.value());
         self.natural = places.flat_map(|place| [place.x, place.y]).collect();
         self.assemblies = self.all_assemblies(&mut state);
+        self.begin()
+    }
+
+    /// Finds the pose from which the motion is followed.
+    pub(super) fn begin(&mut self) -> Result<(), Vec<Defect>> {
         let mut state = self.blank_state();
         match self.entry(&self.signs, &mut state) {
             Some(input) => self.start = (input, state),

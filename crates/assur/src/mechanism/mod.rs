@@ -34,6 +34,7 @@ mod willis;
 use std::f64::consts::TAU;
 
 pub use assemblies::Assemblies;
+pub(crate) use assemblies::Found;
 pub(crate) use assembly::Signs;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
@@ -87,6 +88,8 @@ pub struct Mechanism {
     range: Option<[f64; 2]>,
     /// After how many turns of the crank all drivers are back; none of a slide, and where one goes on.
     rounds: Option<usize>,
+    /// After how many turns the assemblies are the same again, whatever wheels show that carry nothing.
+    turns_of_assemblies: Option<usize>,
     /// The drawn pose: the input, which way the groups are joined, how the bodies
     /// are turned, and the unknowns of groups that Newton's method solves.
     home: f64,
@@ -186,6 +189,7 @@ impl Mechanism {
             size,
             range: plan.range,
             rounds,
+            turns_of_assemblies: rounds,
             home: plan.home,
             start: (plan.home, blank),
             orientations: plan.orientations,

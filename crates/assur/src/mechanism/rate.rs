@@ -107,16 +107,20 @@ impl Mechanism {
     /// Lets the period be that of the wheels as well that turn in proportion to the input: of those that carry
     /// others or show how they are turned. Where one does not come back it never ends.
     pub(super) fn count_turns_of_wheels(&mut self) {
-        let Some(rounds) = self.rounds else { return };
+        let [carrying, seen] = [false, true].map(|seen| {
+            self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
+        });
+        (self.rounds, self.turns_of_assemblies) = (seen, carrying);
+    }
+
+    /// After how many turns the drivers are back, and those bodies that turn in proportion to the input.
+    fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
+        let rounds = self.rounds?;
         let rates = self.rates_of_bodies();
-        let counts = |body: &BodyId| self.carries(*body) || self.shows_its_angle(*body);
-        let bodies = self.bodies().filter(counts);
-        let rates = bodies.filter_map(|body| rates[body]);
-        let turns = rates.map(denominator);
-        let together = turns
-            .into_iter()
-            .try_fold(rounds, |all, turns| common(all, turns?));
-        self.rounds = Some(together.unwrap_or(NEVER));
+        let bodies = self.bodies().filter(|body| counts(*body));
+        let mut turns = bodies.filter_map(|body| rates[body]).map(denominator);
+        let together = turns.try_fold(rounds, |all, turns| common(all, turns?));
+        Some(together.unwrap_or(NEVER))
     }
 
     /// Of each body by how much its angle grows with the input, where that is constant by the drivers and the
@@ -153,6 +157,27 @@ impl Mechanism {
     /// further driver is a slide that goes on with the crank.
     pub(crate) fn period(&self) -> Option<f64> {
         self.rounds.map(|rounds| TAU * rounds as f64)
+    }
+
+    /// After how many turns of the crank the assemblies are the same again: those after which drivers are back, and
+    /// wheels that carry others. None of a slide, and where a further driver is a slide that goes on with the crank.
+    pub(crate) fn turns_of_assemblies(&self) -> Option<usize> {
+        self.turns_of_assemblies
+    }
+
+    /// The inputs within the ranges of all driven slides; endless where there is none.
+    pub(crate) fn within_ranges(&self) -> [f64; 2] {
+        let within = self.steps.iter().flat_map(|step| match step {
+            Step::Slider(slider) => vec![(slider.course, slider.range)],
+            Step::Group(group) => group.ranges().collect(),
+            _ => Vec::new(),
+        });
+        let all = [f64::NEG_INFINITY, f64::INFINITY];
+        let moving = within.filter(|(course, _)| course.rate != 0.0);
+        moving.fold(all, |[low, high], (course, range)| {
+            let ends = range.map(|end| (end - course.offset) / course.rate);
+            [low.max(ends[0].min(ends[1])), high.min(ends[0].max(ends[1]))]
+        })
     }
 
     /// The same in turns; 1 where there is none.

@@ -1,6 +1,6 @@
 //! Whether a mechanism is in the same pose as before, and which of its wheels do not matter for that.
 
-use super::Mechanism;
+use super::{Mechanism, Pose};
 use crate::index::BodyId;
 use crate::position::{Predictor, State, Step};
 
@@ -27,6 +27,16 @@ impl Mechanism {
         bodies.find(|body| !self.is_near(a, b, *body, within) && !self.is_idle_wheel(*body))
     }
 
+    /// How far two poses are apart: the most that a body is off, relative to the size, or turned, radians where that is
+    /// little. Wheels that move nothing else do not count.
+    pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
+        let bodies = self.bodies.ids();
+        let off = bodies
+            .filter(|body| !self.is_idle_wheel(*body))
+            .map(|body| self.off(&a.state, &b.state, body));
+        off.fold(0.0, f64::max)
+    }
+
     fn is_near<const N: usize>(
         &self,
         a: &State<N>,
@@ -34,10 +44,18 @@ impl Mechanism {
         body: BodyId,
         within: f64,
     ) -> bool {
-        let turned = [a, b].map(|state| state.turn[body].value());
-        let moved = [a, b].map(|state| state.origin[body].value());
-        (turned[0] - turned[1]).norm() <= within
-            && (moved[0] - moved[1]).norm() <= within * self.size
+        self.off(a, b, body) <= within
+    }
+
+    fn off<const N: usize, const M: usize>(
+        &self,
+        a: &State<N>,
+        b: &State<M>,
+        body: BodyId,
+    ) -> f64 {
+        let turned = a.turn[body].value() - b.turn[body].value();
+        let moved = a.origin[body].value() - b.origin[body].value();
+        turned.norm().max(moved.norm() / self.size)
     }
 
     fn is_idle_wheel(&self, body: BodyId) -> bool {

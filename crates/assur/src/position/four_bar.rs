@@ -8,7 +8,7 @@ use super::{
     Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Solvable, State,
 };
 use crate::index::{BodyId, StepId};
-use crate::{Assembly, FourBar, Jet, Unsolved, Vector};
+use crate::{Assembly, FourBar, Unsolved, Vector};
 
 /// P and Q relative to (l₂ + l₃)² from which on links are far from being in line.
 const CLEAR: f64 = 1.0 / 64.0;
@@ -138,8 +138,8 @@ impl Solvable for Closed {
     ) -> Result<(), Cause> {
         let triangle = Triangle::of(state, &self.arms);
         let [p, q] = triangle.margins.map(|margin| margin.value());
-        // Told for the kind of a dead point only; the closed form passes by itself.
-        state.margins[given.step] = [p, q].map(Jet::constant);
+        // Told for the kind of a dead point, and where there is none how far off one is; the closed form passes by itself.
+        state.margins[given.step] = triangle.margins;
         if p.min(q) > self.clear {
             self.lay(state, given.sign, &triangle);
             return Ok(());

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::group::Input;
 use super::work::Work;
-use super::{Anchor, Arm, Complex, SmoothRoot, Track, conjugate};
+use super::{Anchor, Arm, Complex, SmoothRoot, Track, conjugate, quotient};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
@@ -39,6 +39,15 @@ pub(crate) type Predictor = State<4>;
 pub(crate) struct Orientation {
     pub(crate) angle: f64,
     pub(crate) turn: Vector,
+}
+
+impl Orientation {
+    /// Turned otherwise, by less than half a turn.
+    pub(crate) fn turned_to(self, turn: Vector) -> Self {
+        let by = quotient(turn, self.turn);
+        let angle = self.angle + by.y.atan2(by.x);
+        Self { angle, turn }
+    }
 }
 
 /// The angle of a body, continuous along the motion.

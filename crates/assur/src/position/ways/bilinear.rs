@@ -30,38 +30,69 @@ impl Affine {
         }
     }
 
-    fn at(&self, z: &[C]) -> C {
+    pub(super) fn at(&self, z: &[C]) -> C {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 
     /// With one unknown told by the others, and left out.
     fn without(&self, unknown: usize, told: &Self) -> Self {
-        let by = self.by[unknown];
-        let mut rest = self.by.clone();
-        rest.remove(unknown);
-        for (rest, told) in rest.iter_mut().zip(&told.by) {
-            *rest += by * told;
-        }
-        Self {
-            constant: self.constant + by * told.constant,
-            by: rest,
+        let mut rest = self.clone();
+        let by = rest.by.remove(unknown);
+        rest.add(by, told);
+        rest
+    }
+
+    /// So many times another one more.
+    pub(super) fn add(&mut self, times: C, other: &Self) {
+        self.constant += times * other.constant;
+        for (by, other) in self.by.iter_mut().zip(&other.by) {
+            *by += times * other;
         }
     }
+}
+
+/// A form, and what it changes by with the input.
+pub(super) type Moving = [Affine; 2];
+
+fn without([form, rate]: &Moving, unknown: usize, [told, told_rate]: &Moving) -> Moving {
+    let mut rest = rate.without(unknown, told);
+    rest.add(form.by[unknown], told_rate);
+    [form.without(unknown, told), rest]
 }
 
 fn sum(start: C, terms: impl Iterator<Item = C>) -> C {
     terms.fold(start, |sum, term| sum + term)
 }
 
-/// An equation.
+/// An equation of forms; of moving ones.
 #[derive(Clone, Debug)]
-pub(super) enum Pair {
+pub(super) enum Pair<F = Affine, W = f64> {
     /// A direction of length 1.
-    Unit(Affine),
+    Unit(F),
     /// Two directions are parallel.
-    Parallel(Affine, Affine),
+    Parallel(F, F),
     /// How far one goes along the other, which has length 1.
-    Along(Affine, Affine, f64),
+    Along(F, F, W),
+}
+
+impl<F, W: Copy> Pair<F, W> {
+    fn map<G, V>(&self, change: impl Fn(&F) -> G, way: impl Fn(W) -> V) -> Pair<G, V> {
+        match self {
+            Self::Unit(one) => Pair::Unit(change(one)),
+            Self::Parallel(one, other) => Pair::Parallel(change(one), change(other)),
+            Self::Along(one, other, by) => Pair::Along(change(one), change(other), way(*by)),
+        }
+    }
+}
+
+/// An equation whose forms change with the input.
+pub(super) type MovingPair = Pair<Moving, [f64; 2]>;
+
+impl MovingPair {
+    /// As it is now (0), and what its forms change by (1).
+    fn part(&self, which: usize) -> Pair {
+        self.map(|form| form[which].clone(), |way| way[which])
+    }
 }
 
 impl Pair {
@@ -71,14 +102,6 @@ impl Pair {
             Self::Parallel(one, other) | Self::Along(one, other, _) => (one, Some(other)),
         };
         [one].into_iter().chain(other)
-    }
-
-    fn map(&self, change: impl Fn(&Affine) -> Affine) -> Self {
-        match self {
-            Self::Unit(one) => Self::Unit(change(one)),
-            Self::Parallel(one, other) => Self::Parallel(change(one), change(other)),
-            Self::Along(one, other, way) => Self::Along(change(one), change(other), *way),
-        }
     }
 
     /// Whether both ask for the same direction, up to a turn, to have length 1.
@@ -151,11 +174,39 @@ impl Pair {
     }
 }
 
+impl Pair {
+    /// By how much what is left of it grows with the input at a place that stays, where its forms change as those of
+    /// another one say.
+    fn rate(&self, rates: &Self, z: &[C], w: &[C]) -> C {
+        let of = |form: &Affine| [form.at(z), form.conjugate().at(w)];
+        match (self, rates) {
+            (Self::Unit(one), Self::Unit(rate)) => {
+                let ([u, cu], [du, dcu]) = (of(one), of(rate));
+                du * cu + u * dcu
+            }
+            (Self::Parallel(one, other), Self::Parallel(rate, other_rate)) => {
+                let ([u, cu], [du, dcu]) = (of(one), of(rate));
+                let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
+                dcu * v + cu * dv - du * cv - u * dcv
+            }
+            (Self::Along(one, other, _), Self::Along(rate, other_rate, way)) => {
+                let ([u, cu], [du, dcu]) = (of(one), of(rate));
+                let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
+                dcu * v + cu * dv + du * cv + u * dcv - C::from(2.0 * way)
+            }
+            // They are parts of one equation.
+            _ => NOUGHT,
+        }
+    }
+}
+
 /// Equations, as many as unknowns and conjugates together.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) unknowns: usize,
     pub(super) pairs: Vec<Pair>,
+    /// What the forms of each change by with the input.
+    rates: Vec<Pair>,
     /// The group's own unknowns by those that are left.
     pub(super) own: Vec<Affine>,
 }
@@ -163,51 +214,77 @@ pub(super) struct System {
 impl System {
     /// Of so many unknowns; those that linear forms being zero determine are left out. None where they contradict or
     /// repeat each other, or where equations are not as many as the unknowns.
-    pub(super) fn new(unknowns: usize, pairs: Vec<Pair>, zeros: Vec<Affine>) -> Option<Self> {
+    pub(super) fn new(
+        unknowns: usize,
+        pairs: Vec<MovingPair>,
+        zeros: Vec<Moving>,
+    ) -> Option<Self> {
         let own = (0..unknowns).map(|k| {
             let mut own = Affine::constant(NOUGHT, unknowns);
             own.by[k] = ONE;
             own
         });
-        let mut system = Self {
-            unknowns,
-            pairs,
-            own: own.collect(),
-        };
-        let mut zeros = zeros;
-        while let Some(zero) = zeros.pop() {
+        let mut own: Vec<Affine> = own.collect();
+        let (mut unknowns, mut pairs, mut zeros) = (unknowns, pairs, zeros);
+        while let Some([zero, rate]) = zeros.pop() {
             let sizes = zero.by.iter().map(|by| by.norm_sqr()).enumerate();
             let (unknown, size) = sizes.max_by(|a, b| a.1.total_cmp(&b.1))?;
             if size < f64::EPSILON {
                 return None;
             }
+            // c + a x + Σ = 0: x is −(c + Σ) / a, and changes by −(c′ + a′ x + Σ′) / a.
             let scale = -zero.by[unknown].inv();
-            let mut told = Affine {
-                constant: zero.constant * scale,
-                by: zero.by.iter().map(|by| by * scale).collect(),
+            let scaled = |form: &Affine| {
+                let mut scaled = Affine::constant(NOUGHT, form.by.len());
+                scaled.add(scale, form);
+                scaled
             };
+            let mut told = scaled(&zero);
             told.by.remove(unknown);
-            let change = |form: &Affine| form.without(unknown, &told);
-            system.pairs = system.pairs.iter().map(|pair| pair.map(change)).collect();
-            system.own = system.own.iter().map(change).collect();
+            let told_rate = scaled(&rate.without(unknown, &told));
+            let told = [told, told_rate];
+            let change = |form: &Moving| without(form, unknown, &told);
+            let changed = pairs.iter().map(|pair| pair.map(change, |way| way));
+            pairs = changed.collect();
+            own = own
+                .iter()
+                .map(|form| form.without(unknown, &told[0]))
+                .collect();
             zeros = zeros.iter().map(change).collect();
-            system.unknowns -= 1;
+            unknowns -= 1;
         }
-        // What no unknown is left in tells nothing of them.
-        let told = |pair: &Pair| {
-            pair.forms()
-                .any(|form| form.by.iter().any(|by| *by != NOUGHT))
+        let mut system = Self {
+            unknowns,
+            pairs: Vec::new(),
+            rates: Vec::new(),
+            own,
         };
-        system.pairs.retain(told);
-        // Links that are driven against each other turn by one direction.
-        let mut kept: Vec<Pair> = Vec::new();
-        for pair in system.pairs {
-            if !kept.iter().any(|other| pair.repeats(other)) {
-                kept.push(pair);
+        for moving in &pairs {
+            let pair = moving.part(0);
+            // What no unknown is left in tells nothing of them.
+            let tells = pair.forms().any(|form| form.by.iter().any(|by| *by != NOUGHT));
+            // Links that are driven against each other turn by one direction.
+            if tells && !system.pairs.iter().any(|other| pair.repeats(other)) {
+                system.pairs.push(pair);
+                system.rates.push(moving.part(1));
             }
         }
-        system.pairs = kept;
-        (system.pairs.len() == 2 * system.unknowns).then_some(system)
+        (system.pairs.len() == 2 * unknowns).then_some(system)
+    }
+
+    /// How fast unknowns and conjugates of a solution change with the input; none where it is singular.
+    pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
+        let size = at.len();
+        let (z, w) = at.split_at(self.unknowns);
+        let mut left = DVector::from_element(size, NOUGHT);
+        let mut slopes = DMatrix::from_element(size, size, NOUGHT);
+        self.left(at, &mut left, &mut slopes);
+        let rates = self.pairs.iter().zip(&self.rates);
+        let rates = DVector::from_iterator(size, rates.map(|(pair, rate)| -pair.rate(rate, z, w)));
+        let rate = slopes.lu().solve(&rates)?;
+        rate.iter()
+            .all(|c| c.is_finite())
+            .then(|| rate.iter().copied().collect())
     }
 
     /// What is left of the equations at a place, and their derivatives.

@@ -6,9 +6,10 @@ mod truss;
 
 use super::equation::Equation;
 use super::group::Group;
-use super::{Cause, Given, State};
+use super::{Cause, Course, Given, State};
 use crate::Vector;
-use bilinear::{Affine, C, Pair, System};
+use crate::index::BodyId;
+use bilinear::{Affine, C, Moving, Pair, System};
 
 /// Solutions that differ by less than this part of their size are one.
 const ONE: f64 = 1e-8;
@@ -29,49 +30,97 @@ pub enum Method {
     Paths,
 }
 
+/// A way to join a group.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    /// Its unknowns.
+    pub(crate) own: Vec<Vector>,
+    /// How those bodies are turned that are driven against each other: their angles are told near it.
+    pub(crate) turned: Vec<(BodyId, Vector)>,
+}
+
 /// All ways to join a group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ways {
-    /// The unknowns of each real one.
-    pub(crate) real: Vec<Vec<Vector>>,
+    /// The real ones.
+    pub(crate) real: Vec<Way>,
     /// How many there are over the complex numbers, the real ones among them.
     pub(crate) complex: usize,
+    /// Of each that is not real how far it is from it.
+    pub(crate) unreal: Vec<Unreal>,
+}
+
+/// How far a way to join links is from a real one: a square that goes through zero where two ways meet and become real,
+/// about in proportion to the distance of the input from there; with its derivative by the input.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unreal {
+    pub(crate) square: f64,
+    pub(crate) slope: f64,
 }
 
 impl Group {
+    /// Whether all ways to join it can be found: no wheels are in mesh within it.
+    pub(crate) fn is_algebraic(&self) -> bool {
+        self.meshes.iter().all(|mesh| mesh.drive.is_some())
+    }
+
+    /// The ranges of pairs that are driven within it, and how these go with the input.
+    pub(crate) fn ranges(&self) -> impl Iterator<Item = (Course, [f64; 2])> {
+        let drives = self.meshes.iter().filter_map(|mesh| mesh.drive.as_ref());
+        drives.filter_map(|drive| Some((drive.course, drive.range?)))
+    }
+
     /// All ways to join it where what it hangs on is. None where its equations are not algebraic: wheels in mesh.
-    pub(crate) fn ways(
+    pub(crate) fn ways<const N: usize>(
         &self,
-        state: &mut State<1>,
-        given: &Given<'_, 1>,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
         method: Method,
     ) -> Result<Option<Ways>, Cause> {
         let system = self.system(state, given)?;
-        Ok(system.map(|system| system.ways(&self.units, method)))
+        Ok(system.map(|(system, turning)| {
+            let mut ways = system.ways(&self.units, &turning, method);
+            // Without derivatives of what it hangs on there are none of it.
+            if N < 2 {
+                ways.unreal.clear();
+            }
+            ways
+        }))
     }
 
-    /// Its equations over the complex numbers, unknowns in their units.
-    fn system(&self, state: &mut State<1>, given: &Given<'_, 1>) -> Result<Option<System>, Cause> {
+    /// Its equations over the complex numbers, unknowns in their units, with what their forms change by with the input;
+    /// and the turns of driven bodies.
+    fn system<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<Option<(System, Turning)>, Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
         }
         let meshes = self.meshes.iter();
-        let angles: Result<Vec<f64>, Cause> = meshes
-            .map(|mesh| Ok(mesh.given(state, given.near, given.input)?.angle.value()))
+        let angles: Result<Vec<[f64; 2]>, Cause> = meshes
+            .map(|mesh| {
+                let angle = mesh.given(state, given.near, given.input)?.angle;
+                Ok([0, 1].map(|order| if order < N { -angle.coefficient(order) } else { 0.0 }))
+            })
             .collect();
         let angles = angles?;
         self.take(&mut state.work);
         let values = &state.work.values[..self.equated];
-        let mut forms: Vec<Affine> = values
-            .iter()
-            .map(|value| Affine::constant(number(value.value()), self.units.len()))
-            .collect();
+        let forms = values.iter().map(|value| {
+            [0, 1].map(|order| {
+                let own = (order < N).then(|| number(value[order]));
+                Affine::constant(own.unwrap_or_default(), self.units.len())
+            })
+        });
+        let mut forms: Vec<Moving> = forms.collect();
         for term in &self.sought {
-            forms[term.form].by[term.of] += number(term.by) * self.units[term.of];
+            forms[term.form][0].by[term.of] += number(term.by) * self.units[term.of];
         }
         let form = |k: usize| forms[k].clone();
-        let (mut pairs, mut zeros) = (Vec::new(), Vec::new());
+        let (mut pairs, mut zeros, mut turning) = (Vec::new(), Vec::new(), Vec::new());
         for equation in &self.equations {
             match *equation {
                 Equation::Unit(one) => pairs.push(Pair::Unit(form(one))),
@@ -86,51 +135,84 @@ impl Group {
                     way,
                     mesh,
                 } => {
-                    pairs.push(Pair::Along(form(direction), form(way), -angles[mesh]));
+                    pairs.push(Pair::Along(form(direction), form(way), angles[mesh]));
                 }
                 Equation::Mesh {
                     turns: [Some((link, 1.0)), Some((base, -1.0)), None],
                     mesh,
                 } if self.meshes[mesh].drive.is_some() => {
-                    let turn = C::from_polar(1.0, -angles[mesh]);
-                    let [link, base] = [form(link), form(base)];
-                    let by = link.by.iter().zip(&base.by).map(|(a, b)| a - turn * b);
-                    zeros.push(Affine {
-                        constant: link.constant - turn * base.constant,
-                        by: by.collect(),
-                    });
+                    let [angle, rate] = angles[mesh];
+                    let turn = C::from_polar(1.0, angle);
+                    let spin = turn * C::new(0.0, rate);
+                    let turns = [form(link), form(base)].map(|[turn, _]| turn);
+                    turning.extend(self.meshes[mesh].turning.iter().copied().zip(turns));
+                    let ([mut zero, mut rates], [base, base_rates]) = (form(link), form(base));
+                    zero.add(-turn, &base);
+                    rates.add(-turn, &base_rates);
+                    rates.add(-spin, &base);
+                    zeros.push([zero, rates]);
                 }
                 Equation::Mesh { .. } => return Ok(None),
             }
         }
-        Ok(System::new(self.units.len(), pairs, zeros))
+        let system = System::new(self.units.len(), pairs, zeros);
+        Ok(system.map(|system| (system, turning)))
     }
 }
+
+/// Bodies with the forms of their turns.
+type Turning = Vec<(BodyId, Affine)>;
 
 fn number(v: Vector) -> C {
     C::new(v.x, v.y)
 }
 
+fn vector(c: C) -> Vector {
+    Vector::new(c.re, c.im)
+}
+
 impl System {
-    fn ways(&self, units: &[f64], method: Method) -> Ways {
+    fn ways(&self, units: &[f64], turning: &Turning, method: Method) -> Ways {
         let mut found: Vec<Vec<C>> = Vec::new();
         if method == Method::Paths || !self.add_by_loops(&mut found) {
             self.add_by_paths(&mut found);
         }
         let mut ways = Ways {
-            real: Vec::new(),
             complex: found.len(),
+            ..Ways::default()
         };
         for at in found {
             if let Some(real) = self.real(&at) {
-                let places = self.own(&real);
-                let places = places.iter().zip(units);
-                let place =
-                    places.map(|(place, unit)| Vector::new(place.re * unit, place.im * unit));
-                ways.real.push(place.collect());
+                let own = self.own(&real);
+                let turned = turning.iter().map(|(body, turn)| (*body, vector(turn.at(&own))));
+                let places = own.iter().zip(units);
+                ways.real.push(Way {
+                    turned: turned.collect(),
+                    own: places.map(|(place, unit)| vector(place * unit)).collect(),
+                });
+            } else {
+                ways.unreal.extend(self.unreal(&at));
             }
         }
         ways
+    }
+
+    /// How far a solution is from a real one: from its conjugate, which is one as well.
+    fn unreal(&self, at: &[C]) -> Option<Unreal> {
+        let rate = self.rate(at)?;
+        let off = |all: &[C]| -> Vec<C> {
+            let (z, w) = all.split_at(self.unknowns);
+            z.iter().zip(w).map(|(z, w)| z - w.conj()).collect()
+        };
+        let ways = off(at).into_iter().zip(off(&rate));
+        let nothing = Unreal {
+            square: 0.0,
+            slope: 0.0,
+        };
+        Some(ways.fold(nothing, |sum, (off, rate)| Unreal {
+            square: sum.square + off.norm_sqr(),
+            slope: sum.slope + 2.0 * (off.conj() * rate).re,
+        }))
     }
 
     /// Adds what the loops of a group of hinges tell; false where it is none. Where fewer are found than groups of

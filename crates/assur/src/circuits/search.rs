@@ -1,0 +1,342 @@
+//! The search for all motions: assemblies are looked for at inputs over the whole turn, each that is on no known branch
+//! is followed, and where something may be missed between two inputs it is looked for between them.
+//!
+//! Why nothing is missed: at an input all assemblies are found. Between two ends of branches that follow each other their
+//! number cannot change, unless branches live there that were never met: two assemblies come out of one that is not
+//! real, and go back. Before they are real the two differ from their conjugates by something whose square goes to zero
+//! about evenly, so that its value and slope at an input tell where that may be. Between that input and the next one
+//! looked at it is halved until the two are met, or are seen to turn back.
+
+use std::f64::consts::TAU;
+
+use super::meetings::Met;
+use crate::mechanism::{Found, Mechanism, Method, Pose};
+use crate::motion::{DeadPointKind, Motion};
+use crate::position::{Step, Unreal};
+use crate::sorting::sort_by;
+
+/// So many inputs are looked at in a turn, or a slide's range, whatever is found there.
+const SAMPLES: usize = 24;
+/// Not at the first of them, where linkages are often drawn in special poses.
+const ASIDE: f64 = 0.381_966;
+/// Assemblies of a linkage of wheels are followed over so many turns.
+const MOST_TURNS: usize = 24;
+/// No more inputs are looked at, nor motions followed.
+const MOST_LOOKS: usize = 2_000;
+const MOST_BRANCHES: usize = 512;
+/// Nothing is looked for within this part of a turn.
+const LEAST: f64 = 1e-6;
+/// Two poses are one within this of the size.
+const SAME: f64 = 1e-6;
+/// Two ways that are not real may become so before the next input that is looked at if they would within so many times
+/// the way to it …
+const FAR: f64 = 1.5;
+/// … and are those that a known branch begins with if they would not within this part of the way.
+const EARLY: f64 = 0.4;
+
+/// The inputs at which there may be assemblies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Domain {
+    ends: [f64; 2],
+    /// After which they are the same again.
+    period: Option<f64>,
+}
+
+impl Domain {
+    /// And whether it is all of them.
+    fn of(mechanism: &Mechanism) -> (Self, bool) {
+        match mechanism.turns_of_assemblies() {
+            Some(turns) => {
+                let looked_at = turns.min(MOST_TURNS);
+                let domain = Self {
+                    ends: [0.0, TAU * looked_at as f64],
+                    period: Some(TAU * turns as f64),
+                };
+                (domain, looked_at == turns)
+            }
+            None => {
+                let ends = mechanism.within_ranges();
+                let known = ends.iter().all(|end| end.is_finite());
+                let home = mechanism.home();
+                let period = None;
+                let ends = if known { ends } else { [home - TAU, home + TAU] };
+                (Self { ends, period }, known)
+            }
+        }
+    }
+
+    pub(super) fn span(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    pub(super) fn first_told(&self, input: f64) -> f64 {
+        let from = self.ends[0];
+        self.period
+            .map_or(input, |period| from + (input - from).rem_euclid(period))
+    }
+
+    /// How far two inputs are from each other, by whole periods less.
+    pub(super) fn between(&self, one: f64, other: f64) -> f64 {
+        let off = one - other;
+        self.period
+            .map_or(off, |period| off - period * (off / period).round())
+            .abs()
+    }
+
+    /// The inputs by which a motion tells one, in all its turns.
+    pub(super) fn visits(&self, motion: &Motion, input: f64) -> Vec<f64> {
+        let cycle = motion.cycle();
+        let Some(period) = self.period else {
+            return if cycle.contains(input) { vec![input] } else { Vec::new() };
+        };
+        let told = |k: f64| input + period * k;
+        if let (true, Some(turns)) = (cycle.is_full(), cycle.period()) {
+            let visits = (turns / period).round().max(1.0) as usize;
+            return (0..visits).map(|k| cycle.wrap(told(k as f64))).collect();
+        }
+        let arcs = cycle.arcs().iter();
+        let visits = arcs.flat_map(|[from, to]| {
+            let [first, last] = [((from - input) / period).ceil(), ((to - input) / period).floor()];
+            (0..).map(move |k| first + f64::from(k)).take_while(move |k| *k <= last)
+        });
+        visits.map(told).collect()
+    }
+
+    /// The ends of a motion, as inputs are told first.
+    pub(super) fn ends(&self, motion: &Motion) -> Vec<f64> {
+        let cycle = motion.cycle();
+        if cycle.is_full() {
+            return Vec::new();
+        }
+        let ends = cycle.arcs().iter().flatten();
+        ends.map(|end| self.first_told(*end)).collect()
+    }
+
+    /// The least input that a motion comes to.
+    pub(super) fn least(&self, motion: &Motion) -> f64 {
+        let from = self.ends[0];
+        if !self.visits(motion, from).is_empty() {
+            return from;
+        }
+        self.ends(motion).into_iter().fold(self.ends[1], f64::min)
+    }
+}
+
+/// What was seen at an input.
+struct Look {
+    input: f64,
+    assemblies: usize,
+    unreal: Vec<Unreal>,
+}
+
+/// A place in the turn between which and the next one something may be missed.
+struct Stop<'a> {
+    input: f64,
+    look: Option<&'a Look>,
+    /// How many branches begin here, upwards, and end, downwards.
+    begin: [usize; 2],
+}
+
+pub(super) struct Search<'a> {
+    mechanism: &'a Mechanism,
+    pub(super) branches: Vec<Motion>,
+    pub(super) domain: Domain,
+    pub(super) whole: bool,
+    looks: Vec<Look>,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism) -> Self {
+        let (domain, whole) = Domain::of(mechanism);
+        Self {
+            mechanism,
+            branches: Vec::new(),
+            domain,
+            whole,
+            looks: Vec::new(),
+        }
+    }
+
+    /// Finds all motions, that of the drawing first.
+    pub(super) fn find_all(&mut self) {
+        self.take(Motion::new(self.mechanism.clone()));
+        let steps = self.mechanism.steps();
+        if !steps.iter().all(|step| match step {
+            Step::Group(group) => group.is_algebraic(),
+            _ => true,
+        }) {
+            self.whole = false;
+            return;
+        }
+        let [from, to] = self.domain.ends;
+        let turns = if self.domain.period.is_some() { (to - from) / TAU } else { 1.0 };
+        let count = SAMPLES * turns.round().max(1.0) as usize;
+        let width = (to - from) / count as f64;
+        for k in 0..count {
+            self.look(from + width * (k as f64 + ASIDE));
+        }
+        loop {
+            let mut next = self.between();
+            if next.is_empty() {
+                next = self.beside_ends();
+            }
+            if next.is_empty() {
+                break;
+            }
+            for input in next {
+                self.look(input);
+            }
+            if self.looks.len() > MOST_LOOKS || self.branches.len() > MOST_BRANCHES {
+                self.whole = false;
+                break;
+            }
+        }
+        let miscounted = self.looks.iter().any(|look| {
+            let over = self.branches.iter();
+            let over = over.map(|motion| self.domain.visits(motion, look.input).len());
+            over.sum::<usize>() != look.assemblies
+        });
+        self.whole &= !miscounted;
+        eprintln!("DEBUG looks {} miscounted {miscounted} branches {} whole {}", self.looks.len(), self.branches.len(), self.whole);
+        for look in &self.looks { let n: usize = self.branches.iter().map(|m| self.domain.visits(m, look.input).len()).sum(); if n != look.assemblies { eprintln!("  {} : {} vs {n}", look.input.to_degrees(), look.assemblies);} }
+    }
+
+    fn take(&mut self, motion: Motion) {
+        let known = |kind: DeadPointKind| kind.is_dead_point() || kind == DeadPointKind::Range;
+        self.whole &= motion.dead_points().iter().all(|dead| known(dead.kind));
+        self.branches.push(motion);
+    }
+
+    /// Finds the assemblies at an input, and follows those on no known branch.
+    fn look(&mut self, input: f64) {
+        let found: Found<2> = self.mechanism.found_at(input, Method::Usual);
+        self.whole &= found.whole;
+        let mut known = Vec::new();
+        for motion in &self.branches {
+            self.put_poses(motion, input, &mut known);
+        }
+        for way in &found.ways {
+            let is_here = |pose: &Pose<1>| self.mechanism.distance(&way.0, pose) < SAME;
+            if known.iter().any(is_here) {
+                continue;
+            }
+            let Ok(mechanism) = self.mechanism.in_assembly(input, way) else {
+                self.whole = false;
+                continue;
+            };
+            let motion = Motion::new(mechanism);
+            let before = known.len();
+            self.put_poses(&motion, input, &mut known);
+            if known[before..].iter().any(is_here) {
+                self.take(motion);
+            } else {
+                self.whole = false;
+            }
+        }
+        let at = self.looks.partition_point(|look| look.input < input);
+        self.looks.insert(
+            at,
+            Look {
+                input,
+                assemblies: found.ways.len(),
+                unreal: found.unreal,
+            },
+        );
+    }
+
+    /// The poses of a motion at an input.
+    fn put_poses(&self, motion: &Motion, input: f64, poses: &mut Vec<Pose<1>>) {
+        let visits = self.domain.visits(motion, input).into_iter();
+        poses.extend(visits.filter_map(|input| motion.pose(input).ok()));
+    }
+
+    /// Where the turn is divided: what was looked at, and where branches end.
+    fn stops(&self) -> Vec<Stop<'_>> {
+        let looks = self.looks.iter().map(|look| Stop {
+            input: look.input,
+            look: Some(look),
+            begin: [0; 2],
+        });
+        let motions = self.branches.iter().filter(|motion| !motion.cycle().is_full());
+        let arcs = motions.flat_map(|motion| motion.cycle().arcs());
+        let ends = arcs.flat_map(|[from, to]| [(*from, [1, 0]), (*to, [0, 1])]);
+        let ends = ends.map(|(input, begin)| Stop {
+            input: self.domain.first_told(input),
+            look: None,
+            begin,
+        });
+        let bounds = self.domain.ends.map(|input| Stop {
+            input,
+            look: None,
+            begin: [0; 2],
+        });
+        let bounds = bounds.into_iter().filter(|_| self.domain.period.is_none());
+        let mut stops: Vec<Stop<'_>> = looks.chain(ends).chain(bounds).collect();
+        sort_by(&mut stops, |a, b| a.input.total_cmp(&b.input));
+        let same = LEAST * self.domain.span();
+        stops.dedup_by(|next, last| {
+            let is_same = next.look.is_none() && last.look.is_none() && next.input - last.input < same;
+            if is_same {
+                last.begin = [0, 1].map(|side| last.begin[side] + next.begin[side]);
+            }
+            is_same
+        });
+        stops
+    }
+
+    /// The inputs between those looked at where something may be missed.
+    fn between(&self) -> Vec<f64> {
+        let stops = self.stops();
+        let least = LEAST * self.domain.span();
+        let around = self.domain.period.map(|_| self.domain.span());
+        let mut found = Vec::new();
+        for (k, low) in stops.iter().enumerate() {
+            let (high, above) = match (stops.get(k + 1), around) {
+                (Some(high), _) => (high, high.input),
+                (None, Some(span)) => (&stops[0], stops[0].input + span),
+                (None, None) => break,
+            };
+            let gap = above - low.input;
+            let unseen = match (low.look, high.look) {
+                (None, None) => true,
+                _ if gap < least => false,
+                _ => {
+                    low.look.is_some_and(|look| look.may_begin(1.0, gap, high.begin[0]))
+                        || high.look.is_some_and(|look| look.may_begin(-1.0, gap, low.begin[1]))
+                }
+            };
+            if unseen {
+                found.push(self.domain.first_told(low.input + ASIDE * gap));
+            }
+        }
+        found
+    }
+
+    /// The inputs just inside those dead points at which no other branch is known to end, and nothing was looked at yet.
+    fn beside_ends(&self) -> Vec<f64> {
+        let least = LEAST * self.domain.span();
+        let alone = Met::of(&self.branches, &self.domain).alone.into_iter();
+        let inside = alone.map(|input| self.domain.first_told(input));
+        let new = |input: &f64| {
+            let mut looks = self.looks.iter();
+            !looks.any(|look| (look.input - input).abs() < least)
+        };
+        inside.filter(new).collect()
+    }
+}
+
+impl Look {
+    /// Whether ways that are not real may become so within a gap, besides those of branches that begin behind it.
+    fn may_begin(&self, sense: f64, gap: f64, known: usize) -> bool {
+        let unreal = self.unreal.iter();
+        let times = unreal.map(|one| -one.square / (one.slope * sense));
+        let mut expected = 0;
+        for time in times.filter(|time| (0.0..FAR * gap).contains(time)) {
+            if time < EARLY * gap {
+                return true;
+            }
+            expected += 1;
+        }
+        expected > known
+    }
+}
