@@ -101,8 +101,12 @@ impl Circuits {
             mut whole,
             ..
         } = search;
-        let Met { meetings, alone } = Met::of(&motions, &domain);
-        whole &= alone.is_empty();
+        let Met {
+            meetings,
+            unknown,
+            alone,
+        } = Met::of(&motions, &domain);
+        whole &= !unknown && alone.is_empty();
         let circuits = meetings::circuits(motions.len(), &meetings);
         let branches = motions.into_iter().zip(circuits);
         let branches = branches.map(|(motion, circuit)| Branch { motion, circuit });

@@ -74,6 +74,14 @@ impl Circuits {
         self.branches = branches.into_iter().map(|(_, branch)| branch).collect();
         for meeting in &mut self.meetings {
             meeting.branches = meeting.branches.map(|at| numbers[at]);
+            if meeting.branches[0] > meeting.branches[1] {
+                meeting.branches.reverse();
+                meeting.inputs.reverse();
+            }
+            // What stands in line is the same for both.
+            if let Some(dead) = &mut meeting.dead_point {
+                dead.input = meeting.inputs[0];
+            }
         }
         // Circuits in the order in which branches first name them.
         let mut named: Vec<usize> = Vec::new();
@@ -109,7 +117,7 @@ impl Circuits {
                 keys.min().unwrap_or_default()
             };
             let passes = !self.domain.ends(motion).contains(&least);
-            let at = passes.then(|| key_at(least)).unwrap_or_default();
+            let at = if passes { key_at(least) } else { Vec::new() };
             (number(least), at, key_at(least + ON * (next - least)))
         });
         orders.collect()

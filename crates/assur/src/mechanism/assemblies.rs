@@ -3,9 +3,7 @@
 use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::position::{
-    Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
-};
+use crate::position::{Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;

@@ -47,12 +47,7 @@ impl Mechanism {
         self.off(a, b, body) <= within
     }
 
-    fn off<const N: usize, const M: usize>(
-        &self,
-        a: &State<N>,
-        b: &State<M>,
-        body: BodyId,
-    ) -> f64 {
+    fn off<const N: usize, const M: usize>(&self, a: &State<N>, b: &State<M>, body: BodyId) -> f64 {
         let turned = a.turn[body].value() - b.turn[body].value();
         let moved = a.origin[body].value() - b.origin[body].value();
         turned.norm().max(moved.norm() / self.size)
