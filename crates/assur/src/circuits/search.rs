@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use super::meetings::Met;
+use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Method, Pose};
 use crate::motion::{DeadPointKind, Motion};
 use crate::position::{Step, Unreal};
@@ -26,6 +26,8 @@ const MOST_LOOKS: usize = 2_000;
 const MOST_BRANCHES: usize = 512;
 /// Nothing is looked for within this part of a turn.
 const LEAST: f64 = 1e-6;
+/// Where links go off to infinity nothing is looked for within this part.
+const BESIDE_INFINITY: f64 = 1e-3;
 /// So often it is looked for closer to a dead point.
 const CLOSER: i32 = 8;
 /// Two poses are one within this of the size.
@@ -142,13 +144,14 @@ struct Look {
     input: f64,
     assemblies: usize,
     unreal: Vec<Unreal>,
+    parallel: Vec<Unreal>,
 }
 
 /// A place in the turn between which and the next one something may be missed.
 struct Stop<'a> {
     input: f64,
     look: Option<&'a Look>,
-    /// How many branches begin here, upwards, and end, downwards.
+    /// How many branches come out of folds here, upwards and downwards.
     begin: [usize; 2],
 }
 
@@ -257,6 +260,7 @@ impl<'a> Search<'a> {
                 input,
                 assemblies: found.ways.len(),
                 unreal: found.unreal,
+                parallel: found.parallel,
             },
         );
     }
@@ -274,16 +278,23 @@ impl<'a> Search<'a> {
             look: Some(look),
             begin: [0; 2],
         });
-        let motions = self
+        let moving = self
             .branches
             .iter()
             .filter(|motion| !motion.cycle().is_full());
-        let arcs = motions.flat_map(|motion| motion.cycle().arcs());
-        let ends = arcs.flat_map(|[from, to]| [(*from, [1, 0]), (*to, [0, 1])]);
-        let ends = ends.map(|(input, begin)| Stop {
-            input: self.domain.first_told(input),
-            look: None,
-            begin,
+        let ends = moving.flat_map(|motion| {
+            let arcs = motion.cycle().arcs().iter();
+            arcs.flat_map(move |arc| [0, 1].map(|side| (motion, arc[side], side)))
+        });
+        let ends = ends.map(|(motion, input, side)| {
+            let folds = folds(motion).any(|dead| dead.input == input);
+            let mut begin = [0; 2];
+            begin[side] = usize::from(folds);
+            Stop {
+                input: self.domain.first_told(input),
+                look: None,
+                begin,
+            }
         });
         let bounds = self.domain.ends.map(|input| Stop {
             input,
@@ -322,11 +333,13 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < least => false,
                 _ => {
-                    low.look
-                        .is_some_and(|look| look.may_begin(1.0, gap, high.begin[0]))
-                        || high
-                            .look
-                            .is_some_and(|look| look.may_begin(-1.0, gap, low.begin[1]))
+                    let far = gap > BESIDE_INFINITY * self.domain.span();
+                    let may = |look: Option<&Look>, sense, known| {
+                        look.is_some_and(|look| {
+                            look.may_begin(sense, gap, known) || far && look.may_flee(sense, gap)
+                        })
+                    };
+                    may(low.look, 1.0, high.begin[0]) || may(high.look, -1.0, low.begin[1])
                 }
             };
             if unseen {
@@ -356,10 +369,8 @@ impl<'a> Search<'a> {
 impl Look {
     /// Whether ways that are not real may become so within a gap, besides those of branches that begin behind it.
     fn may_begin(&self, sense: f64, gap: f64, known: usize) -> bool {
-        let unreal = self.unreal.iter();
-        let times = unreal.map(|one| -one.square / (one.slope * sense));
         let mut expected = 0;
-        for time in times.filter(|time| (0.0..FAR * gap).contains(time)) {
+        for time in zeros(&self.unreal, sense, FAR * gap) {
             if time < EARLY * gap {
                 return true;
             }
@@ -367,4 +378,20 @@ impl Look {
         }
         expected > known
     }
+
+    /// Whether links may go off to infinity within a gap.
+    fn may_flee(&self, sense: f64, gap: f64) -> bool {
+        // A square has a double zero, twice as far as its slope tells.
+        zeros(&self.parallel, sense, 0.5 * FAR * gap)
+            .next()
+            .is_some()
+    }
+}
+
+/// How far on squares come to zero, by their slopes, within a way.
+fn zeros(squares: &[Unreal], sense: f64, within: f64) -> impl Iterator<Item = f64> {
+    let times = squares
+        .iter()
+        .map(move |one| -one.square / (one.slope * sense));
+    times.filter(move |time| (0.0..within).contains(time))
 }
