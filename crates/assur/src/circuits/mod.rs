@@ -14,6 +14,7 @@ use crate::index::LinkId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, Motion};
 use meetings::Met;
+pub use numbering::NoAssembly;
 use search::{Domain, Search};
 
 /// The motions of a linkage in all its assemblies.

@@ -34,7 +34,7 @@ const CLOSER: i32 = 8;
 const SAME: f64 = 1e-6;
 /// Two ways that are not real may become so before the next input that is looked at if they would within so many times
 /// the way to it …
-const FAR: f64 = 1.5;
+const FAR: f64 = 3.0;
 /// … and are those that a known branch begins with if they would not within this part of the way.
 const EARLY: f64 = 0.4;
 
