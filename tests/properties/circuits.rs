@@ -30,7 +30,11 @@ fn apart(mechanism: &Mechanism, one: &Pose<1>, other: &Pose<1>) -> f64 {
 }
 
 /// How many inputs were looked at: at each every assembly is on just one branch, and there are no more branches.
-fn every_assembly_is_on_one_branch(what: &str, mechanism: &Mechanism, random: &mut Random) -> usize {
+fn every_assembly_is_on_one_branch(
+    what: &str,
+    mechanism: &Mechanism,
+    random: &mut Random,
+) -> usize {
     let found = circuits(mechanism);
     if !found.is_whole() {
         return 0;
@@ -42,12 +46,16 @@ fn every_assembly_is_on_one_branch(what: &str, mechanism: &Mechanism, random: &m
         let branches = found.at(input);
         assert_eq!(assemblies.poses.len(), branches.len(), "{at}");
         for pose in &assemblies.poses {
-            let same = branches.iter().filter(|one| apart(mechanism, &one.pose, pose) < 1e-7);
+            let same = branches
+                .iter()
+                .filter(|one| apart(mechanism, &one.pose, pose) < 1e-7);
             assert_eq!(same.count(), 1, "{at}");
         }
     }
     for meeting in found.meetings() {
-        let [one, other] = meeting.branches.map(|branch| found.branches()[branch].circuit);
+        let [one, other] = meeting
+            .branches
+            .map(|branch| found.branches()[branch].circuit);
         assert_eq!(one, other, "{what}");
     }
     INPUTS
@@ -62,7 +70,9 @@ fn every_assembly_of_groups() {
             let mechanism = Mechanism::new(&drawn(kind, seed)).unwrap();
             let what = format!("{kind:?} {seed}");
             let whole = every_assembly_is_on_one_branch(&what, &mechanism, &mut random) > 0;
-            if !whole { eprintln!("{what} not whole"); }
+            if !whole {
+                eprintln!("{what} not whole");
+            }
             looked_at += u64::from(whole);
         }
         assert!(looked_at * 10 >= GROUPS * 9, "{kind:?}: {looked_at}");
@@ -109,7 +119,11 @@ fn four_bars() {
             _ => (2, 4),
         };
         // A rocker that the coupler turns against drives over two arcs.
-        let expected = if linkage.cycle().is_full() { (2, 2) } else { expected };
+        let expected = if linkage.cycle().is_full() {
+            (2, 2)
+        } else {
+            expected
+        };
         assert_eq!(counts, expected, "{what} {:?}", linkage.grashof());
         seen[found.count() - 1 + usize::from(counts.1 == 4)] += 1;
         let mut folds: Vec<f64> = found
@@ -149,7 +163,12 @@ fn change_points_connect() {
         assert_eq!(found.count(), 1, "{lengths:?} {:?}", found.meetings());
         let crossings_found = found.meetings().iter();
         let crossings_found = crossings_found.filter(|one| one.kind == MeetingKind::Crossing);
-        assert_eq!(crossings_found.count(), crossings, "{lengths:?} {:?}", found.meetings());
+        assert_eq!(
+            crossings_found.count(),
+            crossings,
+            "{lengths:?} {:?}",
+            found.meetings()
+        );
         let last = found.branches().len() - 1;
         match found.reach(0, last) {
             Reach::SameBranch => assert_eq!(last, 0),

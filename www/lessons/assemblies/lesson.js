@@ -47,12 +47,12 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
       { name: "by_rocker", preset: "double-rocker", drive: "left rocker", at: home, play: true, overlays: OVERLAYS },
     ],
     readouts: ["linkage-grashof", "linkage-dead"],
-    question: { choices: ["one", "two", "four"], answer: circuits },
+    question: { choices: ["joined", "whole", "pairs"], answer: circuits },
   },
   {
     id: "reach",
     formula: "12 = 4 + 2 · 4",
-    shows: [{ name: "dwell", preset: "ten", at: home, overlays: OVERLAYS }, { name: "other", preset: "near", at: home, overlays: OVERLAYS }],
+    shows: [{ name: "dwell", preset: "ten", at: home, overlays: OVERLAYS }, { name: "near", preset: "near", at: home, overlays: OVERLAYS }],
     readouts: ["linkage-dead"],
     question: { choices: ["none", "some"], answer: reached },
   },
@@ -99,8 +99,8 @@ function range({ cycle: { full, arcs } }) {
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {
   if (!bar || more.length > 0 || bar.grashof === "change_point") return undefined;
-  if (bar.grashof === "triple_rocker") return "one";
-  return cycle.full ? "two" : "four";
+  if (bar.grashof === "triple_rocker") return "joined";
+  return cycle.full ? "whole" : "pairs";
 }
 
 /**
