@@ -2,6 +2,8 @@
 //! engine computes: here those of the Class IV mechanism.
 #![cfg(not(target_family = "wasm"))]
 
+#[path = "lesson_numbers/assemblies.rs"]
+mod assemblies;
 #[path = "lesson_numbers/differential.rs"]
 mod differential;
 #[path = "lesson_numbers/mixer.rs"]

@@ -1,0 +1,112 @@
+// The steps of the lesson on the assemblies of a linkage: what each shows, and what is asked of it as it then is.
+// Its words are in words.*.json of this folder, under the step's id.
+import { degrees } from "assur/core/angles.js";
+
+/** @typedef {import("assur/engine.js").MotionSummary} Summary */
+
+/** What every step shows: a picture of each assembly, with the map of their branches, and the others over the drawing. */
+const OVERLAYS = Object.freeze(["traces", "assemblies", "others"]);
+
+/** How many assemblies a group of revolute pairs has over the complex numbers, by its class and the number of its links. */
+const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
+
+/** @type {import("assur/lesson/panel.js").Lesson<"linkage">} */
+export const LESSON = Object.freeze({ kind: "linkage", steps: [
+  {
+    id: "dyad",
+    formula: "(x_C − x_B)² + (y_C − y_B)² = l²_BC\n(x_C − x_D)² + (y_C − y_D)² = l²_DC",
+    shows: [{ preset: "crank-rocker", at: home, overlays: OVERLAYS }],
+    question: { hides: ["linkage-assembly"], whole: true, within: 0, answer: real },
+  },
+  {
+    id: "triad",
+    formula: "2 · 6 − 2 · 3 = 6",
+    shows: [{ name: "triad", preset: "class3-platform", at: home, overlays: OVERLAYS }, { name: "dyad", preset: "crank-rocker", at: home, overlays: OVERLAYS }],
+    readouts: ["formula"],
+    question: { choices: ["two", "six", "fourteen"], answer: complex },
+  },
+  {
+    id: "ten",
+    formula: "14 = r + 2c",
+    shows: [{ name: "arc", preset: "ten", at: home, overlays: OVERLAYS }, { name: "zero", preset: "class4-dwell", at: home, overlays: OVERLAYS }],
+    question: { hides: ["linkage-assembly"], whole: true, within: 0, answer: real },
+  },
+  {
+    id: "fold",
+    formula: "Φ(q, φ₁) = 0\nJ = ∂Φ/∂q, det J = 0",
+    shows: [{ preset: "short", at: home, play: true, overlays: OVERLAYS }],
+    readouts: ["linkage-range", "linkage-dead"],
+    question: { unit: "°", within: 0.05, answer: range },
+  },
+  {
+    id: "circuits",
+    formula: "l_min + l_max ≤ l′ + l″",
+    shows: [
+      { name: "rockers", preset: "triple-rocker", at: home, play: true, overlays: OVERLAYS },
+      { name: "crank", preset: "crank-rocker", at: home, play: true, overlays: OVERLAYS },
+      { name: "by_rocker", preset: "double-rocker", drive: "left rocker", at: home, play: true, overlays: OVERLAYS },
+    ],
+    readouts: ["linkage-grashof", "linkage-dead"],
+    question: { choices: ["joined", "whole", "pairs"], answer: circuits },
+  },
+  {
+    id: "reach",
+    formula: "12 = 4 + 2 · 4",
+    shows: [{ name: "dwell", preset: "ten", at: home, overlays: OVERLAYS }, { name: "near", preset: "near", at: home, overlays: OVERLAYS }],
+    readouts: ["linkage-dead"],
+    question: { choices: ["none", "some"], answer: reached },
+  },
+] });
+
+/**
+ * @param {Summary} summary
+ * @returns {number} the input at which it is drawn
+ */
+function home({ home: drawn }) {
+  return drawn;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number} how many real assemblies there are at the input at which it is drawn
+ */
+function real({ assemblies }) {
+  return assemblies;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string | undefined} how many assemblies its group has over the complex numbers, of one that is driven by a crank alone
+ */
+function complex({ class: highest, counts: { links }, groups }) {
+  const group = groups.length === 2 ? `${highest} ${links - 1}` : "";
+  return /** @type {Record<string, string | undefined>} */ (COMPLEX)[group];
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} of a driver that swings, how far, degrees
+ */
+function range({ cycle: { full, arcs } }) {
+  const [[from, to]] = arcs;
+  return full || arcs.length > 1 ? undefined : degrees(to - from);
+}
+
+/**
+ * How many circuits a four-bar has follows from its links, of how many branches they are from the driver.
+ * @param {Summary} summary
+ * @returns {string | undefined}
+ */
+function circuits({ four_bars: [bar, ...more], cycle }) {
+  if (!bar || more.length > 0 || bar.grashof === "change_point") return undefined;
+  if (bar.grashof === "triple_rocker") return "joined";
+  return cycle.full ? "whole" : "pairs";
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string} a motion that meets no other is alone on its circuit
+ */
+function reached({ dead_points: dead, change_points: changes }) {
+  return dead.length + changes.length === 0 ? "none" : "some";
+}
