@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::circuits::{Branch, Circuits, Meeting, Reach};
-use assur::mechanism::{LinkId, Method, Pose, Quantity};
+use assur::mechanism::{Assemblies, LinkId, Method, Pose};
 use assur_file::Problem;
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -40,56 +40,29 @@ pub(crate) struct AssemblyHere {
 }
 
 impl Moving {
-    /// The link by whose angle assemblies are numbered: that of the first output, else the last of the mechanism.
+    /// The link by whose angle assemblies are numbered.
     pub(crate) fn numbering(&self) -> Option<LinkId> {
-        let outputs = self.outputs().into_iter();
-        let mut angles = outputs.filter_map(|output| match output {
-            Quantity::Angle(link) => Some(link),
-            _ => None,
-        });
-        angles
-            .next()
-            .or_else(|| self.mechanism().link_ids().next_back())
+        self.document().output(self.mechanism())
     }
 
-    /// All assemblies at an input, in the order of their numbers.
-    pub(crate) fn assembled(&self, input: f64) -> Vec<Pose<1>> {
+    /// All assemblies at an input, in the order of their numbers, and which of them moves.
+    pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
         let mechanism = self.mechanism();
-        let mut poses = mechanism.assemblies_at(input, Method::Usual).poses;
-        if let Some(output) = self.numbering() {
-            mechanism.number(output, &mut poses);
-        }
-        poses
-    }
-
-    /// Which of them is that of the motion.
-    pub(crate) fn shown(&self, input: f64, all: &[Pose<1>]) -> Option<usize> {
-        let mechanism = self.mechanism();
-        let shown = self.motion().pose::<1>(input).ok()?;
-        let off = |pose: &Pose<1>| -> f64 {
-            let points = mechanism.point_ids();
-            let places = |point| [&shown, pose].map(|pose| mechanism.place(pose, point).place());
-            let apart = points.map(|point| {
-                let [a, b] = places(point);
-                (a - b).norm_squared()
-            });
-            apart.sum()
+        let found = match self.numbering() {
+            Some(output) => mechanism.numbered(input, output),
+            None => mechanism.assemblies_at(input, Method::Usual),
         };
-        let all = all.iter().map(off).enumerate();
-        let nearest = all.min_by(|(_, a), (_, b)| a.total_cmp(b));
-        nearest.map(|(number, _)| number)
+        let shown = self.motion().pose(input).ok();
+        let shown = shown.and_then(|pose| mechanism.number_of(&pose, &found.poses));
+        (found, shown)
     }
 
+    /// The same as it is told.
     pub(crate) fn assemblies(&self, input: f64) -> AssembliesHere {
-        let mechanism = self.mechanism();
-        let found = mechanism.assemblies_at(input, Method::Usual);
-        let mut poses = found.poses;
+        let (found, shown) = self.assembled(input);
         let numbering = self.numbering();
-        if let Some(output) = numbering {
-            mechanism.number(output, &mut poses);
-        }
         let angle = |pose: &Pose<1>| numbering.map_or(0.0, |link| angle(self, pose, link));
-        let all = poses.iter().enumerate();
+        let all = found.poses.iter().enumerate();
         let all = all.map(|(k, pose)| AssemblyHere {
             number: k + 1,
             angle: angle(pose),
@@ -97,7 +70,7 @@ impl Moving {
         });
         AssembliesHere {
             all: all.collect(),
-            shown: self.shown(input, &poses),
+            shown,
             complex: match found.complex[..] {
                 [complex] => Some(complex),
                 _ => None,

@@ -222,8 +222,9 @@ impl Moving {
     fn frame<const N: usize>(&self, input: f64, pose: &Pose<N>) -> Vec<f32> {
         let mut others = Vec::new();
         if self.others {
-            others = self.assembled(input);
-            if let Some(shown) = self.shown(input, &others) {
+            let (found, shown) = self.assembled(input);
+            others = found.poses;
+            if let Some(shown) = shown {
                 others.remove(shown);
             }
         }

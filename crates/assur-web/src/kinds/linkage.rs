@@ -201,13 +201,14 @@ impl Edited for Linkage {
     }
 
     fn assemble(&self, number: usize, input: f64) -> Result<Change, Vec<Problem>> {
-        let all = self.0.assembled(input);
-        let chosen = number.checked_sub(1).filter(|k| *k < all.len());
-        let chosen = chosen.ok_or_else(|| vec![unknown("assembly")])?;
-        if self.0.shown(input, &all) == Some(chosen) {
+        let (found, shown) = self.0.assembled(input);
+        let chosen = number.checked_sub(1);
+        let pose = chosen.and_then(|chosen| found.poses.get(chosen));
+        let pose = pose.ok_or_else(|| vec![unknown("assembly")])?;
+        if shown == chosen {
             return Ok(Change::default());
         }
-        let draft = self.mechanism().drawn_in(&all[chosen]);
+        let draft = self.mechanism().drawn_in(pose);
         Ok(Change::document(&Redrawn::of(&draft)))
     }
 

@@ -73,7 +73,7 @@ impl Mechanism {
     pub(crate) fn in_assembly(
         &self,
         input: f64,
-        (pose, signs): &(Pose<2>, Signs),
+        (pose, signs): &(Pose<4>, Signs),
     ) -> Result<Self, Vec<Defect>> {
         let mut other = self.clone();
         other.draft = self.drawn_by(&pose.state);
