@@ -10,9 +10,9 @@ use assur::{Assembly, FourBar, Grashof};
 use crate::groups::{KINDS, drawn};
 use crate::random::Random;
 
-const GROUPS: u64 = 20;
+const GROUPS: u64 = 12;
 const FOUR_BARS: u64 = 400;
-const CHAINS: u64 = 3000;
+const CHAINS: u64 = 1000;
 /// So many inputs of each are looked at, none of which the search saw.
 const INPUTS: usize = 40;
 
@@ -178,36 +178,11 @@ fn every_assembly_of_chains() {
         let mechanism = Mechanism::new(&draft).unwrap();
         chains += 1;
         if circuits(&mechanism).is_whole() {
-            let bad = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-                every_assembly_is_on_one_branch(
-                    &format!("{seed}"),
-                    &mechanism,
-                    &mut Random::new(seed),
-                )
-            }))
-            .is_err();
-            if bad {
-                eprintln!("BADSEED {seed} {draft:?}");
-                let c = circuits(&mechanism);
-                for b in c.branches() {
-                    eprintln!(
-                        "  {} {:?} {:?}",
-                        b.circuit,
-                        b.motion.cycle().arcs(),
-                        b.motion
-                            .dead_points()
-                            .iter()
-                            .map(|d| d.kind.code())
-                            .collect::<Vec<_>>()
-                    );
-                }
-            }
+            every_assembly_is_on_one_branch(&format!("{seed}"), &mechanism, &mut random);
             whole += 1;
-        } else {
-            eprintln!("{seed} not whole");
         }
     }
-    assert!(whole * 20 >= chains * 19, "{whole} of {chains}");
+    assert!(whole * 100 >= chains * 99, "{whole} of {chains}");
 }
 
 /// The same points and links in the opposite order under other names, drawn in a pose.
