@@ -82,7 +82,10 @@ enum Choice {
 /// A group of such dimensions; none where it cannot be joined so.
 fn chosen(kind: Kind, choice: Choice, seed: u64) -> Option<Mechanism> {
     let mut draft = drawn(kind, seed);
-    let at = |draft: &Draft, name: &str| draft.place(name).unwrap();
+    let at = |draft: &Draft, name: &str| {
+        let mut points = draft.points.iter();
+        points.find(|point| point.name == name).unwrap().at
+    };
     match choice {
         Choice::Grid => {
             for point in &mut draft.points {

@@ -274,3 +274,77 @@ fn drawn_otherwise() {
         }
     }
 }
+
+#[test]
+#[ignore]
+fn debug_chain() {
+    if let Ok(many) = std::env::var("MANY") {
+        let (mut bad, mut partial, mut n) = (Vec::new(), Vec::new(), 0);
+        for seed in 0..many.parse().unwrap() {
+            let Some((draft, _)) = crate::dyads::moving(seed) else {
+                continue;
+            };
+            let mechanism = Mechanism::new(&draft).unwrap();
+            let found = circuits(&mechanism);
+            n += 1;
+            if !found.is_whole() {
+                partial.push(seed);
+                continue;
+            }
+            let off = (0..720)
+                .filter(|k| {
+                    let input = TAU * (*k as f64 + 0.123) / 720.0;
+                    mechanism.assemblies_at(input, Method::Usual).poses.len()
+                        != found.at(input).len()
+                })
+                .count();
+            if off > 0 {
+                bad.push((seed, off));
+            }
+        }
+        println!("{n} bad {bad:?} partial {partial:?}");
+        return;
+    }
+    for seed in std::env::var("SEEDS").unwrap().split(',') {
+        let seed: u64 = seed.parse().unwrap();
+        let (draft, _) = crate::dyads::moving(seed).unwrap();
+        let mechanism = Mechanism::new(&draft).unwrap();
+        println!("{seed}: {}", mechanism.formula());
+        for (k, step) in mechanism.structure().steps.iter().enumerate() {
+            if let assur::structure::Step::Group(g) = step {
+                println!("  {k} {:?}", g.dyad);
+            }
+        }
+        let found = circuits(&mechanism);
+        for b in found.branches() {
+            println!(
+                "  {} {:?} {:?}",
+                b.circuit,
+                b.motion.cycle().arcs(),
+                b.motion
+                    .dead_points()
+                    .iter()
+                    .map(|d| (
+                        d.kind.code(),
+                        b.motion.links_at(d).collect::<Vec<_>>().join(",")
+                    ))
+                    .collect::<Vec<_>>()
+            );
+        }
+        if !found.is_whole() {
+            println!("  partial");
+        }
+        let mut last = (0, 0);
+        for k in 0..36000 {
+            let input = TAU * (k as f64 + 0.123) / 36000.0;
+            let now = (
+                mechanism.assemblies_at(input, Method::Usual).poses.len(),
+                found.at(input).len(),
+            );
+            if now != last {
+                println!("  {input}: {now:?}");
+                last = now;
+            }
+        }
+    }
+}

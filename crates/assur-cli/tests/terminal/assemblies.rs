@@ -20,9 +20,18 @@ fn the_assemblies_of_the_golden_table() {
         }
     }
     // Without an input those at the drawn one, 0°.
-    let drawn = said(&["assemblies", "class4-dwell"]);
-    assert_eq!(drawn, said(&["assemblies", "class4-dwell", "--at", "0"]));
-    assert_eq!(drawn, said(&["assemblies", "class4-dwell", "--at", "360"]));
+    let [drawn, at_zero, a_turn_on] = [&[][..], &["--at", "0"], &["--at", "360"]].map(|at| {
+        let table = Table::of(&said(&[&["assemblies", "class4-dwell"], at].concat()));
+        let rows = 0..table.rows.len();
+        let angles = rows.map(|row| table.number(row, "CD.angle"));
+        angles.collect::<Vec<f64>>()
+    });
+    for other in [at_zero, a_turn_on] {
+        assert_eq!(drawn.len(), other.len());
+        for (one, other) in drawn.iter().zip(&other) {
+            assert!((one - other).abs() < 1e-12, "{one} {other}");
+        }
+    }
 }
 
 /// Each is where its number begins, and no other.
