@@ -184,6 +184,6 @@ async fn it_opens_from_a_file() {
     page.click("lesson-show").await;
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
-    assert!(page.text("out-linkage-dead").await.contains("277.61"));
+    assert!(page.text("out-linkage-dead").await.contains("82.39"));
     page.close().await;
 }
