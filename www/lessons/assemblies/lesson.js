@@ -53,7 +53,6 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "reach",
     formula: "12 = 4 + 2 · 4",
     shows: [{ name: "dwell", preset: "ten", at: home, overlays: OVERLAYS }, { name: "near", preset: "near", at: home, overlays: OVERLAYS }],
-    readouts: ["linkage-dead"],
     question: { choices: ["none", "some"], answer: reached },
   },
 ] });
