@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur::Point;
+use assur::circuits::{Circuits, Meeting, MeetingKind};
 use assur::mechanism::{ConstraintKind, Draft, Mechanism, Method, Quantity};
 use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
@@ -295,4 +296,66 @@ fn all_assemblies() {
             }
         }
     }
+}
+
+/// Followed over the turn: twelve branches between eight folds, four cycles, and both arcs on which ten assemblies are real.
+#[wasm_bindgen_test(unsupported = test)]
+fn all_motions() {
+    let mechanism = Mechanism::new(&dwell()).unwrap();
+    let output = mechanism.link("CD").unwrap();
+    let found = Circuits::of(&mechanism, output);
+    assert!(found.is_whole());
+    assert_eq!((found.branches().len(), found.count()), (12, 6));
+    let cycles = found.branches().iter();
+    let cycles = cycles.filter(|branch| branch.motion.cycle().is_full());
+    assert_eq!(cycles.count(), 4);
+    assert_eq!(found.meetings().len(), 8);
+    for row in Table::parse(include_str!("data/class4_folds.csv")).rows() {
+        let at = row.get("phi_deg").to_radians();
+        let fold = found.meetings().iter();
+        let off = |meeting: &&Meeting| (found.first_told(meeting.inputs[0]) - at).abs();
+        let fold = fold.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
+        assert_eq!(fold.kind, MeetingKind::Fold);
+        for (branch, input) in fold.branches.into_iter().zip(fold.inputs) {
+            assert_near(found.first_told(input), at, 1e-9, "fold");
+            // The angle goes with the square root of the way to it.
+            let motion = &found.branches()[branch].motion;
+            let psi = motion
+                .mechanism()
+                .angle(&motion.pose::<1>(input).unwrap(), output);
+            let psi = psi.value().rem_euclid(TAU);
+            assert_near(psi, row.get("psi_deg").to_radians(), 1e-4, "CD at a fold");
+        }
+    }
+    // All of the table, in the order of their numbers.
+    let psi_at = |degrees: f64| -> Vec<f64> {
+        let all = found.at(degrees.to_radians()).into_iter();
+        let psi = all.map(|one| {
+            let motion = &found.branches()[one.branch].motion;
+            motion.mechanism().angle(&one.pose, output).value()
+        });
+        psi.map(|psi| psi.rem_euclid(TAU)).collect()
+    };
+    for row in include_str!("data/class4_assemblies.csv").lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let expected: Vec<f64> = cells[2].split(' ').map(number).collect();
+        let angles = psi_at(number(cells[0]));
+        assert_eq!(angles.len(), expected.len(), "{row}");
+        for (angle, expected) in angles.iter().zip(&expected) {
+            assert_near(*angle, expected.to_radians(), 2e-11, row);
+        }
+    }
+    // Where ten are real: two arcs, from fold to fold.
+    let mut ends: Vec<f64> = found
+        .meetings()
+        .iter()
+        .map(|one| found.first_told(one.inputs[0]))
+        .collect();
+    ends.sort_by(f64::total_cmp);
+    let ten = ends
+        .windows(2)
+        .filter(|ends| psi_at((0.5 * (ends[0] + ends[1])).to_degrees()).len() == 10);
+    let ten: Vec<f64> = ten.flatten().map(|end| end.to_degrees().round()).collect();
+    assert_eq!(ten, [273.0, 278.0, 346.0, 350.0]);
 }

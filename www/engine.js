@@ -266,12 +266,21 @@ export class Engine {
   }
 
   /**
+   * @param {number} input
+   * @returns {import("assur/types/web.js").AssembliesHere} all assemblies there
+   */
+  assemblies(input) {
+    return this.ask((simulator) => simulator.assemblies(input));
+  }
+
+  /**
    * What choosing another assembly changes.
-   * @param {number} number from 1
+   * @param {number} number of an assembly at the input
+   * @param {number} input where it is
    * @returns {Changed}
    */
-  assemble(number) {
-    return this.ask((simulator) => simulator.assemble(number));
+  assemble(number, input) {
+    return this.ask((simulator) => simulator.assemble(number, input));
   }
 
   /**

@@ -54,6 +54,14 @@ groups: boolean,
  */
 numbers: boolean, 
 /**
+ * All assemblies shown: a picture of each, and their map.
+ */
+assemblies: boolean, 
+/**
+ * The other assemblies shown beside the one that moves, dashed.
+ */
+others: boolean, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 

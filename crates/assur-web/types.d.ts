@@ -1,6 +1,65 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type AssembliesHere = { 
+/**
+ * In the order of their angles.
+ */
+all: Array<AssemblyHere>, 
+/**
+ * Which of them moves, from 0; none where it has no pose at the input.
+ */
+shown: number | null, 
+/**
+ * How many solutions a group's equations have over the complex numbers, where one group has them.
+ */
+complex: number | null, 
+/**
+ * Whether these are all.
+ */
+whole: boolean, };
+export type AssemblyHere = { 
+/**
+ * By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+ */
+number: number, 
+/**
+ * The angle by which they are numbered, in [0, 2π).
+ */
+angle: number, 
+/**
+ * Where the bodies are, as of a frame.
+ */
+bodies: Array<number>, };
+export type MotionsMap = { 
+/**
+ * The link by whose angle assemblies are numbered.
+ */
+output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
+/**
+ * Whether these are all, each followed to its ends.
+ */
+whole: boolean, };
+export type BranchLine = { 
+/**
+ * From 0.
+ */
+circuit: number, 
+/**
+ * Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+ */
+pieces: Array<Array<number>>, };
+export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
+export type Belonging = { 
+/**
+ * Of each assembly, in the order of their numbers, its branch, from 0.
+ */
+branches: Array<number>, 
+/**
+ * Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
+ * there.
+ */
+reached: Array<Array<number> | null>, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
  * Wheels whose meshes only repeat what the others do.

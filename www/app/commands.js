@@ -5,7 +5,7 @@ import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { attempt } from "assur/core/problem.js";
-import { take } from "assur/state/change.js";
+import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
 import { withMechanism, withView } from "assur/state/state.js";
@@ -61,8 +61,7 @@ function fileCommands(page) {
 function motionCommands(page) {
   const { store, model, drafts, history, engine } = page;
   const assemble = (/** @type {1 | 2} */ number) => {
-    model.follow(store.get());
-    const { value: change } = attempt(() => engine.assemble(number));
+    const { value: change } = attempt(() => engine.assemble(number, inputNow(page)));
     // What has no such assembly stays as it is.
     if (change) history.step(() => take(change, page));
   };

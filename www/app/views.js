@@ -35,6 +35,7 @@ export class Views {
   /** @type {Map<string, readonly View[]>} those of the kinds that were loaded, or are on their way */
   #own = new Map();
   #described = false;
+  #assembled = false;
   /** Whether the first rest is a reader's doing. */
   #opened;
 
@@ -62,6 +63,7 @@ export class Views {
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
+    if (state.view.assemblies && !this.#assembled) this.#bringAssemblies();
     if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -102,6 +104,18 @@ export class Views {
     this.#own.set(kind, views(this.#page));
     this.#page.words.fill(document);
     this.#turn(this.#kind);
+  }
+
+  async #bringAssemblies() {
+    this.#assembled = true;
+    try {
+      const { Assemblies } = await awaited(import("assur/assemblies/panel.js"));
+      this.#moving.push(new Assemblies(this.#page));
+      this.#page.redraw();
+    } catch {
+      this.#assembled = false;
+      this.#page.notices.tell(LOST);
+    }
   }
 
   /** Most visits begin in motion, and need no sentences for screen readers. */

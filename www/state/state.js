@@ -22,10 +22,10 @@
  */
 
 /** What can be laid over the drawing. */
-export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers"]));
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "assemblies", "differenced"]));
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
@@ -54,6 +54,8 @@ export function usualView(view) {
     transmission: false,
     groups: false,
     numbers: false,
+    assemblies: false,
+    others: false,
     plot: "angles",
     only: "all",
     axes: "analogues",

@@ -2,6 +2,9 @@
 //! as Assur groups, by their mobility and as drawings; four-bars from positions,
 //! differentials from numbers of teeth.
 
+mod assemblies;
+mod circuits;
+mod csv;
 mod differential;
 mod mobility;
 mod plot;
@@ -58,6 +61,26 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Writes all assemblies at an input as a table (CSV): every way in which the links can be joined there.
+    ///
+    /// One row for each, numbered from 1 by the angle of the output from 0 to 2π: the link whose angle the file plots
+    /// first, or else the one that is placed last. Dyads are joined in closed form; the equations of groups of Class III
+    /// and higher are solved over the complex numbers, so that none is missed. Then for each link LINK.angle, radians
+    /// from 0 to 2π. Wheels in mesh stay as they are mounted.
+    Assemblies(assemblies::Asked),
+    /// Shows every motion that the linkage can have, and which of them can be reached from each other.
+    ///
+    /// A branch is a piece of motion between two dead points, or a whole cycle. In a fold, a dead point, two branches
+    /// meet; at a crossing, a change point, they pass through one pose. Branches that meet are of one circuit: the links
+    /// need not be taken apart to come from one to the other. Branches and circuits are numbered by the least input that
+    /// they come to, and there as `assur assemblies` numbers assemblies.
+    Circuits {
+        /// Catalogue name or file.
+        name: String,
+        /// For programs.
+        #[arg(long)]
+        json: bool,
+    },
     /// Counts mobility and redundant constraints, and judges them by the rank of the constraints.
     ///
     /// A scheme of links and pairs, or any linkage as one. Pairs are cut until every contour is open: W is the sum of
@@ -88,7 +111,8 @@ enum Command {
         /// The file to write, `-` for standard output.
         #[arg(long, value_name = "OUT")]
         svg: PathBuf,
-        /// Which assembly, from 1 [default: the one that is drawn]
+        /// The assembly of this number at the drawn input, as `assur assemblies` numbers them [default: the one that is
+        /// drawn]
         #[arg(long, value_name = "N")]
         assembly: Option<usize>,
     },
@@ -148,7 +172,11 @@ fn run(command: Command) -> Result<(), Failure> {
         }
         Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
         Command::Structure { name, json } => {
-            structure::write(&mut out, &source::moved(&name, None)?.motion, json)?;
+            structure::write(&mut out, &source::moved(&name)?, &name, json)?;
+        }
+        Command::Assemblies(asked) => assemblies::write(&mut out, &asked)?,
+        Command::Circuits { name, json } => {
+            circuits::write(&mut out, &source::moved(&name)?, &name, json)?;
         }
         Command::Mobility { name, cut, json } => {
             mobility::write(&mut out, &name, cut.as_deref(), json)?;
@@ -160,7 +188,12 @@ fn run(command: Command) -> Result<(), Failure> {
             svg,
             assembly,
         } => {
-            let text = plot::svg(&source::moved(&name, assembly)?, &name)?;
+            let drawn = source::moved(&name)?;
+            let moved = match assembly {
+                Some(number) => source::in_assembly(drawn, &name, number, None)?,
+                None => drawn,
+            };
+            let text = plot::svg(&moved, &name)?;
             if svg.as_os_str() == "-" {
                 out.write_all(text.as_bytes())?;
             } else {

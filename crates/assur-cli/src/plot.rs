@@ -53,7 +53,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
         .filter_map(|name| Quantity::named(mechanism, name))
         .collect();
     if plotted.is_empty() {
-        plotted.extend(mechanism.link_ids().next_back().map(Quantity::Angle));
+        plotted.extend(document.output(mechanism).map(Quantity::Angle));
     }
     let (angles, lengths) = plotted
         .into_iter()

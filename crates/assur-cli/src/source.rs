@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::io::{self, Read};
 
+use assur::circuits::NoAssembly;
+use assur::mechanism::LinkId;
 use assur::mobility::{Cut, Scheme, SchemeDraft};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
@@ -19,32 +21,68 @@ pub(crate) struct Moved {
     pub(crate) motion: Motion,
 }
 
-/// The motion of a name in an assembly, counted from 1; none: the one that the
-/// document says, or else the drawn one.
+/// The motion of a name in the assembly that its document says, or else the drawn one.
 ///
 /// # Errors
-/// No such name or file; every reason why it is no mechanism; no such assembly.
-pub(crate) fn moved(name: &str, assembly: Option<usize>) -> Result<Moved, Failure> {
-    moving(name, &any(name)?, assembly)
+/// No such name or file; every reason why it is no mechanism.
+pub(crate) fn moved(name: &str) -> Result<Moved, Failure> {
+    moving(name, &any(name)?)
 }
 
-fn moving(name: &str, whole: &Document, assembly: Option<usize>) -> Result<Moved, Failure> {
+fn moving(name: &str, whole: &Document) -> Result<Moved, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    let mut document = whole.linkage().map_err(refuse)?;
-    let motion = if let Some(number) = assembly {
-        // Counted from the drawing, whichever the document names.
-        document.assembly = None;
-        let count = document.mechanism().map_err(refuse)?.assemblies();
-        if !(1..=count).contains(&number) {
-            let said = format!("{name}: there is no assembly {number}, only 1 to {count}");
-            return Err(Failure::Input(said));
-        }
-        document.assembly = Some(number);
-        document.motion().map_err(refuse)?
-    } else {
-        whole.motion().map_err(refuse)?
+    Ok(Moved {
+        document: whole.linkage().map_err(refuse)?,
+        motion: whole.motion().map_err(refuse)?,
+    })
+}
+
+impl Moved {
+    /// The link by whose angle assemblies are numbered.
+    ///
+    /// # Errors
+    /// A mechanism without links.
+    pub(crate) fn output(&self, name: &str) -> Result<LinkId, Failure> {
+        let output = self.document.output(self.motion.mechanism());
+        output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
+    }
+}
+
+/// The same in the assembly of a number, from 1, at an input; none: at the drawn one.
+///
+/// # Errors
+/// There is no such assembly.
+pub(crate) fn in_assembly(
+    drawn: Moved,
+    name: &str,
+    number: usize,
+    input: Option<f64>,
+) -> Result<Moved, Failure> {
+    let output = drawn.output(name)?;
+    let Moved { document, motion } = drawn;
+    let mechanism = motion.mechanism();
+    let input = input.unwrap_or(motion.home());
+    let none = |of: usize| {
+        let at = at(mechanism.turns(), input);
+        Failure::Input(match of {
+            0 => format!("{name}: there is no assembly at {at}"),
+            1 => format!("{name}: there is no assembly {number} at {at}, only 1"),
+            _ => format!("{name}: there is no assembly {number} at {at}, only 1 to {of}"),
+        })
     };
+    let index = number.checked_sub(1).unwrap_or(usize::MAX);
+    let other = mechanism.in_numbered(input, output, index);
+    let motion = Motion::new(other.map_err(|NoAssembly { of }| none(of))?);
     Ok(Moved { document, motion })
+}
+
+/// An input as people read it: degrees of a crank, else the way of a slide.
+pub(crate) fn at(turns: bool, input: f64) -> String {
+    if turns {
+        format!("{}°", (input.to_degrees() * 1e6).round() / 1e6 + 0.0)
+    } else {
+        format!("s = {}", (input * 1e6).round() / 1e6 + 0.0)
+    }
 }
 
 /// A scheme with the cuts that its document has.
@@ -66,7 +104,7 @@ pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
         let cuts = document.cuts(&scheme).map_err(refuse)?;
         return Ok(Schemed { scheme, cuts });
     }
-    let motion = moving(name, &whole, None)?.motion;
+    let motion = moving(name, &whole)?.motion;
     let mechanism = motion.mechanism();
     let pose = motion
         .pose::<1>(motion.home())

@@ -3,19 +3,25 @@
 use std::f64::consts::TAU;
 use std::io::Write;
 
-use assur::mechanism::Mechanism;
-use assur::motion::{DeadPointKind, Motion};
+use assur::mechanism::{LinkId, Mechanism};
+use assur::motion::DeadPointKind;
 use assur::structure::{Step, roman};
 use serde_json::{Value, json};
 
 use crate::Failure;
+use crate::source::Moved;
 
 /// Writes the structure, as lines for people or as JSON.
 ///
 /// # Errors
 /// What cannot be written.
-pub(crate) fn write<W: Write>(out: &mut W, motion: &Motion, as_json: bool) -> Result<(), Failure> {
-    let described = described(motion);
+pub(crate) fn write<W: Write>(
+    out: &mut W,
+    moved: &Moved,
+    name: &str,
+    as_json: bool,
+) -> Result<(), Failure> {
+    let described = described(moved, moved.output(name)?);
     if as_json {
         writeln!(out, "{described:#}")?;
         return Ok(());
@@ -84,8 +90,12 @@ fn at(input: &Value) -> String {
     }
 }
 
-fn described(motion: &Motion) -> Value {
+fn described(moved: &Moved, output: LinkId) -> Value {
+    let motion = &moved.motion;
     let mechanism = motion.mechanism();
+    let assemblies = mechanism.numbered(motion.home(), output).poses;
+    let drawn = motion.pose::<1>(motion.home()).ok();
+    let drawn = drawn.and_then(|pose| mechanism.number_of(&pose, &assemblies));
     let structure = mechanism.structure();
     let names = |links: &[usize]| -> Vec<String> {
         links
@@ -146,8 +156,9 @@ fn described(motion: &Motion) -> Value {
         "formula": mechanism.formula(),
         // Wheels that repeat what others do, as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        "assemblies": mechanism.assemblies(),
-        "drawn_assembly": mechanism.drawn_assembly() + 1,
+        // At the drawn input; in a singular pose that is drawn assemblies meet, and it is none.
+        "assemblies": assemblies.len(),
+        "drawn_assembly": drawn.map(|number| number + 1),
         "steps": steps.collect::<Vec<_>>(),
         "turns_fully": cycle.is_full() && mechanism.turns(),
         "range": range.collect::<Vec<_>>(),

@@ -1,6 +1,7 @@
 //! Any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths,
 //! and what is laid over it.
 
+mod beside;
 mod bounds;
 mod given;
 mod layout;
@@ -229,19 +230,34 @@ impl Figure {
     /// a display list in the coordinates of the frame. Derivatives are drawn of a
     /// pose that has them, with `N` of 3 and more.
     pub fn frame<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
+        self.frame_beside(pose, &[])
+    }
+
+    /// The same with other assemblies dashed under the names.
+    pub fn frame_beside<const N: usize>(&self, pose: &Pose<N>, others: &[Pose<1>]) -> Vec<f32> {
+        let mechanism = self.motion.mechanism();
+        let mut list = List::default();
+        for other in others {
+            beside::draw(&mut list, &self.layout, mechanism, other);
+        }
+        self.label(&mut list, mechanism, pose);
+        self.overlaid.draw(&mut list, mechanism, pose, self.unit);
+        let mut numbers = self.bodies(pose);
+        numbers.extend(list.numbers());
+        numbers
+    }
+
+    /// Where the bodies are in a pose, as a frame begins: `n, x₀, y₀, θ₀, …`.
+    pub fn bodies<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         let mechanism = self.motion.mechanism();
         let mut poses = vec![(Point::origin(), 0.0)];
         for link in mechanism.link_ids() {
             poses.push(layout::body(mechanism, pose, Some(link)));
         }
         poses.extend(self.gearing.idlers(mechanism, pose));
-        let mut list = List::default();
-        self.label(&mut list, mechanism, pose);
-        self.overlaid.draw(&mut list, mechanism, pose, self.unit);
         let count = [poses.len() as f32];
         let poses = poses.iter().flat_map(|(at, angle)| [at.x, at.y, *angle]);
-        let numbers = count.into_iter().chain(poses.map(|x| x as f32));
-        numbers.chain(list.numbers().iter().copied()).collect()
+        count.into_iter().chain(poses.map(|x| x as f32)).collect()
     }
 
     /// The names of the points, away from the links that meet there, and of wheels.

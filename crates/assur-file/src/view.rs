@@ -59,6 +59,12 @@ pub struct View {
     /// Numbers of the links shown.
     #[serde(default)]
     pub numbers: bool,
+    /// All assemblies shown: a picture of each, and their map.
+    #[serde(default)]
+    pub assemblies: bool,
+    /// The other assemblies shown beside the one that moves, dashed.
+    #[serde(default)]
+    pub others: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
@@ -181,6 +187,8 @@ impl Default for View {
             transmission: false,
             groups: false,
             numbers: false,
+            assemblies: false,
+            others: false,
             plot: angles(),
             only: Only::default(),
             axes: Axes::default(),

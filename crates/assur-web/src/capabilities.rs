@@ -10,6 +10,7 @@ use assur_draw::chart::Chart;
 use assur_file::Problem;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::assemblies::AssembliesHere;
 use crate::change::Change;
 use crate::here::Here;
 use crate::moving::Moving;
@@ -122,8 +123,13 @@ pub(crate) trait Edited {
         Err(vec![unknown(link)])
     }
 
-    /// An assembly chosen, by its number from 1; nothing becomes other where it is the drawn one.
-    fn assemble(&self, _number: usize) -> Result<Change, Vec<Problem>> {
+    /// All assemblies at an input; none where they are not told.
+    fn assemblies(&self, _input: f64) -> Option<AssembliesHere> {
+        None
+    }
+
+    /// An assembly chosen, by its number at an input; nothing becomes other where it is the one that moves.
+    fn assemble(&self, _number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown("assembly")])
     }
 }

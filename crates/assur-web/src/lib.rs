@@ -1,6 +1,7 @@
 //! The engine in the browser. This crate converts between JavaScript's values
 //! and the engine's and computes nothing.
 
+mod assemblies;
 mod canvas;
 mod capabilities;
 mod change;
@@ -23,6 +24,7 @@ mod thin;
 #[cfg(test)]
 mod types;
 
+pub use assemblies::AllMotions;
 pub use design::Design;
 pub use qr::qr_code;
 pub use simulator::{Simulator, catalogue, check_keys, read_state, role_names, shelves, task};

@@ -37,6 +37,8 @@ pub(crate) struct Moving {
     handles: Vec<Handle>,
     /// Whether points of its links can be traced.
     traceable: bool,
+    /// Whether the other assemblies are drawn beside it.
+    others: bool,
     figure: Figure,
     chart: Chart,
     explain: Explain,
@@ -88,6 +90,7 @@ impl Moving {
             driven: Driven::of(&document, mechanism),
             handles: Handle::of_points(mechanism, &figure),
             traceable: true,
+            others: view.others,
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
@@ -154,12 +157,6 @@ impl Moving {
         found.map(|(_, series)| series.role.name())
     }
 
-    /// Which of the assemblies at the drawn input moves, from 1.
-    pub(crate) fn assembly(&self) -> usize {
-        let drawn = self.mechanism().drawn_assembly() + 1;
-        self.document.assembly.unwrap_or(drawn)
-    }
-
     pub(crate) fn transmitting(&self) -> &[Quantity] {
         &self.transmitting
     }
@@ -221,6 +218,19 @@ impl Moving {
         })
     }
 
+    /// What is drawn in a pose, with the other assemblies where they are asked for.
+    fn frame<const N: usize>(&self, input: f64, pose: &Pose<N>) -> Vec<f32> {
+        let mut others = Vec::new();
+        if self.others {
+            let (found, shown) = self.assembled(input);
+            others = found.poses;
+            if let Some(shown) = shown {
+                others.remove(shown);
+            }
+        }
+        self.figure.frame_beside(pose, &others)
+    }
+
     /// Where a point is.
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
@@ -271,7 +281,7 @@ impl Moves for Moving {
                 let angles = self.transmitting.iter();
                 let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
                 Ok(Here {
-                    frame: self.figure.frame(&pose),
+                    frame: self.frame(input, &pose),
                     handles: self.places(&pose),
                     readouts: [input]
                         .into_iter()
@@ -285,7 +295,7 @@ impl Moves for Moving {
                 let place = self.motion.pose::<1>(input);
                 let pose = place.map_err(|_| self.problem(&unsolved))?;
                 Ok(Here {
-                    frame: self.figure.frame(&pose),
+                    frame: self.frame(input, &pose),
                     handles: self.places(&pose),
                     readouts: Vec::new(),
                     plotted: Vec::new(),

@@ -187,13 +187,22 @@ impl Simulator {
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// What choosing an assembly, from 1, changes: `{document}` with the fields that
-    /// become others, or nothing.
+    /// All assemblies at an input: `{all: [{number, angle, bodies}], shown, complex, whole}`.
+    ///
+    /// # Errors
+    /// What has none.
+    pub fn assemblies(&self, input: f64) -> Result<JsValue, JsValue> {
+        let here = self.edited()?.assemblies(input);
+        Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
+    }
+
+    /// What choosing an assembly, by its number at an input, changes: `{document}` with the
+    /// fields that become others, or nothing.
     ///
     /// # Errors
     /// No such assembly.
-    pub fn assemble(&self, number: usize) -> Result<JsValue, JsValue> {
-        let change = self.edited()?.assemble(number);
+    pub fn assemble(&self, number: usize, input: f64) -> Result<JsValue, JsValue> {
+        let change = self.edited()?.assemble(number, input);
         Ok(change.map_err(thrown)?.into_js())
     }
 

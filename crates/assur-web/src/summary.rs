@@ -68,6 +68,7 @@ pub(crate) struct MotionSummary<'a> {
     #[serde(flatten)]
     structure: StructureSummary<'a>,
     equations: Vec<EquationSummary<'a>>,
+    /// Which of the assemblies at the drawn input moves, from 1, and how many there are.
     assembly: usize,
     assemblies: usize,
     four_bars: Vec<FourBarSummary<'a>>,
@@ -300,14 +301,15 @@ impl<'a> MotionSummary<'a> {
             traceable: moving.traceable(),
             becomes: &BECOMES,
         };
+        let drawn = moving.assemblies(motion.home());
         Self {
             course,
             structure: StructureSummary::new(mechanism, figure),
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
-            assembly: moving.assembly(),
-            assemblies: mechanism.assemblies(),
+            assembly: drawn.shown.map_or(1, |shown| shown + 1),
+            assemblies: drawn.all.len(),
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
             points: mechanism.points().collect(),

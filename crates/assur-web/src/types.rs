@@ -5,6 +5,9 @@ use std::{env, fs};
 
 use ts_rs::{Config, TS};
 
+use crate::assemblies::{
+    AssembliesHere, AssemblyHere, Belonging, BranchLine, MeetingPlace, MotionsMap,
+};
 use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
@@ -37,6 +40,12 @@ use crate::table::{SweepColumn, SweepDimension, SweepQuantity, SweepRow, SweepTa
 fn the_scripts_know_what_crosses_the_border() {
     let config = Config::new().with_large_int("number");
     let types = [
+        AssembliesHere::decl(&config),
+        AssemblyHere::decl(&config),
+        MotionsMap::decl(&config),
+        BranchLine::decl(&config),
+        MeetingPlace::decl(&config),
+        Belonging::decl(&config),
         StructureSummary::decl(&config),
         CourseSummary::decl(&config),
         MotionSummary::decl(&config),

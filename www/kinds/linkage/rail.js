@@ -25,7 +25,6 @@ const LETTER = /^\p{L}\d{0,2}$/u;
 export class LinkageRail {
   #page;
   #driver = make("select", { id: "driver", class: "control", "data-t-label": "field.drivers" });
-  #assembly = make("select", { id: "linkage-assembly", class: "control", "data-t-label": "field.assembly" });
   #rates = make("div", { id: "linkage-rates" });
   #lengths = make("div", { id: "linkage-lengths" });
   #coordinates = make("div", { id: "linkage-frame" });
@@ -44,14 +43,12 @@ export class LinkageRail {
     const { engine } = page;
     this.#page = page;
     this.#driver.addEventListener("change", () => this.#change((input) => engine.drive(this.#driver.value, input)));
-    this.#assembly.addEventListener("change", () => this.#change(() => engine.assemble(Number(this.#assembly.value))));
     const section = (/** @type {string} */ key, /** @type {HTMLElement} */ content) =>
       make("section", { "data-of": "linkage" }, [make("h2", { "data-t": key }), content]);
     const sections = [
       section("field.drivers", make("div", {}, [this.#driver, this.#rates])),
       section("lengths.links", this.#lengths),
       section("lengths.frame", this.#coordinates),
-      section("field.assembly", this.#assembly),
     ];
     byId("overlays", HTMLElement).before(...sections);
     byId("rail", HTMLElement).append(this.#source);
@@ -62,7 +59,7 @@ export class LinkageRail {
     const { document: linkage } = state;
     const wrong = new Set(problems.map(({ field, path }) => field ?? path));
     if (this.#shown.same(linkage, summary, words, ...wrong)) return;
-    const { assembly, assemblies, drivers, dimensions, rates } = summary;
+    const { drivers, dimensions, rates } = summary;
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link }) => [field, link]), dimensions.map(({ field, name }) => [field, name])]);
     if (built !== this.#built) {
       this.#built = built;
@@ -75,11 +72,6 @@ export class LinkageRail {
     this.#driver.value = driver?.crank ?? linkage.slides?.[driver?.slide ?? -1]?.link ?? "";
     this.#rows.forEach((row, i) => row.show(dimensions[i].value, words, wrong.has(row.field)));
     this.#further.forEach((row, i) => row.show(rates[i].rate, words, wrong.has(row.field)));
-    const numbers = Array.from({ length: assemblies }, (_, i) => String(i + 1));
-    if (this.#assembly.options.length !== assemblies) {
-      this.#assembly.replaceChildren(...numbers.map((value) => make("option", { value }, [value])));
-    }
-    this.#assembly.value = String(assembly);
   }
 
   /**

@@ -22,7 +22,10 @@ fn unit(turns: bool) -> f64 {
 }
 
 /// An input that is asked for by an option.
-fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Failure> {
+///
+/// # Errors
+/// No number, or one too great.
+pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Failure> {
     let greatest = if turns {
         GREATEST_ANGLE
     } else {
@@ -80,6 +83,21 @@ pub(super) fn inputs(
         .into_iter()
         .flat_map(move |stretch| grid.rows(stretch, &ends));
     Ok(Box::new(rows))
+}
+
+/// The first input that is asked for; where none is, that of the first row of a crank that turns fully, or the drawn one.
+///
+/// # Errors
+/// A number that is none.
+pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<f64, Failure> {
+    let turns = motion.mechanism().turns();
+    let first = match (asked.at.first(), asked.from) {
+        (Some(at), _) => asked_for("--at", *at, turns)?.input,
+        (None, Some(from)) => asked_for("--from", from, turns)?.input,
+        (None, None) if motion.cycle().is_full() => motion.cycle().axis()[0],
+        (None, None) => motion.home(),
+    };
+    Ok(first)
 }
 
 /// What is asked for, else the arcs of the motion.

@@ -1,7 +1,6 @@
 //! The table of a motion as CSV.
 
 mod columns;
-mod csv;
 mod grid;
 
 use std::io::Write;
@@ -10,10 +9,11 @@ use assur::motion::{Column, Input, Motion};
 use assur_file::LinkageProblem;
 use clap::Args;
 
+use crate::csv::Csv;
 use crate::words::Words;
 use crate::{Failure, source};
 use columns::Names;
-use csv::Csv;
+pub(crate) use grid::asked_for;
 
 /// What is asked for.
 #[derive(Args)]
@@ -58,7 +58,9 @@ pub(crate) struct Asked {
     /// 0,5 for 0.5, and a semicolon between cells
     #[arg(long)]
     decimal_comma: bool,
-    /// Which assembly, from 1 [default: the one that is drawn]
+    /// The assembly of this number at the first angle that is asked for, followed from there; `assur assemblies` numbers
+    /// them. Where none is asked for it is that at 0° of a crank that turns fully, else at the drawn input [default: the
+    /// one that is drawn]
     #[arg(long, value_name = "N")]
     assembly: Option<usize>,
 }
@@ -68,7 +70,14 @@ pub(crate) struct Asked {
 /// # Errors
 /// What is no mechanism; a number, step or column that is none; what cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
-    let motion: Motion = source::moved(&asked.name, asked.assembly)?.motion;
+    let drawn = source::moved(&asked.name)?;
+    let motion: Motion = match asked.assembly {
+        Some(number) => {
+            let first = grid::first(&drawn.motion, asked)?;
+            source::in_assembly(drawn, &asked.name, number, Some(first))?.motion
+        }
+        None => drawn.motion,
+    };
     let mechanism = motion.mechanism();
     let names = Names {
         mechanism,

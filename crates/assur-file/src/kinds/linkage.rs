@@ -5,7 +5,7 @@ mod check;
 mod draft;
 mod problem;
 
-use assur::mechanism::{Mechanism, Quantity};
+use assur::mechanism::{LinkId, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -269,6 +269,16 @@ impl LinkageDocument {
     /// As of [`Self::mechanism`].
     pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.mechanism().map(Motion::new)
+    }
+
+    /// The link by whose angle assemblies are numbered: that of the first plot, where this is an angle, or else the last
+    /// that is placed. None of a mechanism without links.
+    pub fn output(&self, mechanism: &Mechanism) -> Option<LinkId> {
+        let first = self.plots.first();
+        match first.and_then(|name| Quantity::named(mechanism, name)) {
+            Some(Quantity::Angle(link)) => Some(link),
+            _ => mechanism.output(),
+        }
     }
 
     /// The quantities, of one kind, that a choice of the page names: `angles` those

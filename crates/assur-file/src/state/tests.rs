@@ -23,6 +23,8 @@ fn state() -> State {
             transmission: true,
             groups: true,
             numbers: false,
+            assemblies: false,
+            others: false,
             plot: "C2".to_owned(),
             only: Only::First,
             axes: Axes::Physical,

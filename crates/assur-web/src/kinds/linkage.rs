@@ -11,6 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::assemblies::AssembliesHere;
 use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
@@ -195,14 +196,20 @@ impl Edited for Linkage {
         Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input))
     }
 
-    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
-        let mechanism = self.mechanism();
-        if number == mechanism.drawn_assembly() + 1 {
+    fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
+        Some(self.0.assemblies(input))
+    }
+
+    fn assemble(&self, number: usize, input: f64) -> Result<Change, Vec<Problem>> {
+        let (found, shown) = self.0.assembled(input);
+        let chosen = number.checked_sub(1);
+        let pose = chosen.and_then(|chosen| found.poses.get(chosen));
+        let pose = pose.ok_or_else(|| vec![unknown("assembly")])?;
+        if shown == chosen {
             return Ok(Change::default());
         }
-        let other = number.checked_sub(1).and_then(|k| mechanism.assembly(k));
-        let other = other.ok_or_else(|| vec![unknown("assembly")])?;
-        Ok(Change::document(&Redrawn::of(other.draft())))
+        let draft = self.mechanism().drawn_in(pose);
+        Ok(Change::document(&Redrawn::of(&draft)))
     }
 
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {

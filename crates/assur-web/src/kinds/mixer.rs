@@ -11,6 +11,7 @@ use assur_file::{
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
+use crate::assemblies::AssembliesHere;
 use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
@@ -197,7 +198,18 @@ impl Edited for Mixer {
         })
     }
 
-    fn assemble(&self, number: usize) -> Result<Change, Vec<Problem>> {
+    fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
+        let mut here = self.moving.assemblies(input);
+        let drawn = usize::from(number_of(self.parameters.assembly));
+        // There are two: of a dyad.
+        let shown = here.shown;
+        for (k, one) in here.all.iter_mut().enumerate() {
+            one.number = if shown == Some(k) { drawn } else { 3 - drawn };
+        }
+        Some(here)
+    }
+
+    fn assemble(&self, number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         let mut all = Assembly::ALL.map(number_of).into_iter();
         let assembly = all.find(|one| usize::from(*one) == number);
         let assembly = assembly.ok_or_else(|| vec![unknown("assembly")])?;

@@ -13,15 +13,18 @@ const FOLDED: f64 = 1e-2;
 /// The same of change points, which are known exactly.
 const SAME_CHANGE: f64 = 1e-9;
 const CROSSED: f64 = 1e-5;
-/// So far inside its end, of its arc or of the turn, it is seen with what a branch must meet there.
+/// So far inside its end, of its arc and of the turn, a branch is looked for that it must meet there.
 const INSIDE: f64 = 0.1;
 const MOST_INSIDE: f64 = 1e-4;
 
 /// Which branches meet.
+#[derive(Default)]
 pub(super) struct Met {
     pub(super) meetings: Vec<Meeting>,
-    /// Inputs just inside those dead points that are no other branch's.
-    pub(super) alone: Vec<f64>,
+    /// Links swing freely while the driver stands, and others hang on them: what that connects is not known.
+    pub(super) unknown: bool,
+    /// Dead points that are no other branch's, each with a way from there along its branch.
+    pub(super) alone: Vec<[f64; 2]>,
 }
 
 /// The end of a branch.
@@ -30,7 +33,8 @@ struct End {
     dead: DeadPoint,
     /// Which end of its arc it is: 0 or 1.
     side: usize,
-    inside: f64,
+    /// A little way back from it.
+    back: f64,
     told: f64,
     pose: Option<Pose<1>>,
 }
@@ -38,10 +42,7 @@ struct End {
 impl Met {
     pub(super) fn of(motions: &[Motion], domain: &Domain) -> Self {
         let Some(first) = motions.first() else {
-            return Self {
-                meetings: Vec::new(),
-                alone: Vec::new(),
-            };
+            return Self::default();
         };
         let mechanism = first.mechanism();
         let ends: Vec<End> = motions
@@ -49,12 +50,10 @@ impl Met {
             .enumerate()
             .flat_map(|(branch, motion)| ends_of(branch, motion, domain))
             .collect();
-        let mut found = Self {
-            meetings: Vec::new(),
-            alone: Vec::new(),
-        };
+        let mut found = Self::default();
         found.fold(mechanism, &ends, domain);
         found.cross(mechanism, motions, domain);
+        found.swing(mechanism, motions, domain);
         sort_by(&mut found.meetings, |a, b| {
             let told = [a, b].map(|meeting| domain.first_told(meeting.inputs[0]));
             told[0].total_cmp(&told[1])
@@ -94,7 +93,8 @@ impl Met {
             });
         }
         let alone = ends.iter().zip(met).filter(|(_, met)| !met);
-        self.alone.extend(alone.map(|(end, _)| end.inside));
+        self.alone
+            .extend(alone.map(|(end, _)| [end.told, end.back]));
     }
 
     /// Finds the poses that two branches pass through.
@@ -121,16 +121,44 @@ impl Met {
     }
 }
 
-/// The dead points of a branch in which it must meet another: not those in which links go off to infinity.
+impl Met {
+    /// In a kite coupler and rocker swing freely from one of its motions to the other.
+    fn swing(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
+        let inputs = mechanism
+            .closed_steps()
+            .filter_map(|closed| closed.free_swing());
+        for input in inputs {
+            self.unknown |= !mechanism.whole_closed_form();
+            let branches = motions.iter().enumerate();
+            let mut visits = branches.flat_map(|(branch, motion)| {
+                let visits = domain.visits(motion, input).into_iter();
+                visits.map(move |input| (branch, input))
+            });
+            let Some((first, at)) = visits.next() else {
+                continue;
+            };
+            self.meetings.extend(visits.map(|(other, input)| Meeting {
+                kind: MeetingKind::Crossing,
+                branches: [first, other],
+                inputs: [at, input],
+                dead_point: None,
+            }));
+        }
+    }
+}
+
+/// The dead points of a motion in which it must meet another: not those in which links go off to infinity.
+pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
+    let dead_points = motion.dead_points().iter();
+    dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
+}
+
 fn ends_of<'a>(
     branch: usize,
     motion: &'a Motion,
     domain: &'a Domain,
 ) -> impl Iterator<Item = End> + 'a {
-    let folds = motion.dead_points().iter();
-    let folds =
-        folds.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel);
-    folds.filter_map(move |dead| {
+    folds(motion).filter_map(move |dead| {
         let mut arcs = motion.cycle().arcs().iter();
         let arc = arcs.find(|arc| arc.contains(&dead.input))?;
         let side = usize::from(arc[1] == dead.input);
@@ -140,7 +168,7 @@ fn ends_of<'a>(
             branch,
             dead: *dead,
             side,
-            inside: dead.input + (INSIDE * way).clamp(-most, most),
+            back: (INSIDE * way).clamp(-most, most),
             told: domain.first_told(dead.input),
             pose: motion.pose(dead.input).ok(),
         })

@@ -14,6 +14,7 @@ use crate::index::LinkId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, Motion};
 use meetings::Met;
+pub use numbering::NoAssembly;
 use search::{Domain, Search};
 
 /// The motions of a linkage in all its assemblies.
@@ -101,8 +102,12 @@ impl Circuits {
             mut whole,
             ..
         } = search;
-        let Met { meetings, alone } = Met::of(&motions, &domain);
-        whole &= alone.is_empty();
+        let Met {
+            meetings,
+            unknown,
+            alone,
+        } = Met::of(&motions, &domain);
+        whole &= !unknown && alone.is_empty();
         let circuits = meetings::circuits(motions.len(), &meetings);
         let branches = motions.into_iter().zip(circuits);
         let branches = branches.map(|(motion, circuit)| Branch { motion, circuit });

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::{Branch, Circuits};
 use crate::index::LinkId;
-use crate::mechanism::{Mechanism, Pose};
+use crate::mechanism::{Assemblies, Mechanism, Method, Pose};
 use crate::sorting::{sort, sort_by, sort_by_key};
 
 /// Angles, radians, and places, relative to the size, that differ by less are alike.
@@ -17,7 +17,7 @@ const ON: f64 = 1e-2;
 
 /// By what assemblies are compared: the angle of the output; where that is alike all angles, and all coordinates, in
 /// ascending order.
-fn key(mechanism: &Mechanism, output: LinkId, pose: &Pose<1>) -> Vec<i64> {
+fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<i64> {
     let whole = |x: f64| (x / ALIKE).round() as i64;
     let turn = whole(TAU);
     let angle = |link: LinkId| {
@@ -47,10 +47,50 @@ pub(super) fn sort_assemblies<T>(
     sort_by_key(all, |one| key(mechanism, output, pose(one)));
 }
 
+/// There is no assembly of that number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoAssembly {
+    /// How many there are at the input.
+    pub of: usize,
+}
+
+/// Poses of one assembly are within this of the size.
+const SAME: f64 = 1e-6;
+
 impl Mechanism {
-    /// Assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.
-    pub fn number(&self, output: LinkId, poses: &mut [Pose<1>]) {
-        sort_assemblies(self, output, poses, |pose| pose);
+    /// The link by whose angle assemblies are numbered where nothing else is said: the last that is placed.
+    pub fn output(&self) -> Option<LinkId> {
+        let bodies = self.steps().iter().flat_map(|step| step.bodies());
+        bodies.filter_map(|body| self.link_of(body)).last()
+    }
+
+    /// All assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.
+    pub fn numbered(&self, input: f64, output: LinkId) -> Assemblies {
+        let mut found = self.assemblies_at(input, Method::Usual);
+        sort_assemblies(self, output, &mut found.poses, |pose| pose);
+        found
+    }
+
+    /// Which of them a pose is, from 0.
+    pub fn number_of(&self, pose: &Pose<1>, all: &[Pose<1>]) -> Option<usize> {
+        all.iter().position(|one| self.distance(one, pose) < SAME)
+    }
+
+    /// The same linkage drawn in the assembly of a number, from 0, at an input.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn in_numbered(
+        &self,
+        input: f64,
+        output: LinkId,
+        number: usize,
+    ) -> Result<Self, NoAssembly> {
+        let mut ways = self.found_at::<4>(input, Method::Usual).ways;
+        let of = ways.len();
+        sort_by_key(&mut ways, |(pose, _)| key(self, output, pose));
+        let way = ways.get(number).ok_or(NoAssembly { of })?;
+        self.in_assembly(input, way).map_err(|_| NoAssembly { of })
     }
 }
 
@@ -74,6 +114,14 @@ impl Circuits {
         self.branches = branches.into_iter().map(|(_, branch)| branch).collect();
         for meeting in &mut self.meetings {
             meeting.branches = meeting.branches.map(|at| numbers[at]);
+            if meeting.branches[0] > meeting.branches[1] {
+                meeting.branches.reverse();
+                meeting.inputs.reverse();
+            }
+            // What stands in line is the same for both.
+            if let Some(dead) = &mut meeting.dead_point {
+                dead.input = meeting.inputs[0];
+            }
         }
         // Circuits in the order in which branches first name them.
         let mut named: Vec<usize> = Vec::new();
@@ -109,7 +157,7 @@ impl Circuits {
                 keys.min().unwrap_or_default()
             };
             let passes = !self.domain.ends(motion).contains(&least);
-            let at = passes.then(|| key_at(least)).unwrap_or_default();
+            let at = if passes { key_at(least) } else { Vec::new() };
             (number(least), at, key_at(least + ON * (next - least)))
         });
         orders.collect()

@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use super::meetings::Met;
+use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Method, Pose};
 use crate::motion::{DeadPointKind, Motion};
 use crate::position::{Step, Unreal};
@@ -26,11 +26,15 @@ const MOST_LOOKS: usize = 2_000;
 const MOST_BRANCHES: usize = 512;
 /// Nothing is looked for within this part of a turn.
 const LEAST: f64 = 1e-6;
+/// Where links go off to infinity nothing is looked for within this part.
+const BESIDE_INFINITY: f64 = 1e-3;
+/// So often it is looked for closer to a dead point.
+const CLOSER: i32 = 8;
 /// Two poses are one within this of the size.
 const SAME: f64 = 1e-6;
 /// Two ways that are not real may become so before the next input that is looked at if they would within so many times
 /// the way to it …
-const FAR: f64 = 1.5;
+const FAR: f64 = 3.0;
 /// … and are those that a known branch begins with if they would not within this part of the way.
 const EARLY: f64 = 0.4;
 
@@ -59,7 +63,11 @@ impl Domain {
                 let known = ends.iter().all(|end| end.is_finite());
                 let home = mechanism.home();
                 let period = None;
-                let ends = if known { ends } else { [home - TAU, home + TAU] };
+                let ends = if known {
+                    ends
+                } else {
+                    [home - TAU, home + TAU]
+                };
                 (Self { ends, period }, known)
             }
         }
@@ -87,7 +95,11 @@ impl Domain {
     pub(super) fn visits(&self, motion: &Motion, input: f64) -> Vec<f64> {
         let cycle = motion.cycle();
         let Some(period) = self.period else {
-            return if cycle.contains(input) { vec![input] } else { Vec::new() };
+            return if cycle.contains(input) {
+                vec![input]
+            } else {
+                Vec::new()
+            };
         };
         let told = |k: f64| input + period * k;
         if let (true, Some(turns)) = (cycle.is_full(), cycle.period()) {
@@ -96,8 +108,13 @@ impl Domain {
         }
         let arcs = cycle.arcs().iter();
         let visits = arcs.flat_map(|[from, to]| {
-            let [first, last] = [((from - input) / period).ceil(), ((to - input) / period).floor()];
-            (0..).map(move |k| first + f64::from(k)).take_while(move |k| *k <= last)
+            let [first, last] = [
+                ((from - input) / period).ceil(),
+                ((to - input) / period).floor(),
+            ];
+            (0..)
+                .map(move |k| first + f64::from(k))
+                .take_while(move |k| *k <= last)
         });
         visits.map(told).collect()
     }
@@ -127,13 +144,14 @@ struct Look {
     input: f64,
     assemblies: usize,
     unreal: Vec<Unreal>,
+    parallel: Vec<Unreal>,
 }
 
 /// A place in the turn between which and the next one something may be missed.
 struct Stop<'a> {
     input: f64,
     look: Option<&'a Look>,
-    /// How many branches begin here, upwards, and end, downwards.
+    /// How many branches come out of folds here, upwards and downwards.
     begin: [usize; 2],
 }
 
@@ -169,7 +187,11 @@ impl<'a> Search<'a> {
             return;
         }
         let [from, to] = self.domain.ends;
-        let turns = if self.domain.period.is_some() { (to - from) / TAU } else { 1.0 };
+        let turns = if self.domain.period.is_some() {
+            (to - from) / TAU
+        } else {
+            1.0
+        };
         let count = SAMPLES * turns.round().max(1.0) as usize;
         let width = (to - from) / count as f64;
         for k in 0..count {
@@ -197,8 +219,6 @@ impl<'a> Search<'a> {
             over.sum::<usize>() != look.assemblies
         });
         self.whole &= !miscounted;
-        eprintln!("DEBUG looks {} miscounted {miscounted} branches {} whole {}", self.looks.len(), self.branches.len(), self.whole);
-        for look in &self.looks { let n: usize = self.branches.iter().map(|m| self.domain.visits(m, look.input).len()).sum(); if n != look.assemblies { eprintln!("  {} : {} vs {n}", look.input.to_degrees(), look.assemblies);} }
     }
 
     fn take(&mut self, motion: Motion) {
@@ -209,7 +229,7 @@ impl<'a> Search<'a> {
 
     /// Finds the assemblies at an input, and follows those on no known branch.
     fn look(&mut self, input: f64) {
-        let found: Found<2> = self.mechanism.found_at(input, Method::Usual);
+        let found: Found<4> = self.mechanism.found_at(input, Method::Usual);
         self.whole &= found.whole;
         let mut known = Vec::new();
         for motion in &self.branches {
@@ -240,6 +260,7 @@ impl<'a> Search<'a> {
                 input,
                 assemblies: found.ways.len(),
                 unreal: found.unreal,
+                parallel: found.parallel,
             },
         );
     }
@@ -257,13 +278,23 @@ impl<'a> Search<'a> {
             look: Some(look),
             begin: [0; 2],
         });
-        let motions = self.branches.iter().filter(|motion| !motion.cycle().is_full());
-        let arcs = motions.flat_map(|motion| motion.cycle().arcs());
-        let ends = arcs.flat_map(|[from, to]| [(*from, [1, 0]), (*to, [0, 1])]);
-        let ends = ends.map(|(input, begin)| Stop {
-            input: self.domain.first_told(input),
-            look: None,
-            begin,
+        let moving = self
+            .branches
+            .iter()
+            .filter(|motion| !motion.cycle().is_full());
+        let ends = moving.flat_map(|motion| {
+            let arcs = motion.cycle().arcs().iter();
+            arcs.flat_map(move |arc| [0, 1].map(|side| (motion, arc[side], side)))
+        });
+        let ends = ends.map(|(motion, input, side)| {
+            let folds = folds(motion).any(|dead| dead.input == input);
+            let mut begin = [0; 2];
+            begin[side] = usize::from(folds);
+            Stop {
+                input: self.domain.first_told(input),
+                look: None,
+                begin,
+            }
         });
         let bounds = self.domain.ends.map(|input| Stop {
             input,
@@ -275,7 +306,8 @@ impl<'a> Search<'a> {
         sort_by(&mut stops, |a, b| a.input.total_cmp(&b.input));
         let same = LEAST * self.domain.span();
         stops.dedup_by(|next, last| {
-            let is_same = next.look.is_none() && last.look.is_none() && next.input - last.input < same;
+            let is_same =
+                next.look.is_none() && last.look.is_none() && next.input - last.input < same;
             if is_same {
                 last.begin = [0, 1].map(|side| last.begin[side] + next.begin[side]);
             }
@@ -301,8 +333,13 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < least => false,
                 _ => {
-                    low.look.is_some_and(|look| look.may_begin(1.0, gap, high.begin[0]))
-                        || high.look.is_some_and(|look| look.may_begin(-1.0, gap, low.begin[1]))
+                    let far = gap > BESIDE_INFINITY * self.domain.span();
+                    let may = |look: Option<&Look>, sense, known| {
+                        look.is_some_and(|look| {
+                            look.may_begin(sense, gap, known) || far && look.may_flee(sense, gap)
+                        })
+                    };
+                    may(low.look, 1.0, high.begin[0]) || may(high.look, -1.0, low.begin[1])
                 }
             };
             if unseen {
@@ -312,26 +349,28 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// The inputs just inside those dead points at which no other branch is known to end, and nothing was looked at yet.
+    /// The inputs just inside those dead points at which no other branch is known to end: ever closer, as that may be a
+    /// short one.
     fn beside_ends(&self) -> Vec<f64> {
-        let least = LEAST * self.domain.span();
         let alone = Met::of(&self.branches, &self.domain).alone.into_iter();
-        let inside = alone.map(|input| self.domain.first_told(input));
-        let new = |input: &f64| {
-            let mut looks = self.looks.iter();
-            !looks.any(|look| (look.input - input).abs() < least)
-        };
-        inside.filter(new).collect()
+        let beside = alone.filter_map(|[end, back]| {
+            let mut ways = (0..CLOSER).map(|k| back * 0.125_f64.powi(k));
+            let new = |way: &f64| {
+                let mut looks = self.looks.iter();
+                let off = |look: &Look| self.domain.between(look.input, end + way);
+                !looks.any(|look| off(look) < 0.1 * way.abs())
+            };
+            ways.find(new).map(|way| self.domain.first_told(end + way))
+        });
+        beside.collect()
     }
 }
 
 impl Look {
     /// Whether ways that are not real may become so within a gap, besides those of branches that begin behind it.
     fn may_begin(&self, sense: f64, gap: f64, known: usize) -> bool {
-        let unreal = self.unreal.iter();
-        let times = unreal.map(|one| -one.square / (one.slope * sense));
         let mut expected = 0;
-        for time in times.filter(|time| (0.0..FAR * gap).contains(time)) {
+        for time in zeros(&self.unreal, sense, FAR * gap) {
             if time < EARLY * gap {
                 return true;
             }
@@ -339,4 +378,20 @@ impl Look {
         }
         expected > known
     }
+
+    /// Whether links may go off to infinity within a gap.
+    fn may_flee(&self, sense: f64, gap: f64) -> bool {
+        // A square has a double zero, twice as far as its slope tells.
+        zeros(&self.parallel, sense, 0.5 * FAR * gap)
+            .next()
+            .is_some()
+    }
+}
+
+/// How far on squares come to zero, by their slopes, within a way.
+fn zeros(squares: &[Unreal], sense: f64, within: f64) -> impl Iterator<Item = f64> {
+    let times = squares
+        .iter()
+        .map(move |one| -one.square / (one.slope * sense));
+    times.filter(move |time| (0.0..within).contains(time))
 }

@@ -3,9 +3,7 @@
 use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::position::{
-    Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
-};
+use crate::position::{Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
@@ -31,6 +29,9 @@ pub(crate) struct Found<const N: usize> {
     complex: Vec<usize>,
     /// What is not real, where derivatives tell it: of solutions of groups, and of dyads that do not reach.
     pub(crate) unreal: Vec<Unreal>,
+    /// The square of the sine between two guides that must cross: links that hang on what goes off to infinity where they
+    /// are parallel may reach it just beside there.
+    pub(crate) parallel: Vec<Unreal>,
     pub(crate) whole: bool,
 }
 
@@ -72,7 +73,7 @@ impl Mechanism {
     pub(crate) fn in_assembly(
         &self,
         input: f64,
-        (pose, signs): &(Pose<2>, Signs),
+        (pose, signs): &(Pose<4>, Signs),
     ) -> Result<Self, Vec<Defect>> {
         let mut other = self.clone();
         other.draft = self.drawn_by(&pose.state);
@@ -140,7 +141,17 @@ impl<const N: usize> Search<'_, N> {
         }
         self.tries -= 1;
         match self.put(step, state) {
-            Ok(()) => self.join(rest, state),
+            Ok(()) => {
+                let crosses = matches!(self.mechanism.steps[step], Step::Prp(_) | Step::Rpp(_));
+                if N > 1 && crosses {
+                    let [square, _] = state.margins[step];
+                    self.found.parallel.push(Unreal {
+                        square: square.value(),
+                        slope: square.derivative(1),
+                    });
+                }
+                self.join(rest, state);
+            }
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();
                 let negative = negative.filter(|margin| margin.value() < 0.0);

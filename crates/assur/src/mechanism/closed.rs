@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use super::Mechanism;
 use crate::index::{BodyId, StepId};
 use crate::position::{Solvable, Step};
-use crate::{Assembly, FourBar, Grashof};
+use crate::{Assembly, FourBar, Grashof, Unsolved};
 
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,12 @@ impl ClosedStep<'_> {
         let last = ((to + self.lead) / PI).floor() as i32;
         let lead = self.lead;
         (first..=last).map(move |half| f64::from(half) * PI - lead)
+    }
+
+    /// The input at which coupler and rocker of a kite lie upon each other and swing freely about the frame's hinge.
+    pub(crate) fn free_swing(&self) -> Option<f64> {
+        let pose = self.linkage.pose::<1>(Assembly::First, 0.0);
+        matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.lead)
     }
 
     /// The inputs of its change points within an arc, its end excluded.

@@ -176,7 +176,10 @@ impl Mechanism {
         let moving = within.filter(|(course, _)| course.rate != 0.0);
         moving.fold(all, |[low, high], (course, range)| {
             let ends = range.map(|end| (end - course.offset) / course.rate);
-            [low.max(ends[0].min(ends[1])), high.min(ends[0].max(ends[1]))]
+            [
+                low.max(ends[0].min(ends[1])),
+                high.min(ends[0].max(ends[1])),
+            ]
         })
     }
 

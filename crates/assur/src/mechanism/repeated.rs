@@ -27,13 +27,15 @@ impl Mechanism {
         bodies.find(|body| !self.is_near(a, b, *body, within) && !self.is_idle_wheel(*body))
     }
 
-    /// How far two poses are apart: the most that a body is off, relative to the size, or turned, radians where that is
-    /// little. Wheels that move nothing else do not count.
+    /// How far two poses are apart: the most that a body is off, relative to the size, or to how far out it is, or turned,
+    /// radians where that is little. Wheels that move nothing else do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
-        let bodies = self.bodies.ids();
-        let off = bodies
-            .filter(|body| !self.is_idle_wheel(*body))
-            .map(|body| self.off(&a.state, &b.state, body));
+        let bodies = self.bodies.ids().filter(|body| !self.is_idle_wheel(*body));
+        let off = bodies.map(|body| {
+            let [turned, moved] = off(&a.state, &b.state, body);
+            let out = a.state.origin[body].value().norm();
+            turned.max(moved / out.max(self.size))
+        });
         off.fold(0.0, f64::max)
     }
 
@@ -44,18 +46,8 @@ impl Mechanism {
         body: BodyId,
         within: f64,
     ) -> bool {
-        self.off(a, b, body) <= within
-    }
-
-    fn off<const N: usize, const M: usize>(
-        &self,
-        a: &State<N>,
-        b: &State<M>,
-        body: BodyId,
-    ) -> f64 {
-        let turned = a.turn[body].value() - b.turn[body].value();
-        let moved = a.origin[body].value() - b.origin[body].value();
-        turned.norm().max(moved.norm() / self.size)
+        let [turned, moved] = off(a, b, body);
+        turned <= within && moved <= within * self.size
     }
 
     fn is_idle_wheel(&self, body: BodyId) -> bool {
@@ -73,4 +65,11 @@ impl Mechanism {
     pub(super) fn carries(&self, body: BodyId) -> bool {
         self.steps.iter().any(|step| step.rests_on(body))
     }
+}
+
+/// How far a body is turned, radians where that is little, and moved from one pose to another.
+fn off<const N: usize, const M: usize>(a: &State<N>, b: &State<M>, body: BodyId) -> [f64; 2] {
+    let turned = a.turn[body].value() - b.turn[body].value();
+    let moved = a.origin[body].value() - b.origin[body].value();
+    [turned.norm(), moved.norm()]
 }

@@ -14,7 +14,7 @@ use super::continuation::{Continuation, Prediction};
 use super::root::root;
 use crate::Jet;
 use crate::index::StepId;
-use crate::position::{Given, Group, Linearized, State, Step};
+use crate::position::{Given, Group, Linearized, Predictor, Step};
 
 /// Newton's method takes no more steps, and ends where they are this small or rounding is all that is left.
 const MOST_STEPS: usize = 12;
@@ -36,7 +36,7 @@ struct Curve<'a> {
     motion: &'a Continuation<'a>,
     group: &'a Group,
     step: StepId,
-    state: RefCell<State<2>>,
+    state: RefCell<Predictor>,
 }
 
 /// A place on the curve.

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::group::Group;
-use super::{Cause, Complex, Given, State};
+use super::{Cause, Complex, Given, Predictor};
 use crate::Vector;
 
 /// The equations of a group at a place: what is left of them, and row by row their derivatives by the unknowns and,
@@ -33,8 +33,8 @@ impl Group {
     /// That a driven coordinate is out of its range.
     pub(crate) fn linearized(
         &self,
-        state: &mut State<2>,
-        given: &Given<'_, 2>,
+        state: &mut Predictor,
+        given: &Given<'_, 4>,
         at: &DVector<f64>,
     ) -> Result<Linearized, Cause> {
         self.receive(state, given)?;

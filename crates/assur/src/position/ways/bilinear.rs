@@ -214,11 +214,7 @@ pub(super) struct System {
 impl System {
     /// Of so many unknowns; those that linear forms being zero determine are left out. None where they contradict or
     /// repeat each other, or where equations are not as many as the unknowns.
-    pub(super) fn new(
-        unknowns: usize,
-        pairs: Vec<MovingPair>,
-        zeros: Vec<Moving>,
-    ) -> Option<Self> {
+    pub(super) fn new(unknowns: usize, pairs: Vec<MovingPair>, zeros: Vec<Moving>) -> Option<Self> {
         let own = (0..unknowns).map(|k| {
             let mut own = Affine::constant(NOUGHT, unknowns);
             own.by[k] = ONE;
@@ -262,7 +258,9 @@ impl System {
         for moving in &pairs {
             let pair = moving.part(0);
             // What no unknown is left in tells nothing of them.
-            let tells = pair.forms().any(|form| form.by.iter().any(|by| *by != NOUGHT));
+            let tells = pair
+                .forms()
+                .any(|form| form.by.iter().any(|by| *by != NOUGHT));
             // Links that are driven against each other turn by one direction.
             if tells && !system.pairs.iter().any(|other| pair.repeats(other)) {
                 system.pairs.push(pair);

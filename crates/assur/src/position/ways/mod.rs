@@ -103,7 +103,13 @@ impl Group {
         let angles: Result<Vec<[f64; 2]>, Cause> = meshes
             .map(|mesh| {
                 let angle = mesh.given(state, given.near, given.input)?.angle;
-                Ok([0, 1].map(|order| if order < N { -angle.coefficient(order) } else { 0.0 }))
+                Ok([0, 1].map(|order| {
+                    if order < N {
+                        -angle.coefficient(order)
+                    } else {
+                        0.0
+                    }
+                }))
             })
             .collect();
         let angles = angles?;
@@ -184,7 +190,9 @@ impl System {
         for at in found {
             if let Some(real) = self.real(&at) {
                 let own = self.own(&real);
-                let turned = turning.iter().map(|(body, turn)| (*body, vector(turn.at(&own))));
+                let turned = turning
+                    .iter()
+                    .map(|(body, turn)| (*body, vector(turn.at(&own))));
                 let places = own.iter().zip(units);
                 ways.real.push(Way {
                     turned: turned.collect(),

@@ -25,7 +25,10 @@ impl Dice {
             let direction = C::from_polar(1.0, 3.0 * self.next());
             let sum: C = by.iter().zip(&place).map(|(by, z)| by * z).sum();
             let constant = direction - sum;
-            Pair::Unit([Affine { constant, by }, Affine::constant(C::default(), unknowns)])
+            Pair::Unit([
+                Affine { constant, by },
+                Affine::constant(C::default(), unknowns),
+            ])
         });
         let pairs = pairs.collect();
         let conjugates = place.iter().map(|z| z.conj());

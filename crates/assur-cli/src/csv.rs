@@ -4,14 +4,14 @@ use std::io::{self, Write};
 
 /// How a table is written.
 #[derive(Clone, Copy)]
-pub(super) struct Csv {
+pub(crate) struct Csv {
     /// 0,5 for 0.5, and so a semicolon between cells.
-    pub(super) decimal_comma: bool,
+    pub(crate) decimal_comma: bool,
 }
 
 impl Csv {
     /// One line, cells quoted where they must be.
-    pub(super) fn line(
+    pub(crate) fn line(
         self,
         out: &mut impl Write,
         cells: impl Iterator<Item = String>,
@@ -31,7 +31,7 @@ impl Csv {
     }
 
     /// The shortest text that reads back as the same number.
-    pub(super) fn number(self, value: f64) -> String {
+    pub(crate) fn number(self, value: f64) -> String {
         let value = value + 0.0;
         let text = if value == 0.0 || (1e-5..1e16).contains(&value.abs()) {
             format!("{value}")

@@ -1,0 +1,258 @@
+//! All assemblies of what is shown: pictures of them at an input; and, beside the page, all their motions.
+
+use std::f64::consts::{PI, TAU};
+
+use assur::circuits::{Branch, Circuits, Meeting, Reach};
+use assur::mechanism::{Assemblies, LinkId, Method, Pose};
+use assur_file::Problem;
+use serde::Serialize;
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+use crate::capabilities::Capabilities;
+use crate::convert::{read, thrown, to_js};
+use crate::kinds::open;
+use crate::moving::Moving;
+
+/// All assemblies at an input.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct AssembliesHere {
+    /// In the order of their angles.
+    pub(crate) all: Vec<AssemblyHere>,
+    /// Which of them moves, from 0; none where it has no pose at the input.
+    pub(crate) shown: Option<usize>,
+    /// How many solutions a group's equations have over the complex numbers, where one group has them.
+    complex: Option<usize>,
+    /// Whether these are all.
+    whole: bool,
+}
+
+/// An assembly at an input.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct AssemblyHere {
+    /// By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+    pub(crate) number: usize,
+    /// The angle by which they are numbered, in [0, 2π).
+    angle: f64,
+    /// Where the bodies are, as of a frame.
+    bodies: Vec<f32>,
+}
+
+impl Moving {
+    /// The link by whose angle assemblies are numbered.
+    pub(crate) fn numbering(&self) -> Option<LinkId> {
+        self.document().output(self.mechanism())
+    }
+
+    /// All assemblies at an input, in the order of their numbers, and which of them moves.
+    pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
+        let mechanism = self.mechanism();
+        let found = match self.numbering() {
+            Some(output) => mechanism.numbered(input, output),
+            None => mechanism.assemblies_at(input, Method::Usual),
+        };
+        let shown = self.motion().pose(input).ok();
+        let shown = shown.and_then(|pose| mechanism.number_of(&pose, &found.poses));
+        (found, shown)
+    }
+
+    /// The same as it is told.
+    pub(crate) fn assemblies(&self, input: f64) -> AssembliesHere {
+        let (found, shown) = self.assembled(input);
+        let numbering = self.numbering();
+        let angle = |pose: &Pose<1>| numbering.map_or(0.0, |link| angle(self, pose, link));
+        let all = found.poses.iter().enumerate();
+        let all = all.map(|(k, pose)| AssemblyHere {
+            number: k + 1,
+            angle: angle(pose),
+            bodies: self.figure().bodies(pose),
+        });
+        AssembliesHere {
+            all: all.collect(),
+            shown,
+            complex: match found.complex[..] {
+                [complex] => Some(complex),
+                _ => None,
+            },
+            whole: found.whole,
+        }
+    }
+}
+
+fn angle(moving: &Moving, pose: &Pose<1>, link: LinkId) -> f64 {
+    let angle = moving.mechanism().angle(pose, link).value();
+    // Rounding may make a whole turn of a little less than none.
+    let turned = angle.rem_euclid(TAU);
+    if turned < TAU { turned } else { 0.0 }
+}
+
+/// The motions of a document in all assemblies. Finding them takes some time: it is done in a worker of the page.
+#[wasm_bindgen]
+pub struct AllMotions {
+    document: Box<dyn Capabilities>,
+    circuits: Circuits,
+}
+
+/// The output over the input, of all branches.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MotionsMap {
+    /// The link by whose angle assemblies are numbered.
+    output: String,
+    branches: Vec<BranchLine>,
+    meetings: Vec<MeetingPlace>,
+    circuits: usize,
+    /// Whether these are all, each followed to its ends.
+    whole: bool,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct BranchLine {
+    /// From 0.
+    circuit: usize,
+    /// Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+    pieces: Vec<Vec<f64>>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct MeetingPlace {
+    #[cfg_attr(test, ts(type = "\"fold\" | \"crossing\""))]
+    kind: &'static str,
+    branches: [usize; 2],
+    input: f64,
+    output: f64,
+}
+
+/// Where the assemblies at an input belong.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Belonging {
+    /// Of each assembly, in the order of their numbers, its branch, from 0.
+    branches: Vec<usize>,
+    /// Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
+    /// there.
+    reached: Vec<Option<Vec<usize>>>,
+}
+
+/// So many steps to a whole turn of the input, and no fewer to a branch.
+const STEPS: f64 = 240.0;
+const LEAST_STEPS: f64 = 24.0;
+
+#[wasm_bindgen]
+impl AllMotions {
+    /// All motions of a state's document.
+    ///
+    /// # Errors
+    /// Every problem of the state; that no linkage moves.
+    #[wasm_bindgen(constructor)]
+    pub fn new(state: JsValue) -> Result<Self, JsValue> {
+        let document = open(&read(&state)?).map_err(thrown)?;
+        let none = || {
+            thrown([Problem::BadState {
+                path: String::new(),
+                detail: "no linkage moves".to_owned(),
+            }])
+        };
+        let moving = document.linkage().ok_or_else(none)?;
+        let output = moving.numbering().ok_or_else(none)?;
+        let circuits = Circuits::of(moving.mechanism(), output);
+        Ok(Self { document, circuits })
+    }
+
+    /// The map of all branches: `{output, branches: [{circuit, pieces}], meetings: [{kind, branches, input, output}],
+    /// circuits, whole}`.
+    pub fn map(&self) -> JsValue {
+        let Some(moving) = self.document.linkage() else {
+            return JsValue::NULL;
+        };
+        let branches = self.circuits.branches().iter();
+        let branches = branches.map(|branch| BranchLine {
+            circuit: branch.circuit,
+            pieces: self.pieces(moving, branch),
+        });
+        let meetings = self.circuits.meetings().iter();
+        to_js(&MotionsMap {
+            output: moving
+                .mechanism()
+                .link_name(self.circuits.output())
+                .to_owned(),
+            branches: branches.collect(),
+            meetings: meetings.filter_map(|one| self.place(moving, one)).collect(),
+            circuits: self.circuits.count(),
+            whole: self.circuits.is_whole(),
+        })
+    }
+
+    /// Where the assemblies at an input belong, and how the one with a number, from 0, leads to the others:
+    /// `{branches, reached}`.
+    pub fn belonging(&self, input: f64, number: usize) -> JsValue {
+        let assembled = self.circuits.at(input);
+        let branches: Vec<usize> = assembled.iter().map(|one| one.branch).collect();
+        let reached = branches.iter().map(|to| {
+            let from = *branches.get(number)?;
+            match self.circuits.reach(from, *to) {
+                Reach::SameBranch => Some(Vec::new()),
+                Reach::SameCircuit(through) => Some(through),
+                Reach::OtherCircuit => None,
+            }
+        });
+        let reached = reached.collect();
+        to_js(&Belonging { branches, reached })
+    }
+}
+
+impl AllMotions {
+    fn pieces(&self, moving: &Moving, branch: &Branch) -> Vec<Vec<f64>> {
+        let cycle = branch.motion.cycle();
+        let turns = moving.mechanism().turns();
+        let mut pieces: Vec<Vec<f64>> = Vec::new();
+        for arc in cycle.arcs() {
+            let [from, to] = *arc;
+            let unit = if turns { TAU } else { to - from };
+            let steps = (STEPS * (to - from) / unit).max(LEAST_STEPS).round();
+            let mut last: Option<[f64; 2]> = None;
+            for step in 0..=steps as usize {
+                let part = step as f64 / steps;
+                // Near a fold the output goes as the root of the way to it.
+                let part = if cycle.is_full() {
+                    part
+                } else {
+                    0.5 - 0.5 * (PI * part).cos()
+                };
+                let input = from + part * (to - from);
+                let Ok(pose) = branch.motion.pose::<1>(input) else {
+                    last = None;
+                    continue;
+                };
+                let output = angle(moving, &pose, self.circuits.output());
+                let input = if turns { input.rem_euclid(TAU) } else { input };
+                let wraps =
+                    |[a, b]: &[f64; 2]| turns && (a - input).abs() > PI || (b - output).abs() > PI;
+                if last.as_ref().is_none_or(wraps) {
+                    pieces.push(Vec::new());
+                }
+                if let Some(piece) = pieces.last_mut() {
+                    piece.extend([input, output]);
+                }
+                last = Some([input, output]);
+            }
+        }
+        pieces
+    }
+
+    fn place(&self, moving: &Moving, meeting: &Meeting) -> Option<MeetingPlace> {
+        let [first, _] = meeting.branches;
+        let [input, _] = meeting.inputs;
+        let pose = self.circuits.branches()[first].motion.pose::<1>(input);
+        let turns = moving.mechanism().turns();
+        Some(MeetingPlace {
+            kind: meeting.kind.code(),
+            branches: meeting.branches,
+            input: if turns { input.rem_euclid(TAU) } else { input },
+            output: angle(moving, &pose.ok()?, self.circuits.output()),
+        })
+    }
+}

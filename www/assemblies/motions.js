@@ -1,0 +1,104 @@
+// All motions of the linkage that is shown, from the worker that finds them. It is asked one thing at a time, the newest first:
+// while a length is dragged the map follows as fast as it can be found.
+import { fetchWasm } from "assur/engine.js";
+
+/**
+ * @typedef {import("assur/types/web.js").MotionsMap} MotionsMap
+ * @typedef {import("assur/types/web.js").Belonging} Belonging
+ */
+
+export class Motions {
+  #changed;
+  /** @type {Worker | null} */
+  #worker = null;
+  /** What is asked when the worker is free. */
+  #next = /** @type {object | null} */ (null);
+  #busy = true;
+  #revision = 0;
+  /** The input and the assembly that were asked for last. */
+  #asked = "";
+  /** @type {MotionsMap | null} of the newest linkage whose map was found */
+  map = null;
+  /** Whether the map is that of the linkage as it is. */
+  current = false;
+  /** @type {Belonging | null} where the assemblies at the input that was asked for belong */
+  belonging = null;
+  /** Whether it could not be found. */
+  lost = false;
+
+  /** @param {() => void} changed when something was found */
+  constructor(changed) {
+    this.#changed = changed;
+  }
+
+  /**
+   * @param {number} revision of the linkage
+   * @param {object} state
+   */
+  of(revision, state) {
+    if (this.#revision === revision) return;
+    this.#revision = revision;
+    this.current = this.lost = false;
+    this.belonging = null;
+    this.#asked = "";
+    this.#ask({ revision, state });
+  }
+
+  /**
+   * @param {number} input
+   * @param {number} number of the assembly that is shown, from 0
+   */
+  at(input, number) {
+    const asked = `${input} ${number}`;
+    if (!this.current || asked === this.#asked || this.#next) return;
+    this.#asked = asked;
+    this.belonging = null;
+    this.#ask({ revision: this.#revision, input, number });
+  }
+
+  /** @param {object} question */
+  #ask(question) {
+    this.#next = question;
+    if (!this.#worker) this.#begin();
+    else if (!this.#busy) this.#send();
+  }
+
+  #send() {
+    if (!this.#next) return;
+    this.#worker?.postMessage(this.#next);
+    this.#next = null;
+    this.#busy = true;
+  }
+
+  async #begin() {
+    const worker = new Worker(import.meta.resolve("assur/assemblies/worker.js"), { type: "module" });
+    this.#worker = worker;
+    worker.addEventListener("message", ({ data }) => this.#hear(data));
+    worker.addEventListener("error", () => this.#hear({ lost: true }));
+    try {
+      const response = await fetchWasm();
+      const wasm = await response.arrayBuffer();
+      worker.postMessage({ engine: import.meta.resolve("assur/pkg/assur_web.js"), wasm, ...this.#next }, [wasm]);
+      this.#next = null;
+    } catch {
+      this.#hear({ lost: true });
+    }
+  }
+
+  /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean }} answer */
+  #hear({ revision, map, belonging, lost }) {
+    this.#busy = false;
+    const current = revision === this.#revision;
+    if (map) {
+      this.map = map;
+      this.current = current;
+    }
+    if (belonging && current) this.belonging = belonging;
+    if (lost) {
+      this.lost = true;
+      if (current) this.map = null;
+    }
+    this.#send();
+    this.#changed();
+  }
+}

@@ -1,0 +1,220 @@
+// All assemblies of the linkage that is shown: a picture of each where the input is, a map of their branches, and which can be
+// reached from the one that moves. Loaded when they are asked for.
+import "assur/assemblies/style.js";
+import { BranchMap } from "assur/assemblies/map.js";
+import { Motions } from "assur/assemblies/motions.js";
+import { Transform } from "assur/canvas/transform.js";
+import { byId, make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { symbol } from "assur/core/symbols.js";
+import { Figure } from "assur/stage/figure.js";
+import { change } from "assur/state/change.js";
+
+/**
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/types/web.js").AssembliesHere} Here
+ */
+
+/** Free room around a picture, in pixels. */
+const MARGIN = 7;
+
+export class Assemblies {
+  #page;
+  #figure;
+  #motions;
+  #map;
+  #count = make("p", { id: "assembly-count" });
+  #pictures = make("div", { id: "assembly-pictures", class: "assembly-pictures", role: "group", "data-t-label": "assemblies.pictures" });
+  #where = make("p", { id: "assembly-where", role: "status" });
+  #reach = make("ul", { id: "assembly-reach" });
+  #mapped = make("p", { id: "assembly-mapped" });
+  /** @type {{ button: HTMLButtonElement, canvas: HTMLCanvasElement, name: HTMLElement }[]} */
+  #buttons = [];
+  /** @type {Here | null} */
+  #here = null;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+  /** The rectangle in which all were so far, of the linkage with this revision. */
+  #bounds = [Infinity, Infinity, -Infinity, -Infinity];
+  #revision = 0;
+  /** @type {object | null} what the map was drawn of */
+  #drawn = null;
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#figure = new Figure(page.engine, page.theme);
+    this.#motions = new Motions(() => page.redraw());
+    this.#map = new BranchMap((input, output) => this.#choose(input, output));
+    this.element = make("section", { id: "assemblies-shown" }, [
+      make("h2", { "data-t": "assemblies.heading" }),
+      this.#count, this.#pictures, this.#where, this.#reach, this.#map.element, this.#mapped,
+    ]);
+    byId("overlays", HTMLElement).after(this.element);
+    page.words.fill(this.element);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, frameInput, stale } = snapshot;
+    const shown = state.view.assemblies && "assemblies" in snapshot.summary;
+    this.element.hidden = !shown;
+    if (!shown || stale) return;
+    this.#snapshot = snapshot;
+    this.#here = attempt(() => this.#page.engine.assemblies(frameInput)).value ?? null;
+    if (!this.#here) return;
+    this.#motions.of(snapshot.revision, state);
+    this.#show(this.#here, snapshot);
+    this.#paint(this.#here, snapshot);
+    if (snapshot.legible) this.#tell(this.#here, snapshot);
+    this.#draw(this.#here, snapshot);
+  }
+
+  /**
+   * As many pictures as there are assemblies, and which one moves.
+   * @param {Here} here
+   * @param {Snapshot} snapshot
+   */
+  #show({ all, shown }, { words }) {
+    while (this.#buttons.length < all.length) this.#add();
+    this.#buttons.forEach(({ button, name }, k) => {
+      button.hidden = k >= all.length;
+      if (button.hidden) return;
+      button.setAttribute("aria-pressed", String(k === shown));
+      const number = words.numbers.exact(all[k].number);
+      write(name, number);
+      const label = words.text("assemblies.one", { number });
+      if (button.getAttribute("aria-label") !== label) button.setAttribute("aria-label", label);
+    });
+  }
+
+  #add() {
+    const canvas = make("canvas", { "aria-hidden": "true" });
+    const name = make("span");
+    const number = this.#buttons.length;
+    const button = make("button", { type: "button", class: "control", id: `assembly-${number + 1}-picture` }, [canvas, name]);
+    button.addEventListener("click", () => this.#follow(number));
+    this.#buttons.push({ button, canvas, name });
+    this.#pictures.append(button);
+  }
+
+  /**
+   * @param {Here} here
+   * @param {Snapshot} snapshot
+   */
+  #paint({ all }, snapshot) {
+    if (this.#revision !== snapshot.revision) this.#bounds = [...snapshot.summary.bounds];
+    this.#revision = snapshot.revision;
+    for (const { bodies } of all) this.#hold(bodies);
+    all.forEach(({ bodies }, k) => {
+      const { canvas } = this.#buttons[k];
+      const { clientWidth: width, clientHeight: height } = canvas;
+      const context = canvas.getContext("2d");
+      if (!context || width === 0) return;
+      const ratio = globalThis.devicePixelRatio || 1;
+      const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
+      if (canvas.width !== across) canvas.width = across;
+      if (canvas.height !== down) canvas.height = down;
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.clearRect(0, 0, across, down);
+      this.#figure.take({ ...snapshot, frame: Float64Array.from(bodies) });
+      this.#figure.paintMoving({ context, ratio }, Transform.fit(this.#bounds, width, height, MARGIN));
+    });
+  }
+
+  /**
+   * Makes room for where the bodies are.
+   * @param {readonly number[]} bodies
+   */
+  #hold(bodies) {
+    const [left, below, right, above] = this.#bounds;
+    const [xs, ys] = [1, 2].map((first) => bodies.filter((_, at) => at > 3 && at % 3 === first % 3));
+    this.#bounds = [Math.min(left, ...xs), Math.min(below, ...ys), Math.max(right, ...xs), Math.max(above, ...ys)];
+  }
+
+  /**
+   * How many there are, and which can be reached.
+   * @param {Here} here
+   * @param {Snapshot} snapshot
+   */
+  #tell({ all, shown, complex, whole }, { frameInput, state, words }) {
+    const { numbers } = words;
+    const count = complex === null ? words.counted("assemblies.count", all.length) : words.counted("assemblies.count_of", all.length, { complex: numbers.exact(complex) });
+    write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
+    if (shown === null) return;
+    const { map, current } = this.#motions;
+    // Where it moves it is told when it rests.
+    if (!state.view.playing) this.#motions.at(frameInput, shown);
+    const belonging = current ? this.#motions.belonging : null;
+    const fits = belonging?.branches.length === all.length ? belonging : null;
+    const branch = fits?.branches[shown];
+    write(this.#where, fits && map && branch !== undefined
+      ? words.text("assemblies.where", {
+          branch: numbers.exact(branch + 1), branches: numbers.exact(map.branches.length),
+          circuit: numbers.exact(map.branches[branch].circuit + 1), circuits: numbers.exact(map.circuits),
+        })
+      : "");
+    const groups = { same: /** @type {string[]} */ ([]), folds: /** @type {string[]} */ ([]), never: /** @type {string[]} */ ([]) };
+    fits?.reached.forEach((through, k) => {
+      if (k === shown) return;
+      const group = through === null ? groups.never : through.length === 0 ? groups.same : groups.folds;
+      group.push(numbers.exact(all[k].number));
+    });
+    const said = Object.entries(groups).flatMap(([group, of]) => (of.length > 0 ? [words.text(REACH[/** @type {keyof typeof REACH} */ (group)], { n: of.join(", ") })] : []));
+    if (this.#reach.textContent !== said.join("")) this.#reach.replaceChildren(...said.map((one) => make("li", {}, [one])));
+  }
+
+  /**
+   * @param {Here} here
+   * @param {Snapshot} snapshot
+   */
+  #draw({ all, shown }, snapshot) {
+    const { summary, words, frameInput } = snapshot;
+    const { map, current, lost, belonging } = this.#motions;
+    const { cycle, moves } = summary;
+    if (map && (this.#drawn !== map || this.#map.lang !== words.lang)) {
+      this.#drawn = map;
+      this.#map.lang = words.lang;
+      const output = symbol({ name: `${map.output}.angle` }, 0, false, words);
+      const turns = moves === "angle";
+      this.#map.draw(map, { turns, range: [cycle.start, cycle.end], input: turns ? "φ" : "s", output: "ψ", numbers: words.numbers });
+      this.#map.element.setAttribute("aria-label", words.text("assemblies.map", { n: output }));
+      write(this.#mapped, words.text(map.whole ? "assemblies.mapped" : "assemblies.mapped_partly", { n: output }));
+    }
+    this.#map.element.toggleAttribute("hidden", !map);
+    if (map) {
+      this.#map.element.classList.toggle("faded", !current);
+      const fits = current && belonging?.branches.length === all.length && shown !== null;
+      this.#map.mark({ input: frameInput, shown, angles: all.map(({ angle }) => angle) }, fits ? belonging.branches[shown] : null);
+    } else write(this.#mapped, words.text(lost ? "assemblies.lost" : "assemblies.coming"));
+  }
+
+  /** @param {number} k which of the pictures */
+  #follow(k) {
+    const here = this.#here;
+    const snapshot = this.#snapshot;
+    if (!here || !snapshot || k === here.shown || !here.all[k]) return;
+    const { engine, history } = this.#page;
+    history.step(() => change(() => engine.assemble(here.all[k].number, snapshot.frameInput), "assembly", this.#page));
+  }
+
+  /**
+   * Goes to an input of the map, and there to the assembly whose output is next to one.
+   * @param {number} input
+   * @param {number} output
+   */
+  #choose(input, output) {
+    const { engine, history, model, store } = this.#page;
+    const { value: here } = attempt(() => engine.assemblies(input));
+    if (!here || here.all.length === 0) return;
+    const off = (/** @type {number} */ angle) => Math.abs(Math.atan2(Math.sin(angle - output), Math.cos(angle - output)));
+    const chosen = here.all.reduce((best, one) => (off(one.angle) < off(best.angle) ? one : best));
+    history.step(() => {
+      change(() => ({ ...engine.assemble(chosen.number, input), input }), "assembly", this.#page);
+      model.follow(store.get());
+    });
+  }
+}
+
+/** How others are reached from the one that moves. */
+const REACH = Object.freeze({ same: "assemblies.same", folds: "assemblies.folds", never: "assemblies.never" });
