@@ -217,15 +217,16 @@ fn ten_of_fourteen() {
 fn where_two_meet() {
     let motion = document("short").motion().unwrap();
     let ends = motion.dead_points().iter();
-    let ends: Vec<f64> = ends
-        .map(|dead| dead.input.to_degrees().rem_euclid(360.0))
-        .collect();
+    let told: Vec<f64> = ends.map(|dead| dead.input.to_degrees()).collect();
+    let ends: Vec<f64> = told.iter().map(|end| end.rem_euclid(360.0)).collect();
     let expected = [273.137, 277.608];
     for (found, expected) in ends.iter().zip(expected) {
         assert_near(*found, expected, 5e-4, "dead point");
     }
     assert_eq!((ends.len(), motion.cycle().arcs().len()), (2, 1));
-    tells("fold.right", &ends);
+    // As the page tells them, without the sign, and as the reference does.
+    let told = told.iter().map(|end| end.abs());
+    tells("fold.right", &told.chain(ends).collect::<Vec<_>>());
     let circuits = of_class_iv();
     let (own, _) = drawn(&circuits, "short");
     let meetings = circuits.meetings().iter();
@@ -281,7 +282,16 @@ fn which_can_be_reached() {
     let apart = (one - other).abs().to_degrees();
     tells(
         "reach.text",
-        &[branches, circuits, many(1), many(4), 4.0, 275.0, apart],
+        &[
+            branches,
+            circuits,
+            many(1),
+            many(4),
+            4.0,
+            275.0,
+            85.0,
+            apart,
+        ],
     );
     assert!(
         LESSON

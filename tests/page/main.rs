@@ -4,6 +4,7 @@
 
 mod access;
 mod assemblies;
+mod assemblies_lesson;
 mod bad_input;
 mod browser;
 mod bundle;

@@ -12,7 +12,7 @@ use crate::device::LANGUAGES;
 use crate::layout::defects;
 
 /// The lessons, with the steps to look at, and a third of the gallery.
-const STOPS: [&str; 24] = [
+const STOPS: [&str; 26] = [
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:1%7D",
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:5%7D",
     "class4-dwell&v.lesson=%7B%22id%22:%22class4-dwell%22,%22step%22:3%7D",
@@ -21,6 +21,8 @@ const STOPS: [&str; 24] = [
     "train-magnets&v.lesson=%7B%22id%22:%22differential%22,%22step%22:5%7D",
     "mobility-2a&v.lesson=%7B%22id%22:%22mobility%22,%22step%22:1%7D",
     "mobility-3&v.lesson=%7B%22id%22:%22mobility%22,%22step%22:4%7D",
+    "class3-platform&v.lesson=%7B%22id%22:%22assemblies%22,%22step%22:2%7D",
+    "triple-rocker&v.lesson=%7B%22id%22:%22assemblies%22,%22step%22:5%7D",
     "crank-rocker",
     "parallelogram",
     "peaucellier",

@@ -46,7 +46,7 @@ export class Assemblies {
     this.#figure = new Figure(page.engine, page.theme);
     this.#motions = new Motions(() => page.redraw());
     this.#map = new BranchMap((input, output) => this.#choose(input, output));
-    this.element = make("section", { id: "assemblies-shown" }, [
+    this.element = make("section", { id: "assemblies-shown", "data-field": "assemblies" }, [
       make("h2", { "data-t": "assemblies.heading" }),
       this.#count, this.#pictures, this.#where, this.#reach, this.#map.element, this.#mapped,
     ]);

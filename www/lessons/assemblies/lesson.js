@@ -4,8 +4,11 @@ import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
-/** What every step shows: a picture of each assembly, with the map of their branches, and the others over the drawing. */
+/** What every step lays over the drawing, the other assemblies among it; and that there is a picture of each, with the map of their branches. */
 const OVERLAYS = Object.freeze(["traces", "assemblies", "others"]);
+
+/** The section with these pictures and the map, in every step. */
+const SECTION = Object.freeze(["assemblies"]);
 
 /** How many assemblies a group of revolute pairs has over the complex numbers, by its class and the number of its links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
@@ -16,12 +19,14 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "dyad",
     formula: "(x_C − x_B)² + (y_C − y_B)² = l²_BC\n(x_C − x_D)² + (y_C − y_D)² = l²_DC",
     shows: [{ preset: "crank-rocker", at: home, overlays: OVERLAYS }],
-    question: { hides: ["linkage-assembly"], whole: true, within: 0, answer: real },
+    controls: SECTION,
+    question: { whole: true, within: 0, answer: real },
   },
   {
     id: "triad",
     formula: "2 · 6 − 2 · 3 = 6",
     shows: [{ name: "triad", preset: "class3-platform", at: home, overlays: OVERLAYS }, { name: "dyad", preset: "crank-rocker", at: home, overlays: OVERLAYS }],
+    controls: SECTION,
     readouts: ["formula"],
     question: { choices: ["two", "six", "fourteen"], answer: complex },
   },
@@ -29,12 +34,14 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "ten",
     formula: "14 = r + 2c",
     shows: [{ name: "arc", preset: "ten", at: home, overlays: OVERLAYS }, { name: "zero", preset: "class4-dwell", at: home, overlays: OVERLAYS }],
-    question: { hides: ["linkage-assembly"], whole: true, within: 0, answer: real },
+    controls: SECTION,
+    question: { whole: true, within: 0, answer: real },
   },
   {
     id: "fold",
     formula: "Φ(q, φ₁) = 0\nJ = ∂Φ/∂q, det J = 0",
     shows: [{ preset: "short", at: home, play: true, overlays: OVERLAYS }],
+    controls: SECTION,
     readouts: ["linkage-range", "linkage-dead"],
     question: { unit: "°", within: 0.05, answer: range },
   },
@@ -46,6 +53,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
       { name: "crank", preset: "crank-rocker", at: home, play: true, overlays: OVERLAYS },
       { name: "by_rocker", preset: "double-rocker", drive: "left rocker", at: home, play: true, overlays: OVERLAYS },
     ],
+    controls: SECTION,
     readouts: ["linkage-grashof", "linkage-dead"],
     question: { choices: ["joined", "whole", "pairs"], answer: circuits },
   },
@@ -53,7 +61,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "reach",
     formula: "12 = 4 + 2 · 4",
     shows: [{ name: "dwell", preset: "ten", at: home, overlays: OVERLAYS }, { name: "near", preset: "near", at: home, overlays: OVERLAYS }],
-    readouts: ["linkage-dead"],
+    controls: SECTION,
     question: { choices: ["none", "some"], answer: reached },
   },
 ] });
