@@ -10,7 +10,7 @@ use crate::gallery::open;
 async fn shown(page: &Page) {
     let there = "return !!document.querySelector('#assembly-pictures button:not([hidden])') && !document.getElementById('assemblies-shown').hidden";
     if page.ask(there).await != json!(true) {
-        page.click("assemblies").await;
+        page.click("all_assemblies").await;
     }
     page.until("the pictures", async || {
         page.ask(there).await == json!(true)
