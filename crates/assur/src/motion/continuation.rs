@@ -145,6 +145,9 @@ impl<'a> Continuation<'a> {
         let longest = if has_groups { cell } else { LONGEST * cell };
         let mut width = longest;
         let mut taken = BEFORE_LONGER;
+        // What is ahead is looked for once at a width: that takes as long as many steps.
+        let short = SHORT * self.mechanism.span();
+        let mut looked = short;
         while (target - self.input) * sense > 0.0 {
             let left = (target - self.input).abs();
             let next = if width < left {
@@ -162,6 +165,9 @@ impl<'a> Continuation<'a> {
             self.work = work;
             let Err(step) = self.step_to(next) else {
                 self.take(next, knots);
+                if tried >= short {
+                    looked = short;
+                }
                 // Where one step was too long for a dyad the next ones will be; a group tells how long they may be.
                 taken += 1;
                 if taken >= BEFORE_LONGER {
@@ -177,8 +183,11 @@ impl<'a> Continuation<'a> {
             if in_line.is_some_and(|found| self.pass(found, sense, knots)) {
                 width = longest;
             } else if is_group
-                && tried < SHORT * self.mechanism.span()
-                && let Some(dead) = self.out_of_range(sense).or_else(|| self.singular(sense))
+                && tried < looked
+                && let Some(dead) = {
+                    looked = tried;
+                    self.out_of_range(sense).or_else(|| self.singular(sense))
+                }
             {
                 return Some(dead);
             } else if tried > cell * 0.5_f64.powi(most) && next != self.input {
