@@ -56,7 +56,7 @@ numbers: boolean,
 /**
  * All assemblies shown: a picture of each, and their map.
  */
-assemblies: boolean, 
+all_assemblies: boolean, 
 /**
  * The other assemblies shown beside the one that moves, dashed.
  */

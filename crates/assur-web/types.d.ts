@@ -90,7 +90,11 @@ traceable: boolean,
  * The other kinds of document that can be made of it.
  */
 becomes: readonly "scheme"[], };
-export type MotionSummary = { equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+export type MotionSummary = { equations: Array<EquationSummary>, 
+/**
+ * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ */
+assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -123,7 +127,11 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /**
  * What can drive it, by the links that are turned or slide.
  */
-drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, 
+/**
+ * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ */
+assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -166,7 +174,11 @@ overlaps: Array<[number, number]>,
 /**
  * The direction from wheel 4 in which there is most room.
  */
-free_direction: number, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+free_direction: number, equations: Array<EquationSummary>, 
+/**
+ * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ */
+assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -293,7 +305,11 @@ printed: PrintedSummary | null,
 /**
  * What is drawn, as a linkage for the simulator.
  */
-linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, 
+/**
+ * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ */
+assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */

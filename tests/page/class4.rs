@@ -1,5 +1,6 @@
 //! The Class IV mechanism on the page: its dwell, its cyclogram, its lesson.
 
+use crate::assemblies::{follow, followed};
 use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::{agrees, document, open};
@@ -150,7 +151,7 @@ async fn a_step_shows_its_own_document() {
     }
     page.click("lesson-show").await;
     page.click("tab-settings").await;
-    page.choose("linkage-assembly", "2").await;
+    follow(&page, 2).await;
     assert!(page.text("out-formula").await.contains("II₂"));
     page.click("tab-lesson").await;
     page.click("lesson-on").await;
@@ -162,7 +163,7 @@ async fn a_step_shows_its_own_document() {
     assert_eq!(dwell(&page).await, "184.289°");
     page.click("undo").await;
     assert!(page.text("out-formula").await.contains("II₂"));
-    assert_eq!(page.written("linkage-assembly").await, "2");
+    assert_eq!(followed(&page).await, "2");
     page.close().await;
 }
 

@@ -6,6 +6,7 @@ use assur::motion::Changed;
 use assur_file::LinkageDocument;
 use thirtyfour::prelude::*;
 
+use crate::assemblies::{follow, followed};
 use crate::browser::Page;
 use crate::gallery::{agrees, document, open};
 
@@ -141,29 +142,30 @@ async fn an_assembly_is_saved_as_it_is_drawn() {
         address.contains("v.phi_deg=40&") && address.contains("v.plot=G")
     })
     .await;
-    let before = page.address().await;
-    page.choose("linkage-assembly", "2").await;
+    follow(&page, 2).await;
     page.settle().await;
-    assert_eq!(page.written("linkage-assembly").await, "2");
+    assert_eq!(followed(&page).await, "2");
     let second = page.value("out-G.y").await;
     assert!((second - first).abs() > 0.1);
-    page.until("another address", async || page.address().await != before)
-        .await;
+    page.until("another address", async || {
+        page.address().await.contains("d.points")
+    })
+    .await;
     assert!(!page.address().await.contains("assembly"));
     page.reload().await;
     page.until("the mechanism", async || {
-        page.count("#linkage-assembly").await == 1
+        page.count("#linkage-lengths").await == 1
     })
     .await;
     page.settle().await;
-    assert_eq!(page.written("linkage-assembly").await, "2");
+    assert_eq!(followed(&page).await, "2");
     assert!((page.value("out-G.y").await - second).abs() < 1e-12);
 
     // A key does what the list does, in one step; that of the drawn assembly is none.
     let before = page.address().await;
     page.keys("1").await;
     page.keys("1").await;
-    assert_eq!(page.written("linkage-assembly").await, "1");
+    assert_eq!(followed(&page).await, "1");
     assert!((page.value("out-G.y").await - first).abs() < 1e-9);
     page.until("the address of the first", async || {
         page.address().await != before
@@ -171,6 +173,6 @@ async fn an_assembly_is_saved_as_it_is_drawn() {
     .await;
     assert!(!page.address().await.contains("assembly"));
     page.chord(&[Key::Control], 'z').await;
-    assert_eq!(page.written("linkage-assembly").await, "2");
+    assert_eq!(followed(&page).await, "2");
     page.close().await;
 }

@@ -3,6 +3,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod access;
+mod assemblies;
 mod assemblies_lesson;
 mod bad_input;
 mod browser;

@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Assemblies, Mechanism, Method};
+use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
 use assur::motion::Motion;
+use assur::{Point, Vector};
 
-use crate::groups::{KINDS, drawn};
+use crate::groups::{KINDS, Kind, drawn};
 
 const GROUPS: u64 = 120;
+const SPECIAL: u64 = 40;
 /// Angles of assemblies agree, radians.
 const SAME: f64 = 2e-11;
 
@@ -64,4 +66,97 @@ fn two_methods_find_the_same_assemblies() {
             }
         }
     }
+}
+
+/// Dimensions that people choose.
+#[derive(Clone, Copy, Debug)]
+enum Choice {
+    /// All points on a grid, so that many lengths are alike or whole, and links parallel.
+    Grid,
+    /// Links of three points with these in a line.
+    InLine,
+    /// Bars of whole lengths, many of them alike.
+    Whole,
+}
+
+/// A group of such dimensions; none where it cannot be joined so.
+fn chosen(kind: Kind, choice: Choice, seed: u64) -> Option<Mechanism> {
+    let mut draft = drawn(kind, seed);
+    let at = |draft: &Draft, name: &str| {
+        let mut points = draft.points.iter();
+        points.find(|point| point.name == name).unwrap().at
+    };
+    match choice {
+        Choice::Grid => {
+            for point in &mut draft.points {
+                point.at = point.at.map(f64::round);
+            }
+        }
+        Choice::InLine => {
+            for link in draft.links.clone() {
+                let [first, second, third] = &link.points[..] else {
+                    continue;
+                };
+                let [a, b] = [first, second].map(|name| at(&draft, name));
+                let third = draft.points.iter_mut().find(|point| point.name == *third);
+                third.unwrap().at = a + 2.0 * (b - a);
+            }
+        }
+        Choice::Whole => {
+            for link in &mut draft.links {
+                if let [a, b] = &link.points[..] {
+                    let [a, b] =
+                        [a, b].map(|name| draft.points.iter().find(|one| one.name == *name));
+                    let length = (a.unwrap().at - b.unwrap().at).norm().round().max(1.0);
+                    let ends = [Point::origin(), Point::origin() + length * Vector::x()];
+                    link.shape = Some(ends.to_vec());
+                }
+            }
+        }
+    }
+    Mechanism::new(&draft).ok()
+}
+
+/// Of dimensions that people choose both methods find the same real ways, an even number, none twice.
+#[test]
+fn special_dimensions() {
+    let mut bad = Vec::new();
+    for (kind, _) in KINDS {
+        for choice in [Choice::Grid, Choice::InLine, Choice::Whole] {
+            let mut compared = 0;
+            for seed in 0..SPECIAL {
+                let Some(mechanism) = chosen(kind, choice, seed) else {
+                    continue;
+                };
+                for input in [mechanism.home() + 0.37, mechanism.home() + 2.3] {
+                    let methods = [Method::Usual, Method::Paths];
+                    let found = methods.map(|method| mechanism.assemblies_at(input, method));
+                    let [one, other] = found.each_ref().map(|found| angles(&mechanism, found));
+                    let missed = |one: &[Vec<f64>], other: &[Vec<f64>]| {
+                        let known = |assembly: &&Vec<f64>| {
+                            !other.iter().any(|other| alike(assembly, other))
+                        };
+                        one.iter().filter(known).count()
+                    };
+                    let twice = one
+                        .iter()
+                        .enumerate()
+                        .any(|(k, assembly)| one[..k].iter().any(|other| alike(assembly, other)));
+                    if missed(&one, &other) + missed(&other, &one) > 0 || twice || one.len() % 2 > 0
+                    {
+                        bad.push(format!(
+                            "{kind:?} {choice:?} {seed} at {input}: {} and {} of {:?} and {:?}",
+                            one.len(),
+                            other.len(),
+                            found[0].complex,
+                            found[1].complex
+                        ));
+                    }
+                    compared += 1;
+                }
+            }
+            assert!(compared > SPECIAL / 4, "{kind:?} {choice:?}: {compared}");
+        }
+    }
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
 }

@@ -10,9 +10,9 @@ use assur::{Assembly, FourBar, Grashof};
 use crate::groups::{KINDS, drawn};
 use crate::random::Random;
 
-const GROUPS: u64 = 20;
+const GROUPS: u64 = 12;
 const FOUR_BARS: u64 = 400;
-const CHAINS: u64 = 3000;
+const CHAINS: u64 = 1000;
 /// So many inputs of each are looked at, none of which the search saw.
 const INPUTS: usize = 40;
 
@@ -178,36 +178,11 @@ fn every_assembly_of_chains() {
         let mechanism = Mechanism::new(&draft).unwrap();
         chains += 1;
         if circuits(&mechanism).is_whole() {
-            let bad = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-                every_assembly_is_on_one_branch(
-                    &format!("{seed}"),
-                    &mechanism,
-                    &mut Random::new(seed),
-                )
-            }))
-            .is_err();
-            if bad {
-                eprintln!("BADSEED {seed} {draft:?}");
-                let c = circuits(&mechanism);
-                for b in c.branches() {
-                    eprintln!(
-                        "  {} {:?} {:?}",
-                        b.circuit,
-                        b.motion.cycle().arcs(),
-                        b.motion
-                            .dead_points()
-                            .iter()
-                            .map(|d| d.kind.code())
-                            .collect::<Vec<_>>()
-                    );
-                }
-            }
+            every_assembly_is_on_one_branch(&format!("{seed}"), &mechanism, &mut random);
             whole += 1;
-        } else {
-            eprintln!("{seed} not whole");
         }
     }
-    assert!(whole * 20 >= chains * 19, "{whole} of {chains}");
+    assert!(whole * 100 >= chains * 99, "{whole} of {chains}");
 }
 
 /// The same points and links in the opposite order under other names, drawn in a pose.
@@ -295,6 +270,80 @@ fn drawn_otherwise() {
                     assert_eq!(one.0, other.0, "{what} at {input}");
                     assert!((one.1 - other.1).abs() < 1e-7, "{what} at {input}");
                 }
+            }
+        }
+    }
+}
+
+#[test]
+#[ignore]
+fn debug_chain() {
+    if let Ok(many) = std::env::var("MANY") {
+        let (mut bad, mut partial, mut n) = (Vec::new(), Vec::new(), 0);
+        for seed in 0..many.parse().unwrap() {
+            let Some((draft, _)) = crate::dyads::moving(seed) else {
+                continue;
+            };
+            let mechanism = Mechanism::new(&draft).unwrap();
+            let found = circuits(&mechanism);
+            n += 1;
+            if !found.is_whole() {
+                partial.push(seed);
+                continue;
+            }
+            let off = (0..720)
+                .filter(|k| {
+                    let input = TAU * (*k as f64 + 0.123) / 720.0;
+                    mechanism.assemblies_at(input, Method::Usual).poses.len()
+                        != found.at(input).len()
+                })
+                .count();
+            if off > 0 {
+                bad.push((seed, off));
+            }
+        }
+        println!("{n} bad {bad:?} partial {partial:?}");
+        return;
+    }
+    for seed in std::env::var("SEEDS").unwrap().split(',') {
+        let seed: u64 = seed.parse().unwrap();
+        let (draft, _) = crate::dyads::moving(seed).unwrap();
+        let mechanism = Mechanism::new(&draft).unwrap();
+        println!("{seed}: {}", mechanism.formula());
+        for (k, step) in mechanism.structure().steps.iter().enumerate() {
+            if let assur::structure::Step::Group(g) = step {
+                println!("  {k} {:?}", g.dyad);
+            }
+        }
+        let found = circuits(&mechanism);
+        for b in found.branches() {
+            println!(
+                "  {} {:?} {:?}",
+                b.circuit,
+                b.motion.cycle().arcs(),
+                b.motion
+                    .dead_points()
+                    .iter()
+                    .map(|d| (
+                        d.kind.code(),
+                        b.motion.links_at(d).collect::<Vec<_>>().join(",")
+                    ))
+                    .collect::<Vec<_>>()
+            );
+        }
+        if !found.is_whole() {
+            println!("  partial");
+        }
+        let mut last = (0, 0);
+        for k in 0..36000 {
+            let input = TAU * (k as f64 + 0.123) / 36000.0;
+            let now = (
+                mechanism.assemblies_at(input, Method::Usual).poses.len(),
+                found.at(input).len(),
+            );
+            if now != last {
+                println!("  {input}: {now:?}");
+                last = now;
             }
         }
     }

@@ -63,7 +63,7 @@ export class Views {
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
-    if (state.view.assemblies && !this.#assembled) this.#bringAssemblies();
+    if (state.view.all_assemblies && !this.#assembled) this.#bringAssemblies();
     if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);

@@ -46,7 +46,7 @@ export class Assemblies {
     this.#figure = new Figure(page.engine, page.theme);
     this.#motions = new Motions(() => page.redraw());
     this.#map = new BranchMap((input, output) => this.#choose(input, output));
-    this.element = make("section", { id: "assemblies-shown", "data-field": "assemblies" }, [
+    this.element = make("section", { id: "assemblies-shown", "data-field": "all_assemblies" }, [
       make("h2", { "data-t": "assemblies.heading" }),
       this.#count, this.#pictures, this.#where, this.#reach, this.#map.element, this.#mapped,
     ]);
@@ -57,11 +57,11 @@ export class Assemblies {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, frameInput, stale } = snapshot;
-    const shown = state.view.assemblies && "assemblies" in snapshot.summary;
-    this.element.hidden = !shown;
-    if (!shown || stale) return;
+    if (stale) return;
     this.#snapshot = snapshot;
-    this.#here = attempt(() => this.#page.engine.assemblies(frameInput)).value ?? null;
+    // Of what is no linkage none are told.
+    this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.assemblies(frameInput)).value) || null;
+    this.element.hidden = !this.#here;
     if (!this.#here) return;
     this.#motions.of(snapshot.revision, state);
     this.#show(this.#here, snapshot);

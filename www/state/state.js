@@ -25,7 +25,7 @@
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "assemblies", "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "differenced"]));
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
@@ -54,7 +54,7 @@ export function usualView(view) {
     transmission: false,
     groups: false,
     numbers: false,
-    assemblies: false,
+    all_assemblies: false,
     others: false,
     plot: "angles",
     only: "all",

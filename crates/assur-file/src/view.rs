@@ -61,7 +61,7 @@ pub struct View {
     pub numbers: bool,
     /// All assemblies shown: a picture of each, and their map.
     #[serde(default)]
-    pub assemblies: bool,
+    pub all_assemblies: bool,
     /// The other assemblies shown beside the one that moves, dashed.
     #[serde(default)]
     pub others: bool,
@@ -187,7 +187,7 @@ impl Default for View {
             transmission: false,
             groups: false,
             numbers: false,
-            assemblies: false,
+            all_assemblies: false,
             others: false,
             plot: angles(),
             only: Only::default(),

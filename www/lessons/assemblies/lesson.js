@@ -5,10 +5,10 @@ import { degrees } from "assur/core/angles.js";
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
 /** What every step lays over the drawing, the other assemblies among it; and that there is a picture of each, with the map of their branches. */
-const OVERLAYS = Object.freeze(["traces", "assemblies", "others"]);
+const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
 /** The section with these pictures and the map, in every step. */
-const SECTION = Object.freeze(["assemblies"]);
+const SECTION = Object.freeze(["all_assemblies"]);
 
 /** How many assemblies a group of revolute pairs has over the complex numbers, by its class and the number of its links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });

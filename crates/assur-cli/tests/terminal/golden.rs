@@ -10,6 +10,7 @@ fn the_mixer_is_the_golden_table() {
     let mut checked = 0;
     for (case, name) in [("1", "mixer-a"), ("2", "mixer-b")] {
         for assembly in ["1", "2"] {
+            // C is to the left of BD in the table's assembly 1, so that the rocker's angle is the lesser one at 0°.
             let text = said(&["sweep", name, "--step", "5", "--assembly", assembly]);
             let table = Table::of(&text);
             assert_eq!(table.rows.len(), 73);

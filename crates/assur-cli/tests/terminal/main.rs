@@ -6,6 +6,7 @@
 )]
 
 mod arguments;
+mod assemblies;
 mod drawings;
 mod files;
 mod golden;

@@ -23,7 +23,7 @@ fn state() -> State {
             transmission: true,
             groups: true,
             numbers: false,
-            assemblies: false,
+            all_assemblies: false,
             others: false,
             plot: "C2".to_owned(),
             only: Only::First,

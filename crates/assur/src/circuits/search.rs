@@ -34,9 +34,9 @@ const CLOSER: i32 = 8;
 const SAME: f64 = 1e-6;
 /// Two ways that are not real may become so before the next input that is looked at if they would within so many times
 /// the way to it …
-const FAR: f64 = 3.0;
+const FAR: f64 = 1.5;
 /// … and are those that a known branch begins with if they would not within this part of the way.
-const EARLY: f64 = 0.4;
+const EARLY: f64 = 0.8;
 
 /// The inputs at which there may be assemblies.
 #[derive(Clone, Copy, Debug)]

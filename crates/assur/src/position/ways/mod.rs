@@ -16,8 +16,6 @@ const ONE: f64 = 1e-8;
 /// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
 const REAL: f64 = 1e-5;
 
-/// So many directions are hidden, one after the other, where solutions are missed.
-const MOST_HIDDEN: usize = 3;
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
 
@@ -224,9 +222,10 @@ impl System {
     }
 
     /// Adds what the loops of a group of hinges tell; false where it is none. Where fewer are found than groups of
-    /// general dimensions have, other directions are hidden as well: one may be lost to rounding.
+    /// general dimensions have, all other directions are hidden as well: one may be lost to rounding, and those are that
+    /// have the hidden direction in common.
     fn add_by_loops(&self, found: &mut Vec<Vec<C>>) -> bool {
-        for hidden in 0..MOST_HIDDEN {
+        for hidden in 0..2 * self.unknowns {
             let Some(candidates) = truss::candidates(self, hidden) else {
                 return hidden > 0;
             };

@@ -1,0 +1,145 @@
+//! All assemblies at an input, and the motions through them.
+
+use serde_json::{Value, json};
+
+use crate::run::{Table, data, said};
+
+/// The golden table of the Class IV mechanism, in the order of its numbers.
+#[test]
+fn the_assemblies_of_the_golden_table() {
+    let golden = std::fs::read_to_string(data("class4_assemblies.csv")).unwrap();
+    for row in golden.lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let table = Table::of(&said(&["assemblies", "class4-dwell", "--at", cells[0]]));
+        assert_eq!(table.rows.len().to_string(), cells[1], "{row}");
+        for (k, degrees) in cells[2].split(' ').enumerate() {
+            assert_eq!(table.cell(k, "assembly"), (k + 1).to_string());
+            let expected = degrees.parse::<f64>().unwrap().to_radians();
+            let off = table.number(k, "CD.angle") - expected;
+            assert!(off.abs() < 2e-11, "{row}: {off:e}");
+        }
+    }
+    // Without an input those at the drawn one, 0°.
+    let [drawn, at_zero, a_turn_on] = [&[][..], &["--at", "0"], &["--at", "360"]].map(|at| {
+        let table = Table::of(&said(&[&["assemblies", "class4-dwell"], at].concat()));
+        let rows = 0..table.rows.len();
+        let angles = rows.map(|row| table.number(row, "CD.angle"));
+        angles.collect::<Vec<f64>>()
+    });
+    for other in [at_zero, a_turn_on] {
+        assert_eq!(drawn.len(), other.len());
+        for (one, other) in drawn.iter().zip(&other) {
+            assert!((one - other).abs() < 1e-12, "{one} {other}");
+        }
+    }
+}
+
+/// Each is where its number begins, and no other.
+#[test]
+fn an_assembly_is_followed_from_the_first_angle() {
+    for (name, at) in [
+        ("class4-dwell", "90"),
+        ("jansen", "40"),
+        ("slider-crank", "-70"),
+    ] {
+        let all = Table::of(&said(&["assemblies", name, "--at", at]));
+        for k in 0..all.rows.len() {
+            let number = (k + 1).to_string();
+            let to = format!("{}", at.parse::<f64>().unwrap() + 1.0);
+            let swept = said(&[
+                "sweep",
+                name,
+                "--assembly",
+                &number,
+                "--from",
+                at,
+                "--to",
+                &to,
+            ]);
+            let swept = Table::of(&swept);
+            for column in all.header.iter().skip(1) {
+                let off = all.number(k, column) - swept.number(0, column);
+                let off = off.rem_euclid(std::f64::consts::TAU);
+                let off = off.min(std::f64::consts::TAU - off);
+                assert!(off < 1e-10, "{name} {number} {column}: {off:e}");
+            }
+            assert_eq!(swept.rows.len(), 2);
+        }
+    }
+    // Of a driven slide by its length.
+    let slide = data("linkages/driven-slide.json");
+    let all = Table::of(&said(&["assemblies", &slide, "--at", "1.25"]));
+    assert_eq!(all.rows.len(), 2);
+    assert_eq!(
+        said(&["assemblies", &slide, "--at", "7"]).lines().count(),
+        1
+    );
+}
+
+/// The drawn one is that of the structure, and its drawing is the usual one.
+#[test]
+fn the_drawn_one_has_a_number() {
+    let described: Value =
+        serde_json::from_str(&said(&["structure", "class4-dwell", "--json"])).unwrap();
+    assert_eq!(described["assemblies"], 6);
+    let drawn = described["drawn_assembly"].to_string();
+    let plot =
+        |arguments: &[&str]| said(&[&["plot", "class4-dwell", "--svg", "-"], arguments].concat());
+    let usual = plot(&[]);
+    assert_eq!(
+        usual.lines().count(),
+        plot(&["--assembly", &drawn]).lines().count()
+    );
+    let other = if drawn == "1" { "2" } else { "1" };
+    assert_ne!(usual, plot(&["--assembly", other]));
+}
+
+#[test]
+fn circuits() {
+    let told = |name: &str| -> Value {
+        let text = said(&["circuits", name, "--json"]);
+        serde_json::from_str(&text).unwrap()
+    };
+    let class4 = told("class4-dwell");
+    assert_eq!(class4["output"], "CD");
+    assert_eq!(class4["whole"], true);
+    assert_eq!(class4["circuits"], 6);
+    let branches = class4["branches"].as_array().unwrap();
+    assert_eq!(branches.len(), 12);
+    let golden = std::fs::read_to_string(data("class4_folds.csv")).unwrap();
+    let folds = class4["folds"].as_array().unwrap();
+    assert_eq!(folds.len(), 8);
+    for row in golden.lines().skip(1) {
+        let expected: f64 = row.split(',').next().unwrap().parse().unwrap();
+        let near = |fold: &&Value| (fold["phi_deg"].as_f64().unwrap() - expected).abs() < 1e-8;
+        assert_eq!(folds.iter().filter(near).count(), 1, "{row}");
+    }
+    // What meets knows of each other.
+    for (k, branch) in branches.iter().enumerate() {
+        assert_eq!(branch["branch"], k + 1);
+        for end in branch["ends"].as_array().unwrap() {
+            let other = &branches[end["branch"].as_u64().unwrap() as usize - 1];
+            assert_eq!(other["circuit"], branch["circuit"]);
+            let back = other["ends"].as_array().unwrap().iter();
+            let back = back.filter(|back| back["branch"] == json!(k + 1));
+            assert_eq!(back.count(), 1);
+        }
+    }
+    let parallelogram = told("parallelogram");
+    assert_eq!(parallelogram["circuits"], 1);
+    assert_eq!(
+        parallelogram["branches"][0]["crossings"][1],
+        json!({"phi_deg": 180.0, "branch": 2})
+    );
+    let text = said(&["circuits", "triple-rocker"]);
+    assert!(
+        text.starts_with("circuits     1\nbranches     2\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("stretched: coupler, right rocker, on to branch 2"),
+        "{text}"
+    );
+    let text = said(&["circuits", &data("linkages/driven-slide.json")]);
+    assert!(text.contains("circuit 2, s = 0.5 to s = 2\n"), "{text}");
+}
