@@ -147,6 +147,30 @@ async fn whatever_a_step_shows_has_its_answer() {
     page.close().await;
 }
 
+/// The section with a picture of each assembly stands in the step, and goes home with the lesson.
+#[tokio::test]
+async fn pictures_of_all_stand_in_the_step() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    page.click("lesson-on").await;
+    page.click("lesson-on").await;
+    for (show, name) in [("arc", "ten"), ("zero", "class4-dwell")] {
+        page.click(&format!("lesson-show-{show}")).await;
+        page.settle().await;
+        let pictures = "#lesson #assembly-pictures button:not([hidden])";
+        page.until("the pictures", async || {
+            page.count(pictures).await.to_string() == real(name)
+        })
+        .await;
+    }
+    page.click("tab-settings").await;
+    page.until("the section at home", async || {
+        page.count("#rail #assemblies-shown").await == 1
+    })
+    .await;
+    page.close().await;
+}
+
 /// The steps have room on the narrowest screen, whatever the language.
 #[tokio::test]
 async fn steps_have_room() {
