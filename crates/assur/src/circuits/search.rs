@@ -12,10 +12,12 @@ use std::f64::consts::TAU;
 use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Method, Pose};
 use crate::motion::{DeadPointKind, Motion};
-use crate::position::{Step, Unreal};
+use crate::position::{Group, Step, Unreal};
 use crate::sorting::sort_by;
 
-/// So many inputs are looked at in a turn, or a slide's range, whatever is found there.
+/// So many inputs are looked at in a turn, or a slide's range, whatever is found there: of dyads alone, where a look costs
+/// little, and dimensions of many let them come together and apart again within little; and with other groups.
+const SAMPLES_OF_DYADS: usize = 144;
 const SAMPLES: usize = 24;
 /// Not at the first of them, where linkages are often drawn in special poses.
 const ASIDE: f64 = 0.381_966;
@@ -178,21 +180,28 @@ impl<'a> Search<'a> {
     /// Finds all motions, that of the drawing first.
     pub(super) fn find_all(&mut self) {
         self.take(Motion::new(self.mechanism.clone()));
-        let steps = self.mechanism.steps();
-        if !steps.iter().all(|step| match step {
-            Step::Group(group) => group.is_algebraic(),
-            _ => true,
-        }) {
+        let steps = self.mechanism.steps().iter();
+        let groups = steps.filter_map(|step| match step {
+            Step::Group(group) => Some(group),
+            _ => None,
+        });
+        if !groups.clone().all(Group::is_algebraic) {
             self.whole = false;
             return;
         }
+        let has_groups = groups.count() > 0;
+        let samples = if has_groups {
+            SAMPLES
+        } else {
+            SAMPLES_OF_DYADS
+        };
         let [from, to] = self.domain.ends;
         let turns = if self.domain.period.is_some() {
             (to - from) / TAU
         } else {
             1.0
         };
-        let count = SAMPLES * turns.round().max(1.0) as usize;
+        let count = samples * turns.round().max(1.0) as usize;
         let width = (to - from) / count as f64;
         for k in 0..count {
             self.look(from + width * (k as f64 + ASIDE));
