@@ -15,8 +15,9 @@ mod schemes;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
+use assur::circuits::Circuits;
 use assur::dynamics::TICKS_PER_SECOND;
-use assur::mechanism::{self, LinkId, PointId, Quantity};
+use assur::mechanism::{self, LinkId, Method, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
 use assur::motion::{Input, Motion};
@@ -117,6 +118,34 @@ fn speed() {
                         full.store(&motion, index, black_box(crank));
                     }
                 }
+            }),
+        ));
+    }
+
+    let class4 = motion("class4-dwell").mechanism().clone();
+    let all = class4.clone();
+    let mut turned = 0.0;
+    contestants.push((
+        "Class IV, all assemblies at an input",
+        1,
+        Box::new(move || {
+            turned += 1.0;
+            black_box(all.assemblies_at(turned, Method::Usual));
+        }),
+    ));
+    for (name, of) in [
+        ("Class IV, all motions, a degree", class4),
+        (
+            "four-bar, all motions, a degree",
+            motion("crank-rocker").mechanism().clone(),
+        ),
+    ] {
+        let output = of.output().unwrap();
+        contestants.push((
+            name,
+            DEGREES,
+            Box::new(move || {
+                black_box(Circuits::of(&of, output));
             }),
         ));
     }

@@ -87,7 +87,7 @@ impl<I: Id, T> List<I, T> {
         (0..self.len()).map(I::at)
     }
 
-    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &T> + DoubleEndedIterator {
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &T> + DoubleEndedIterator + Clone {
         self.items.iter()
     }
 

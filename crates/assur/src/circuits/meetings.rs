@@ -1,6 +1,6 @@
 //! Where branches meet: which of them end in one dead point, or pass through one change point, and what that connects.
 
-use super::search::Domain;
+use super::domain::Domain;
 use super::{Circuits, Meeting, MeetingKind, Reach};
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, DeadPointKind, Motion};

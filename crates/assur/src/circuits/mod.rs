@@ -6,6 +6,7 @@
 //! branches pass through one pose. Branches that meet are of one *circuit* (Chase & Mirth, Circuits and branches of
 //! single-degree-of-freedom planar linkages, 1993).
 
+mod domain;
 mod meetings;
 mod numbering;
 mod search;
@@ -13,9 +14,10 @@ mod search;
 use crate::index::LinkId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, Motion};
+use domain::Domain;
 use meetings::Met;
 pub use numbering::NoAssembly;
-use search::{Domain, Search};
+use search::Search;
 
 /// The motions of a linkage in all its assemblies.
 #[derive(Clone, Debug)]

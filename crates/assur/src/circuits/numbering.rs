@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use super::search::SAME;
 use super::{Branch, Circuits};
 use crate::index::LinkId;
 use crate::mechanism::{Assemblies, Mechanism, Method, Pose};
@@ -54,14 +55,11 @@ pub struct NoAssembly {
     pub of: usize,
 }
 
-/// Poses of one assembly are within this of the size.
-const SAME: f64 = 1e-6;
-
 impl Mechanism {
     /// The link by whose angle assemblies are numbered where nothing else is said: the last that is placed.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
-        bodies.filter_map(|body| self.link_of(body)).last()
+        bodies.filter_map(|body| self.link_of(body)).next_back()
     }
 
     /// All assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.

@@ -9,18 +9,19 @@
 
 use std::f64::consts::TAU;
 
+use super::domain::Domain;
 use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Method, Pose};
 use crate::motion::{DeadPointKind, Motion};
-use crate::position::{Step, Unreal};
+use crate::position::{Group, Step, Unreal};
 use crate::sorting::sort_by;
 
-/// So many inputs are looked at in a turn, or a slide's range, whatever is found there.
+/// So many inputs are looked at in a turn, or a slide's range, whatever is found there: of dyads alone, where a look costs
+/// little, and dimensions of many let them come together and apart again within little; and with other groups.
+const SAMPLES_OF_DYADS: usize = 144;
 const SAMPLES: usize = 24;
 /// Not at the first of them, where linkages are often drawn in special poses.
 const ASIDE: f64 = 0.381_966;
-/// Assemblies of a linkage of wheels are followed over so many turns.
-const MOST_TURNS: usize = 24;
 /// No more inputs are looked at, nor motions followed.
 const MOST_LOOKS: usize = 2_000;
 const MOST_BRANCHES: usize = 512;
@@ -31,113 +32,12 @@ const BESIDE_INFINITY: f64 = 1e-3;
 /// So often it is looked for closer to a dead point.
 const CLOSER: i32 = 8;
 /// Two poses are one within this of the size.
-const SAME: f64 = 1e-6;
+pub(super) const SAME: f64 = 1e-6;
 /// Two ways that are not real may become so before the next input that is looked at if they would within so many times
 /// the way to it …
 const FAR: f64 = 1.5;
 /// … and are those that a known branch begins with if they would not within this part of the way.
 const EARLY: f64 = 0.8;
-
-/// The inputs at which there may be assemblies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Domain {
-    ends: [f64; 2],
-    /// After which they are the same again.
-    period: Option<f64>,
-}
-
-impl Domain {
-    /// And whether it is all of them.
-    fn of(mechanism: &Mechanism) -> (Self, bool) {
-        match mechanism.turns_of_assemblies() {
-            Some(turns) => {
-                let looked_at = turns.min(MOST_TURNS);
-                let domain = Self {
-                    ends: [0.0, TAU * looked_at as f64],
-                    period: Some(TAU * turns as f64),
-                };
-                (domain, looked_at == turns)
-            }
-            None => {
-                let ends = mechanism.within_ranges();
-                let known = ends.iter().all(|end| end.is_finite());
-                let home = mechanism.home();
-                let period = None;
-                let ends = if known {
-                    ends
-                } else {
-                    [home - TAU, home + TAU]
-                };
-                (Self { ends, period }, known)
-            }
-        }
-    }
-
-    pub(super) fn span(&self) -> f64 {
-        self.ends[1] - self.ends[0]
-    }
-
-    pub(super) fn first_told(&self, input: f64) -> f64 {
-        let from = self.ends[0];
-        self.period
-            .map_or(input, |period| from + (input - from).rem_euclid(period))
-    }
-
-    /// How far two inputs are from each other, by whole periods less.
-    pub(super) fn between(&self, one: f64, other: f64) -> f64 {
-        let off = one - other;
-        self.period
-            .map_or(off, |period| off - period * (off / period).round())
-            .abs()
-    }
-
-    /// The inputs by which a motion tells one, in all its turns.
-    pub(super) fn visits(&self, motion: &Motion, input: f64) -> Vec<f64> {
-        let cycle = motion.cycle();
-        let Some(period) = self.period else {
-            return if cycle.contains(input) {
-                vec![input]
-            } else {
-                Vec::new()
-            };
-        };
-        let told = |k: f64| input + period * k;
-        if let (true, Some(turns)) = (cycle.is_full(), cycle.period()) {
-            let visits = (turns / period).round().max(1.0) as usize;
-            return (0..visits).map(|k| cycle.wrap(told(k as f64))).collect();
-        }
-        let arcs = cycle.arcs().iter();
-        let visits = arcs.flat_map(|[from, to]| {
-            let [first, last] = [
-                ((from - input) / period).ceil(),
-                ((to - input) / period).floor(),
-            ];
-            (0..)
-                .map(move |k| first + f64::from(k))
-                .take_while(move |k| *k <= last)
-        });
-        visits.map(told).collect()
-    }
-
-    /// The ends of a motion, as inputs are told first.
-    pub(super) fn ends(&self, motion: &Motion) -> Vec<f64> {
-        let cycle = motion.cycle();
-        if cycle.is_full() {
-            return Vec::new();
-        }
-        let ends = cycle.arcs().iter().flatten();
-        ends.map(|end| self.first_told(*end)).collect()
-    }
-
-    /// The least input that a motion comes to.
-    pub(super) fn least(&self, motion: &Motion) -> f64 {
-        let from = self.ends[0];
-        if !self.visits(motion, from).is_empty() {
-            return from;
-        }
-        self.ends(motion).into_iter().fold(self.ends[1], f64::min)
-    }
-}
 
 /// What was seen at an input.
 struct Look {
@@ -178,21 +78,28 @@ impl<'a> Search<'a> {
     /// Finds all motions, that of the drawing first.
     pub(super) fn find_all(&mut self) {
         self.take(Motion::new(self.mechanism.clone()));
-        let steps = self.mechanism.steps();
-        if !steps.iter().all(|step| match step {
-            Step::Group(group) => group.is_algebraic(),
-            _ => true,
-        }) {
+        let steps = self.mechanism.steps().iter();
+        let groups = steps.filter_map(|step| match step {
+            Step::Group(group) => Some(group),
+            _ => None,
+        });
+        if !groups.clone().all(Group::is_algebraic) {
             self.whole = false;
             return;
         }
+        let has_groups = groups.count() > 0;
+        let samples = if has_groups {
+            SAMPLES
+        } else {
+            SAMPLES_OF_DYADS
+        };
         let [from, to] = self.domain.ends;
         let turns = if self.domain.period.is_some() {
             (to - from) / TAU
         } else {
             1.0
         };
-        let count = SAMPLES * turns.round().max(1.0) as usize;
+        let count = samples * turns.round().max(1.0) as usize;
         let width = (to - from) / count as f64;
         for k in 0..count {
             self.look(from + width * (k as f64 + ASIDE));
