@@ -83,7 +83,7 @@ export class Assemblies {
       button.setAttribute("aria-pressed", String(k === shown));
       const number = words.numbers.exact(all[k].number);
       write(name, number);
-      const label = words.text("assemblies.one", { number });
+      const label = words.text("assemblies.name", { number });
       if (button.getAttribute("aria-label") !== label) button.setAttribute("aria-label", label);
     });
   }
