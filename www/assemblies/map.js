@@ -8,8 +8,11 @@
 const SVG = "http://www.w3.org/2000/svg";
 /** Width and height of the map, in its units, and of the room for the scales. */
 const SIZE = 300;
-const LEFT = 34;
-const BELOW = 24;
+const LEFT = 42;
+const BELOW = 26;
+/** Room for half a number beyond the last lines. */
+const BEYOND = 18;
+const TOP = 8;
 const TURN = 2 * Math.PI;
 /** The colours of circuits, one after the other. */
 const COLOURS = ["crank", "coupler", "rocker", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "accent7"];
@@ -27,12 +30,12 @@ export class BranchMap {
 
   /** @param {(input: number, output: number) => void} chosen where it was clicked */
   constructor(chosen) {
-    this.element = make("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${SIZE + LEFT + 8} ${SIZE + BELOW + 8}`, role: "img" });
+    this.element = make("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
     this.element.append(this.#scale, this.#branches, this.#now);
     this.element.addEventListener("click", ({ clientX, clientY }) => {
       const { left, top, width, height } = this.element.getBoundingClientRect();
-      const x = ((clientX - left) / width) * (SIZE + LEFT + 8) - LEFT;
-      const y = ((clientY - top) / height) * (SIZE + BELOW + 8) - 8;
+      const x = ((clientX - left) / width) * (LEFT + SIZE + BEYOND) - LEFT;
+      const y = ((clientY - top) / height) * (TOP + SIZE + BELOW) - TOP;
       const [across, up] = [x / SIZE, 1 - y / SIZE];
       if (across >= 0 && across <= 1 && up >= 0 && up <= 1) chosen(this.#from + across * (this.#to - this.#from), up * TURN);
     });
@@ -55,6 +58,7 @@ export class BranchMap {
       const [x, y] = this.#place(at, angle);
       const dot = make("circle", { cx: x, cy: y, r: "4", class: kind });
       dot.style.stroke = colour(map.branches[branches[0]].circuit);
+      if (kind === "fold") dot.style.fill = dot.style.stroke;
       return dot;
     });
     this.#branches.replaceChildren(...lines, ...meetings);
@@ -68,7 +72,7 @@ export class BranchMap {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
     const along = this.#to - this.#from === TURN ? ((input % TURN) + TURN) % TURN : input;
     const [x] = this.#place(along, 0);
-    const line = make("line", { x1: x, x2: x, y1: "8", y2: String(8 + SIZE), class: "map-now" });
+    const line = make("line", { x1: x, x2: x, y1: String(TOP), y2: String(TOP + SIZE), class: "map-now" });
     const dots = angles.map((angle, k) => make("circle", { cx: x, cy: this.#place(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
     this.#now.replaceChildren(line, ...dots);
   }
@@ -92,7 +96,7 @@ export class BranchMap {
    */
   #place(input, output) {
     const x = LEFT + (SIZE * (input - this.#from)) / (this.#to - this.#from);
-    const y = 8 + SIZE * (1 - output / TURN);
+    const y = TOP + SIZE * (1 - output / TURN);
     return [x.toFixed(2), y.toFixed(2)];
   }
 
@@ -103,23 +107,23 @@ export class BranchMap {
    * @param {import("assur/core/numbers.js").Numbers} numbers
    */
   #scales(turns, input, output, numbers) {
-    const parts = [make("rect", { x: String(LEFT), y: "8", width: String(SIZE), height: String(SIZE) })];
+    const parts = [make("rect", { x: String(LEFT), y: String(TOP), width: String(SIZE), height: String(SIZE) })];
     const text = (/** @type {string} */ said, /** @type {number} */ x, /** @type {number} */ y, anchor = "middle") => {
       const made = make("text", { x: String(x), y: String(y), "text-anchor": anchor });
       made.textContent = said;
       parts.push(made);
     };
     for (let quarter = 0; quarter <= 4; quarter++) {
-      const at = 8 + SIZE * (1 - quarter / 4);
+      const at = TOP + SIZE * (1 - quarter / 4);
       const left = LEFT + (SIZE * quarter) / 4;
       parts.push(make("line", { x1: String(LEFT), x2: String(LEFT + SIZE), y1: String(at), y2: String(at) }));
-      parts.push(make("line", { x1: String(left), x2: String(left), y1: "8", y2: String(8 + SIZE) }));
+      parts.push(make("line", { x1: String(left), x2: String(left), y1: String(TOP), y2: String(TOP + SIZE) }));
       // The names of the axes stand where the numbers of the third quarter would.
       const up = quarter === 3 ? output : `${90 * quarter}°`;
       const value = this.#from + ((this.#to - this.#from) * quarter) / 4;
       const across = turns ? `${90 * quarter}°` : numbers.upTo(value, 2);
-      text(up, LEFT - 4, at + 4, "end");
-      text(quarter === 3 ? input : across, Math.min(left, LEFT + SIZE - 8), SIZE + BELOW + 2);
+      text(up, LEFT - 5, at + 5, "end");
+      text(quarter === 3 ? input : across, left, TOP + SIZE + BELOW - 6);
     }
     return parts;
   }

@@ -6,7 +6,7 @@ import { Motions } from "assur/assemblies/motions.js";
 import { Transform } from "assur/canvas/transform.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { symbol } from "assur/core/symbols.js";
+import { subscript, symbol } from "assur/core/symbols.js";
 import { Figure } from "assur/stage/figure.js";
 import { change } from "assur/state/change.js";
 
@@ -171,13 +171,13 @@ export class Assemblies {
   #draw({ all, shown }, snapshot) {
     const { summary, words, frameInput } = snapshot;
     const { map, current, lost, belonging } = this.#motions;
-    const { cycle, moves } = summary;
+    const { cycle, moves, input, numbers } = summary;
     if (map && (this.#drawn !== map || this.#map.lang !== words.lang)) {
       this.#drawn = map;
       this.#map.lang = words.lang;
       const output = symbol({ name: `${map.output}.angle` }, 0, false, words);
       const turns = moves === "angle";
-      this.#map.draw(map, { turns, range: [cycle.start, cycle.end], input: turns ? "φ" : "s", output: "ψ", numbers: words.numbers });
+      this.#map.draw(map, { turns, range: [cycle.start, cycle.end], input: turns ? angled(input) : "s", output: angled(numbers[map.output]), numbers: words.numbers });
       this.#map.element.setAttribute("aria-label", words.text("assemblies.map", { n: output }));
       write(this.#mapped, words.text(map.whole ? "assemblies.mapped" : "assemblies.mapped_partly", { n: output }));
     }
@@ -214,6 +214,11 @@ export class Assemblies {
       model.follow(store.get());
     });
   }
+}
+
+/** @param {string | undefined} number of a link, if it has one */
+function angled(number) {
+  return `φ${number ? subscript(number) : ""}`;
 }
 
 /** How others are reached from the one that moves. */
