@@ -104,25 +104,28 @@ async fn what_cannot_be_is_refused_at_its_row() {
 async fn another_driver_keeps_the_pose() {
     let page = Page::open().await;
     page.stop_at("40").await;
-    open(&page, "class4-dwell").await;
-    page.choose("plot", "L").await;
-    for (degrees, driver) in [("75", "CD"), ("200", "HGL"), ("310", "CD")] {
-        page.choose("driver", "AB").await;
-        page.stop_at(degrees).await;
-        let places = [page.value("out-L.x").await, page.value("out-L.y").await];
-        page.choose("driver", driver).await;
-        page.settle().await;
-        assert_eq!(page.text("problem").await, "");
-        assert!(
-            page.text("out-formula")
-                .await
-                .contains(&format!("I(frame,{driver})"))
-        );
-        for (id, place) in ["out-L.x", "out-L.y"].into_iter().zip(places) {
-            assert!(
-                (page.value(id).await - place).abs() < 1e-9,
-                "{degrees} {driver}"
-            );
+    let four = [("75", "CD"), ("200", "HGL"), ("310", "CD")];
+    let watt = [("75", "rocker"), ("200", "rocker"), ("310", "rocker")];
+    for (name, point, crank, drivers) in [
+        ("class4-dwell", "L", "AB", four),
+        ("watt-1", "G", "crank", watt),
+    ] {
+        open(&page, name).await;
+        page.choose("plot", point).await;
+        let ids = ["x", "y"].map(|axis| format!("out-{point}.{axis}"));
+        for (degrees, driver) in drivers {
+            page.choose("driver", crank).await;
+            page.stop_at(degrees).await;
+            let places = [page.value(&ids[0]).await, page.value(&ids[1]).await];
+            page.choose("driver", driver).await;
+            page.settle().await;
+            assert_eq!(page.text("problem").await, "");
+            let formula = page.text("out-formula").await;
+            assert!(formula.contains(&format!("I(frame,{driver})")), "{formula}");
+            for (id, place) in ids.iter().zip(places) {
+                let off = (page.value(id).await - place).abs();
+                assert!(off < 1e-9, "{name} {degrees} {driver}: {off:e}");
+            }
         }
     }
     page.close().await;

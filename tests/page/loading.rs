@@ -1,5 +1,7 @@
 //! What the first view asks for, and when.
 
+use serde_json::json;
+
 use crate::browser::Page;
 
 /// The head of the page asks for all of it, so that it comes with the second round trip: no
@@ -34,5 +36,31 @@ async fn the_first_view_is_asked_for_at_once() {
             "{name} is not in the head: {linked:?}"
         );
     }
+    page.close().await;
+}
+
+/// While a part of the page is on its way over a slow line, the page says that it is busy.
+#[tokio::test]
+async fn what_is_on_its_way_shows_that_it_is() {
+    let page = Page::open().await;
+    page.stop_at("60").await;
+    page.tool("Network.enable", json!({})).await;
+    let slow = json!({ "offline": false, "latency": 1500, "downloadThroughput": -1, "uploadThroughput": -1 });
+    page.tool("Network.emulateNetworkConditions", slow).await;
+    let busy = async || {
+        let said = "return document.getElementById('app').ariaBusy";
+        page.ask(said).await
+    };
+    assert_eq!(busy().await, json!(null));
+    page.click("all_assemblies").await;
+    page.until("the page to be busy", async || {
+        busy().await == json!("true")
+    })
+    .await;
+    page.until("the pictures", async || {
+        page.count("#assembly-pictures button").await == 2
+    })
+    .await;
+    assert_eq!(busy().await, json!(null));
     page.close().await;
 }

@@ -95,6 +95,8 @@ const ADDRESSES: &[&str] = &[
     "jansen",
     "peaucellier&v.playing=false&v.phi_deg=67.1146",
     "class4-dwell&v.lang=ru&v.lesson={\"id\":\"class4-dwell\",\"step\":3}",
+    "class4-dwell&v.all_assemblies=true&v.others=true",
+    "parallelogram&v.all_assemblies=true&v.playing=true",
     "no-such-mechanism",
     "<script>",
     "%%%",

@@ -204,15 +204,12 @@ export class Assemblies {
    * @param {number} output
    */
   #choose(input, output) {
-    const { engine, history, model, store } = this.#page;
+    const { engine, history } = this.#page;
     const { value: here } = attempt(() => engine.assemblies(input));
     if (!here || here.all.length === 0) return;
     const off = (/** @type {number} */ angle) => Math.abs(Math.atan2(Math.sin(angle - output), Math.cos(angle - output)));
     const chosen = here.all.reduce((best, one) => (off(one.angle) < off(best.angle) ? one : best));
-    history.step(() => {
-      change(() => ({ ...engine.assemble(chosen.number, input), input }), "assembly", this.#page);
-      model.follow(store.get());
-    });
+    history.step(() => change(() => ({ ...engine.assemble(chosen.number, input), input }), "assembly", this.#page));
   }
 }
 

@@ -202,9 +202,10 @@ impl Edited for Mixer {
         let mut here = self.moving.assemblies(input);
         let drawn = usize::from(number_of(self.parameters.assembly));
         // There are two: of a dyad.
-        let shown = here.shown;
-        for (k, one) in here.all.iter_mut().enumerate() {
-            one.number = if shown == Some(k) { drawn } else { 3 - drawn };
+        if let Some(shown) = here.shown {
+            for (k, one) in here.all.iter_mut().enumerate() {
+                one.number = if k == shown { drawn } else { 3 - drawn };
+            }
         }
         Some(here)
     }
