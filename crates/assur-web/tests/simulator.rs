@@ -275,15 +275,25 @@ fn points_are_put_on_links_and_dragged_along() {
 #[wasm_bindgen_test]
 fn an_assembly_is_chosen_by_its_number() {
     let simulator = simulator();
+    let here = simulator.assemblies(1.0).unwrap();
+    let shown = number(&here, "shown") as usize;
+    assert_eq!(number(&here, &format!("all.{shown}.number")), 1.0);
+    assert_eq!(number(&here, &format!("all.{}.number", 1 - shown)), 2.0);
+    // The bodies are where the frame has them.
+    let bodies: Array = get(&here, &format!("all.{shown}.bodies")).unchecked_into();
+    let frame = simulator.at(1.0).unwrap();
+    for (k, body) in bodies.iter().enumerate() {
+        assert!((body.as_f64().unwrap() - frame[4 + k]).abs() < 1e-6, "{k}");
+    }
     for (chosen, said) in [(1, 1.0), (2, 2.0)] {
-        let change = simulator.assemble(chosen).unwrap();
+        let change = simulator.assemble(chosen, 1.0).unwrap();
         assert_eq!(number(&change, "document.assembly"), said);
         let document: Object = get(&change, "document").unchecked_into();
         assert_eq!(Object::keys(&document).length(), 1);
         assert!(get(&change, "input").is_undefined());
     }
     for none in [0, 3] {
-        let problems = thrown(simulator.assemble(none).unwrap_err());
+        let problems = thrown(simulator.assemble(none, 1.0).unwrap_err());
         assert_eq!(problems[0].0, "bad_state");
     }
 }
