@@ -8,6 +8,9 @@ use crate::position::{Cause, Given, Method, Nearby, Orientation, Sign, State, St
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
 const MOST_TRIES: usize = 1 << 16;
+/// No more work is done to solve groups over the complex numbers, about microseconds: a group of four loops of hinges, or of
+/// three with slides, but not long chains of such groups, each of which hangs in many ways.
+const MOST_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
 #[derive(Clone, Debug)]
@@ -17,7 +20,8 @@ pub struct Assemblies {
     /// Of each group that was solved over the complex numbers, once for every way in which it could hang, how many
     /// solutions there are: six of five links of a Baranov truss, 14, 16 or 18 of seven, fewer of special dimensions.
     pub complex: Vec<usize>,
-    /// Whether these are all. They are not where wheels are in mesh within a group, and where there are very many.
+    /// Whether these are all. They are not where wheels are in mesh within a group, where there are very many, and where
+    /// it would take too long to find them.
     pub whole: bool,
 }
 
@@ -58,6 +62,7 @@ impl Mechanism {
             orientations: self.orientations.clone(),
             natural: self.natural.clone(),
             tries: MOST_TRIES,
+            work: MOST_WORK,
             method,
             found: Found {
                 whole: true,
@@ -95,6 +100,7 @@ struct Search<'a, const N: usize> {
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
     tries: usize,
+    work: usize,
     method: Method,
     found: Found<N>,
 }
@@ -107,7 +113,10 @@ impl<const N: usize> Search<'_, N> {
             return;
         };
         if let Step::Group(group) = &self.mechanism.steps[*step] {
-            let ways = group.ways(state, &self.given(*step), self.method);
+            let given = self.given(*step);
+            let mut left = self.work;
+            let ways = group.ways(state, &given, (self.method, &mut left));
+            self.work = left;
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
                 if ways.is_ok() {

@@ -68,15 +68,20 @@ impl Group {
         drives.filter_map(|drive| Some((drive.course, drive.range?)))
     }
 
-    /// All ways to join it where what it hangs on is. None where its equations are not algebraic: wheels in mesh.
+    /// All ways to join it where what it hangs on is. None where its equations are not algebraic: wheels in mesh; and
+    /// where finding them is more than the work that is left, of which it takes its part.
     pub(crate) fn ways<const N: usize>(
         &self,
         state: &mut State<N>,
         given: &Given<'_, N>,
-        method: Method,
+        (method, left): (Method, &mut usize),
     ) -> Result<Option<Ways>, Cause> {
         let system = self.system(state, given)?;
-        Ok(system.map(|(system, turning)| {
+        let within = system.and_then(|(system, turning)| {
+            *left = left.checked_sub(system.work(method))?;
+            Some((system, turning))
+        });
+        Ok(within.map(|(system, turning)| {
             let mut ways = system.ways(&self.units, &turning, method);
             // Without derivatives of what it hangs on there are none of it.
             if N < 2 {
@@ -176,6 +181,19 @@ fn vector(c: C) -> Vector {
 }
 
 impl System {
+    /// About how long it takes to solve, in microseconds: with n solutions, C(2m, m) for m unknowns, the determinant of
+    /// loops takes about n³/20, a path more than half a millisecond.
+    fn work(&self, method: Method) -> usize {
+        let solutions =
+            (1..=self.unknowns).fold(1, |n: usize, k| n.saturating_mul(self.unknowns + k) / k);
+        let by_loops = self.pairs.iter().all(|pair| matches!(pair, Pair::Unit(_)));
+        if by_loops && method == Method::Usual {
+            solutions.saturating_pow(3) / 20
+        } else {
+            solutions.saturating_mul(800)
+        }
+    }
+
     fn ways(&self, units: &[f64], turning: &Turning, method: Method) -> Ways {
         let mut found: Vec<Vec<C>> = Vec::new();
         if method == Method::Paths || !self.add_by_loops(&mut found) {
