@@ -24,6 +24,8 @@ const BEFORE_LONGER: usize = 4;
 const EASED: f64 = 0.8;
 /// Where steps have become as short as this part, the singular pose that a group comes to is looked for.
 const SHORT: f64 = 1e-10;
+/// Looking for it is as much work as so many steps.
+const LOOKING: usize = 200;
 /// A motion repeats where all links are in the places of its start, within this of
 /// the size.
 const SAME: f64 = 1e-7;
@@ -186,6 +188,7 @@ impl<'a> Continuation<'a> {
                 && tried < looked
                 && let Some(dead) = {
                     looked = tried;
+                    self.work = self.work.saturating_sub(LOOKING * bodies);
                     self.out_of_range(sense).or_else(|| self.singular(sense))
                 }
             {
