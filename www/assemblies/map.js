@@ -21,8 +21,6 @@ export class BranchMap {
   #branches = make("g");
   #now = make("g");
   #scale = make("g", { class: "map-scale" });
-  /** @type {MotionsMap | null} */
-  #map = null;
   /** In which language it is drawn. */
   lang = "";
   #from = 0;
@@ -46,7 +44,6 @@ export class BranchMap {
    * @param {{ turns: boolean, range: readonly [number, number], input: string, output: string, numbers: import("assur/core/numbers.js").Numbers }} axis
    */
   draw(map, { turns, range, input, output, numbers }) {
-    this.#map = map;
     [this.#from, this.#to] = turns ? [0, TURN] : range;
     this.#scale.replaceChildren(...this.#scales(turns, input, output, numbers));
     const lines = map.branches.map(({ circuit, pieces }, branch) => {
@@ -75,11 +72,6 @@ export class BranchMap {
     const line = make("line", { x1: x, x2: x, y1: String(TOP), y2: String(TOP + SIZE), class: "map-now" });
     const dots = angles.map((angle, k) => make("circle", { cx: x, cy: this.#place(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
     this.#now.replaceChildren(line, ...dots);
-  }
-
-  /** @returns {MotionsMap | null} what is drawn */
-  get map() {
-    return this.#map;
   }
 
   /** @param {readonly number[]} piece */

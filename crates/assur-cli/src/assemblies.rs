@@ -1,6 +1,5 @@
 //! All assemblies at an input as CSV.
 
-use std::f64::consts::TAU;
 use std::io::{self, Write};
 
 use assur::mechanism::Quantity;
@@ -34,17 +33,16 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         None => motion.home(),
     };
     let found = mechanism.numbered(input, output);
-    let angles: Vec<Quantity> = mechanism.link_ids().map(Quantity::Angle).collect();
     let csv = Csv {
         decimal_comma: false,
     };
-    let names = angles.iter().map(|angle| angle.name(mechanism, 0));
+    let names = mechanism
+        .link_ids()
+        .map(|link| Quantity::Angle(link).name(mechanism, 0));
     csv.line(out, ["assembly".to_owned()].into_iter().chain(names))?;
     for (index, pose) in found.poses.iter().enumerate() {
-        let values = angles.iter().map(|angle| {
-            let value = angle.of(mechanism, pose).value().rem_euclid(TAU);
-            csv.number(if value < TAU { value } else { 0.0 })
-        });
+        let values = mechanism.link_ids();
+        let values = values.map(|link| csv.number(mechanism.folded_angle(pose, link)));
         let number = [(index + 1).to_string()].into_iter();
         csv.line(out, number.chain(values))?;
     }

@@ -3,8 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::circuits::{Branch, Circuits, Meeting, Reach};
-use assur::mechanism::{Assemblies, LinkId, Method, Pose};
-use assur_file::Problem;
+use assur::mechanism::{Assemblies, LinkId, Method};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -12,6 +11,7 @@ use crate::capabilities::Capabilities;
 use crate::convert::{read, thrown, to_js};
 use crate::kinds::open;
 use crate::moving::Moving;
+use crate::simulator::{bad, one};
 
 /// All assemblies at an input.
 #[derive(Serialize)]
@@ -61,7 +61,8 @@ impl Moving {
     pub(crate) fn assemblies(&self, input: f64) -> AssembliesHere {
         let (found, shown) = self.assembled(input);
         let numbering = self.numbering();
-        let angle = |pose: &Pose<1>| numbering.map_or(0.0, |link| angle(self, pose, link));
+        let mechanism = self.mechanism();
+        let angle = |pose| numbering.map_or(0.0, |link| mechanism.folded_angle(pose, link));
         let all = found.poses.iter().enumerate();
         let all = all.map(|(k, pose)| AssemblyHere {
             number: k + 1,
@@ -78,13 +79,6 @@ impl Moving {
             whole: found.whole,
         }
     }
-}
-
-fn angle(moving: &Moving, pose: &Pose<1>, link: LinkId) -> f64 {
-    let angle = moving.mechanism().angle(pose, link).value();
-    // Rounding may make a whole turn of a little less than none.
-    let turned = angle.rem_euclid(TAU);
-    if turned < TAU { turned } else { 0.0 }
 }
 
 /// The motions of a document in all assemblies. Finding them takes some time: it is done in a worker of the page.
@@ -150,12 +144,7 @@ impl AllMotions {
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue) -> Result<Self, JsValue> {
         let document = open(&read(&state)?).map_err(thrown)?;
-        let none = || {
-            thrown([Problem::BadState {
-                path: String::new(),
-                detail: "no linkage moves".to_owned(),
-            }])
-        };
+        let none = || one(bad("", "no linkage moves"));
         let moving = document.linkage().ok_or_else(none)?;
         let output = moving.numbering().ok_or_else(none)?;
         let circuits = Circuits::of(moving.mechanism(), output);
@@ -227,7 +216,9 @@ impl AllMotions {
                     last = None;
                     continue;
                 };
-                let output = angle(moving, &pose, self.circuits.output());
+                let output = moving
+                    .mechanism()
+                    .folded_angle(&pose, self.circuits.output());
                 let input = if turns { input.rem_euclid(TAU) } else { input };
                 let wraps =
                     |[a, b]: &[f64; 2]| turns && (a - input).abs() > PI || (b - output).abs() > PI;
@@ -247,12 +238,16 @@ impl AllMotions {
         let [first, _] = meeting.branches;
         let [input, _] = meeting.inputs;
         let pose = self.circuits.branches()[first].motion.pose::<1>(input);
-        let turns = moving.mechanism().turns();
+        let mechanism = moving.mechanism();
         Some(MeetingPlace {
             kind: meeting.kind.code(),
             branches: meeting.branches,
-            input: if turns { input.rem_euclid(TAU) } else { input },
-            output: angle(moving, &pose.ok()?, self.circuits.output()),
+            input: if mechanism.turns() {
+                input.rem_euclid(TAU)
+            } else {
+                input
+            },
+            output: mechanism.folded_angle(&pose.ok()?, self.circuits.output()),
         })
     }
 }

@@ -291,11 +291,12 @@ fn place(x: f64, y: f64) -> Result<Point, JsValue> {
 }
 
 /// One problem as it is thrown.
-fn one(problem: Problem) -> JsValue {
+pub(crate) fn one(problem: Problem) -> JsValue {
     thrown([problem])
 }
 
-fn bad(path: &str, detail: &str) -> Problem {
+/// What is not as it must be, with its path.
+pub(crate) fn bad(path: &str, detail: &str) -> Problem {
     Problem::BadState {
         path: path.to_owned(),
         detail: detail.to_owned(),

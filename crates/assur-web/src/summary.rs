@@ -301,15 +301,15 @@ impl<'a> MotionSummary<'a> {
             traceable: moving.traceable(),
             becomes: &BECOMES,
         };
-        let drawn = moving.assemblies(motion.home());
+        let (drawn, shown) = moving.assembled(motion.home());
         Self {
             course,
             structure: StructureSummary::new(mechanism, figure),
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
-            assembly: drawn.shown.map_or(1, |shown| shown + 1),
-            assemblies: drawn.all.len(),
+            assembly: shown.map_or(1, |shown| shown + 1),
+            assemblies: drawn.poses.len(),
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
             points: mechanism.points().collect(),

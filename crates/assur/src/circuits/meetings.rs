@@ -119,9 +119,7 @@ impl Met {
             }
         }
     }
-}
 
-impl Met {
     /// In a kite coupler and rocker swing freely from one of its motions to the other.
     fn swing(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
         let inputs = mechanism

@@ -21,10 +21,7 @@ const ON: f64 = 1e-2;
 fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<i64> {
     let whole = |x: f64| (x / ALIKE).round() as i64;
     let turn = whole(TAU);
-    let angle = |link: LinkId| {
-        let angle = mechanism.angle(pose, link).value().rem_euclid(TAU);
-        whole(angle) % turn
-    };
+    let angle = |link: LinkId| whole(mechanism.folded_angle(pose, link)) % turn;
     let mut angles: Vec<i64> = mechanism.link_ids().map(angle).collect();
     sort(&mut angles);
     let places = mechanism.point_ids().map(|point| {
@@ -56,6 +53,13 @@ pub struct NoAssembly {
 }
 
 impl Mechanism {
+    /// The angle of a link without whole turns: in [0, 2π).
+    pub fn folded_angle<const N: usize>(&self, pose: &Pose<N>, link: LinkId) -> f64 {
+        let angle = self.angle(pose, link).value().rem_euclid(TAU);
+        // Rounding makes a whole turn of what is a little less than none.
+        if angle < TAU { angle } else { 0.0 }
+    }
+
     /// The link by whose angle assemblies are numbered where nothing else is said: the last that is placed.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());

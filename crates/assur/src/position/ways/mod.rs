@@ -98,25 +98,17 @@ impl Group {
         state: &mut State<N>,
         given: &Given<'_, N>,
     ) -> Result<Option<(System, Turning)>, Cause> {
-        state.work.fit(self);
-        for (k, input) in self.inputs.iter().enumerate() {
-            state.work.inputs[k] = state.taken(*input);
-        }
-        let meshes = self.meshes.iter();
-        let angles: Result<Vec<[f64; 2]>, Cause> = meshes
-            .map(|mesh| {
-                let angle = mesh.given(state, given.near, given.input)?.angle;
-                Ok([0, 1].map(|order| {
-                    if order < N {
-                        -angle.coefficient(order)
-                    } else {
-                        0.0
-                    }
-                }))
+        self.receive(state, given)?;
+        let angles = state.work.given.iter().map(|mesh| {
+            [0, 1].map(|order| {
+                if order < N {
+                    -mesh.angle.coefficient(order)
+                } else {
+                    0.0
+                }
             })
-            .collect();
-        let angles = angles?;
-        self.take(&mut state.work);
+        });
+        let angles: Vec<[f64; 2]> = angles.collect();
         let values = &state.work.values[..self.equated];
         let forms = values.iter().map(|value| {
             [0, 1].map(|order| {
