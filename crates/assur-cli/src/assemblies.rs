@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use assur::mechanism::Quantity;
 use clap::Args;
 
-use crate::csv::Csv;
+use crate::csv::{Cell, Csv};
 use crate::sweep::asked_for;
 use crate::{Failure, source};
 
@@ -39,11 +39,12 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let names = mechanism
         .link_ids()
         .map(|link| Quantity::Angle(link).name(mechanism, 0));
-    csv.line(out, ["assembly".to_owned()].into_iter().chain(names))?;
+    let header = ["assembly".to_owned()].into_iter().chain(names);
+    csv.line(out, header.map(Cell::Text))?;
     for (index, pose) in found.poses.iter().enumerate() {
         let values = mechanism.link_ids();
-        let values = values.map(|link| csv.number(mechanism.folded_angle(pose, link)));
-        let number = [(index + 1).to_string()].into_iter();
+        let values = values.map(|link| Cell::Number(mechanism.folded_angle(pose, link)));
+        let number = [Cell::Text((index + 1).to_string())].into_iter();
         csv.line(out, number.chain(values))?;
     }
     if !found.whole {

@@ -9,39 +9,46 @@ pub(crate) struct Csv {
     pub(crate) decimal_comma: bool,
 }
 
+/// What stands between two separators.
+pub(crate) enum Cell {
+    Text(String),
+    Number(f64),
+    Empty,
+}
+
 impl Csv {
-    /// One line, cells quoted where they must be.
+    /// One line, texts quoted where they must be.
     pub(crate) fn line(
         self,
         out: &mut impl Write,
-        cells: impl Iterator<Item = String>,
+        cells: impl Iterator<Item = Cell>,
     ) -> io::Result<()> {
         let separator = if self.decimal_comma { ';' } else { ',' };
         for (k, cell) in cells.enumerate() {
             if k > 0 {
-                write!(out, "{separator}")?;
+                out.write_all(&[separator as u8])?;
             }
-            if cell.contains([separator, '"', '\n', '\r']) {
-                write!(out, "\"{}\"", cell.replace('"', "\"\""))?;
-            } else {
-                out.write_all(cell.as_bytes())?;
+            match cell {
+                Cell::Text(text) if text.contains([separator, '"', '\n', '\r']) => {
+                    write!(out, "\"{}\"", text.replace('"', "\"\""))?;
+                }
+                Cell::Text(text) => out.write_all(text.as_bytes())?,
+                Cell::Number(value) => self.number(out, value)?,
+                Cell::Empty => {}
             }
         }
         out.write_all(b"\n")
     }
 
-    /// The shortest text that reads back as the same number.
-    pub(crate) fn number(self, value: f64) -> String {
-        let value = value + 0.0;
-        let text = if value == 0.0 || (1e-5..1e16).contains(&value.abs()) {
-            format!("{value}")
-        } else {
-            format!("{value:e}")
-        };
-        if self.decimal_comma {
-            text.replace('.', ",")
-        } else {
-            text
+    /// The shortest text that reads back as the same number. Long tables are little else than numbers: nothing is
+    /// allocated for one.
+    fn number(self, out: &mut impl Write, value: f64) -> io::Result<()> {
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format(value + 0.0);
+        let text = text.strip_suffix(".0").unwrap_or(text);
+        match text.split_once('.') {
+            Some((whole, rest)) if self.decimal_comma => write!(out, "{whole},{rest}"),
+            _ => out.write_all(text.as_bytes()),
         }
     }
 }
@@ -61,8 +68,9 @@ mod tests {
     fn cells_are_quoted() {
         let written = |csv: Csv| {
             let mut out = Vec::new();
-            let cells = ["plain", "a, b", "\"c\"", "d;e", ""].map(str::to_owned);
-            csv.line(&mut out, cells.into_iter()).unwrap();
+            let cells = ["plain", "a, b", "\"c\"", "d;e"].map(|text| Cell::Text(text.to_owned()));
+            csv.line(&mut out, cells.into_iter().chain([Cell::Empty]))
+                .unwrap();
             String::from_utf8(out).unwrap()
         };
         assert_eq!(written(POINT), "plain,\"a, b\",\"\"\"c\"\"\",d;e,\n");
@@ -71,6 +79,11 @@ mod tests {
 
     #[test]
     fn numbers_read_back() {
+        let written = |csv: Csv, value: f64| {
+            let mut out = Vec::new();
+            csv.number(&mut out, value).unwrap();
+            String::from_utf8(out).unwrap()
+        };
         for value in [
             0.1 + 0.2,
             1.0 / 3.0,
@@ -79,14 +92,14 @@ mod tests {
             360.0,
             f64::MIN_POSITIVE,
         ] {
-            assert_eq!(POINT.number(value).parse::<f64>().unwrap(), value);
-            let point = COMMA.number(value).replace(',', ".");
-            assert_eq!(point, POINT.number(value));
+            assert_eq!(written(POINT, value).parse::<f64>().unwrap(), value);
+            let point = written(COMMA, value).replace(',', ".");
+            assert_eq!(point, written(POINT, value));
         }
         assert_eq!(
-            [-0.0, 5.0, 1e-17].map(|value| POINT.number(value)),
-            ["0", "5", "1e-17"]
+            [-0.0, 5.0, 1e-17, 1e-5, 123_456_789.0, 1e16].map(|value| written(POINT, value)),
+            ["0", "5", "1e-17", "0.00001", "123456789", "1e16"]
         );
-        assert_eq!(COMMA.number(-0.25), "-0,25");
+        assert_eq!(written(COMMA, -0.25), "-0,25");
     }
 }

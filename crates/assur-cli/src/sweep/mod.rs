@@ -9,7 +9,7 @@ use assur::motion::{Column, Input, Motion};
 use assur_file::LinkageProblem;
 use clap::Args;
 
-use crate::csv::Csv;
+use crate::csv::{Cell, Csv};
 use crate::words::Words;
 use crate::{Failure, source};
 use columns::Names;
@@ -104,20 +104,19 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let scales: Vec<f64> = columns.iter().map(|column| names.scale(*column)).collect();
     let headers = columns.iter().map(|column| names.header(*column));
     let first = [names.input().to_owned()].into_iter();
-    csv.line(out, first.chain(headers).chain(["reason".to_owned()]))?;
+    let header = first.chain(headers).chain(["reason".to_owned()]);
+    csv.line(out, header.map(Cell::Text))?;
     let words = Words::english()?;
     for at in inputs {
         let row = motion.row_by_time(&columns, at.input, driven);
         let values = row.values.iter().zip(&scales);
-        let values = values.map(|(value, scale)| {
-            let written = value.map(|one| csv.number(one * scale));
-            written.unwrap_or_default()
-        });
+        let values =
+            values.map(|(value, scale)| value.map_or(Cell::Empty, |one| Cell::Number(one * scale)));
         let reason = row
             .reason
             .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into()));
-        let first = [csv.number(at.counted)].into_iter();
-        let last = [reason.transpose()?.unwrap_or_default()];
+        let first = [Cell::Number(at.counted)].into_iter();
+        let last = [reason.transpose()?.map_or(Cell::Empty, Cell::Text)];
         csv.line(out, first.chain(values).chain(last))?;
     }
     Ok(())
