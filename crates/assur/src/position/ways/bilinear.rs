@@ -123,13 +123,17 @@ impl Pair {
 }
 
 impl Affine {
-    /// In homogeneous unknowns, the first of which is 1; and its derivatives.
-    fn homogeneous(&self, z: &[C]) -> (C, Vec<C>) {
-        let by: Vec<C> = [self.constant]
-            .into_iter()
-            .chain(self.by.iter().copied())
-            .collect();
-        (by.iter().zip(z).map(|(by, z)| by * z).sum(), by)
+    /// Its coefficients of homogeneous unknowns, the first of which is 1.
+    fn coefficients(&self) -> impl Iterator<Item = C> {
+        [self.constant].into_iter().chain(self.by.iter().copied())
+    }
+
+    /// In homogeneous unknowns, and its conjugate in theirs.
+    fn homogeneous(&self, z: &[C], w: &[C]) -> [C; 2] {
+        let terms = self.coefficients().zip(z).zip(w);
+        terms.fold([NOUGHT; 2], |[value, conjugate], ((by, z), w)| {
+            [value + by * z, conjugate + by.conj() * w]
+        })
     }
 
     fn conjugate(&self) -> Self {
@@ -141,34 +145,40 @@ impl Affine {
 }
 
 impl Pair {
-    /// What is left of it in homogeneous unknowns, and its derivatives by them and by the conjugates.
-    pub(super) fn homogeneous(&self, z: &[C], w: &[C]) -> (C, Vec<C>) {
+    /// What is left of it in homogeneous unknowns; puts its derivatives by them, then by the conjugates.
+    pub(super) fn homogeneous(&self, z: &[C], w: &[C], by: &mut [C]) -> C {
+        let (by_z, by_w) = by.split_at_mut(z.len());
+        let by = by_z.iter_mut().zip(by_w.iter_mut());
         match self {
             Self::Unit(one) => {
-                let ((v, by_z), (conjugate, by_w)) =
-                    (one.homogeneous(z), one.conjugate().homogeneous(w));
-                let mut by: Vec<C> = by_z.iter().map(|by| by * conjugate).collect();
-                by.extend(by_w.iter().map(|by| by * v));
-                by[0] -= w[0];
-                by[z.len()] -= z[0];
-                (v * conjugate - z[0] * w[0], by)
+                let [v, cv] = one.homogeneous(z, w);
+                for ((by_z, by_w), a) in by.zip(one.coefficients()) {
+                    *by_z = a * cv;
+                    *by_w = a.conj() * v;
+                }
+                by_z[0] -= w[0];
+                by_w[0] -= z[0];
+                v * cv - z[0] * w[0]
             }
             Self::Parallel(one, other) => {
-                let [u, v] = [one, other].map(|form| form.homogeneous(z));
-                let [cu, cv] = [one, other].map(|form| form.conjugate().homogeneous(w));
-                let z_part = u.1.iter().zip(&v.1).map(|(u, v)| cu.0 * v - u * cv.0);
-                let w_part = cu.1.iter().zip(&cv.1).map(|(cu, cv)| cu * v.0 - u.0 * cv);
-                (cu.0 * v.0 - u.0 * cv.0, z_part.chain(w_part).collect())
+                let ([u, cu], [v, cv]) = (one.homogeneous(z, w), other.homogeneous(z, w));
+                let forms = one.coefficients().zip(other.coefficients());
+                for ((by_z, by_w), (a, b)) in by.zip(forms) {
+                    *by_z = cu * b - a * cv;
+                    *by_w = a.conj() * v - u * b.conj();
+                }
+                cu * v - u * cv
             }
             Self::Along(one, other, way) => {
-                let [u, v] = [one, other].map(|form| form.homogeneous(z));
-                let [cu, cv] = [one, other].map(|form| form.conjugate().homogeneous(w));
-                let z_part = u.1.iter().zip(&v.1).map(|(u, v)| cu.0 * v + u * cv.0);
-                let w_part = cu.1.iter().zip(&cv.1).map(|(cu, cv)| cu * v.0 + u.0 * cv);
-                let mut by: Vec<C> = z_part.chain(w_part).collect();
-                by[0] -= w[0] * (2.0 * way);
-                by[z.len()] -= z[0] * (2.0 * way);
-                (cu.0 * v.0 + u.0 * cv.0 - z[0] * w[0] * (2.0 * way), by)
+                let ([u, cu], [v, cv]) = (one.homogeneous(z, w), other.homogeneous(z, w));
+                let forms = one.coefficients().zip(other.coefficients());
+                for ((by_z, by_w), (a, b)) in by.zip(forms) {
+                    *by_z = cu * b + a * cv;
+                    *by_w = a.conj() * v + u * b.conj();
+                }
+                by_z[0] -= w[0] * (2.0 * way);
+                by_w[0] -= z[0] * (2.0 * way);
+                cu * v + u * cv - z[0] * w[0] * (2.0 * way)
             }
         }
     }
@@ -272,49 +282,34 @@ impl System {
 
     /// How fast unknowns and conjugates of a solution change with the input; none where it is singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
-        let size = at.len();
         let (z, w) = at.split_at(self.unknowns);
-        let mut left = DVector::from_element(size, NOUGHT);
-        let mut slopes = DMatrix::from_element(size, size, NOUGHT);
-        self.left(at, &mut left, &mut slopes);
+        let mut room = Room::new(self.unknowns);
+        room.fill(self, at);
         let rates = self.pairs.iter().zip(&self.rates);
-        let rates = DVector::from_iterator(size, rates.map(|(pair, rate)| -pair.rate(rate, z, w)));
-        let rate = slopes.lu().solve(&rates)?;
+        let rates = rates.map(|(pair, rate)| -pair.rate(rate, z, w));
+        let rate = room
+            .slopes
+            .lu()
+            .solve(&DVector::from_iterator(at.len(), rates))?;
         rate.iter()
             .all(|c| c.is_finite())
             .then(|| rate.iter().copied().collect())
     }
 
-    /// What is left of the equations at a place, and their derivatives.
-    fn left(&self, at: &[C], left: &mut DVector<C>, slopes: &mut DMatrix<C>) {
-        let m = self.unknowns;
-        let [z, w] = [&at[..m], &at[m..]].map(|part| {
-            let one = [ONE].into_iter();
-            one.chain(part.iter().copied()).collect::<Vec<C>>()
-        });
-        for (k, pair) in self.pairs.iter().enumerate() {
-            let (value, by) = pair.homogeneous(&z, &w);
-            left[k] = value;
-            for u in 0..m {
-                slopes[(k, u)] = by[1 + u];
-                slopes[(k, m + u)] = by[m + 2 + u];
-            }
-        }
-    }
-
     /// Newton's method from a guess of unknowns and conjugates; none where it goes nowhere.
     pub(super) fn polished(&self, guess: &[C]) -> Option<Vec<C>> {
-        let size = guess.len();
         let mut at = guess.to_vec();
-        let mut left = DVector::from_element(size, NOUGHT);
-        let mut slopes = DMatrix::from_element(size, size, NOUGHT);
+        let mut room = Room::new(self.unknowns);
         let mut last = f64::INFINITY;
         for _ in 0..MOST_STEPS {
-            self.left(&at, &mut left, &mut slopes);
-            let step = slopes.clone().lu().solve(&left)?;
-            let scale = at.iter().fold(1.0, |most, z| f64::max(most, z.norm()));
-            let change = step.iter().fold(0.0, |most, z| f64::max(most, z.norm())) / scale;
-            if !change.is_finite() {
+            room.fill(self, &at);
+            let step = room.slopes.clone().lu().solve(&room.left)?;
+            let largest = |all: &mut dyn Iterator<Item = &C>, least: f64| {
+                all.fold(least, |most, z| f64::max(most, z.norm_sqr()))
+            };
+            let [scale, change] = [largest(&mut at.iter(), 1.0), largest(&mut step.iter(), 0.0)];
+            let change = (change / scale).sqrt();
+            if !change.is_finite() || step.iter().any(|step| !step.is_finite()) {
                 return None;
             }
             for (at, step) in at.iter_mut().zip(step.iter()) {
@@ -332,5 +327,42 @@ impl System {
     /// The group's own unknowns.
     pub(super) fn own(&self, z: &[C]) -> Vec<C> {
         self.own.iter().map(|form| form.at(z)).collect()
+    }
+}
+
+/// Room for a turn of Newton's method.
+struct Room {
+    /// Homogeneous unknowns and conjugates, and the derivatives of an equation by them.
+    homogeneous: Vec<C>,
+    by: Vec<C>,
+    /// What is left of the equations, and their derivatives.
+    left: DVector<C>,
+    slopes: DMatrix<C>,
+}
+
+impl Room {
+    fn new(unknowns: usize) -> Self {
+        let size = 2 * unknowns;
+        Self {
+            homogeneous: vec![ONE; size + 2],
+            by: vec![NOUGHT; size + 2],
+            left: DVector::from_element(size, NOUGHT),
+            slopes: DMatrix::from_element(size, size, NOUGHT),
+        }
+    }
+
+    /// The equations of a system at a place.
+    fn fill(&mut self, system: &System, at: &[C]) {
+        let m = system.unknowns;
+        let (z, w) = self.homogeneous.split_at_mut(m + 1);
+        z[1..].copy_from_slice(&at[..m]);
+        w[1..].copy_from_slice(&at[m..]);
+        for (k, pair) in system.pairs.iter().enumerate() {
+            self.left[k] = pair.homogeneous(z, w, &mut self.by);
+            for u in 0..m {
+                self.slopes[(k, u)] = self.by[1 + u];
+                self.slopes[(k, m + u)] = self.by[m + 2 + u];
+            }
+        }
     }
 }

@@ -268,12 +268,23 @@ impl System {
     /// Adds what is new among guesses that are none else.
     fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) {
         for candidate in candidates {
-            if let Some(at) = self.polished(&candidate)
-                && !found.iter().any(|other| apart(other, &at) < ONE)
-            {
-                found.push(at);
+            let Some(at) = self.polished(&candidate) else {
+                continue;
+            };
+            // With a solution its conjugate is one.
+            let conjugate = self.conjugate(&at);
+            for at in [at, conjugate] {
+                if !found.iter().any(|other| apart(other, &at) < ONE) {
+                    found.push(at);
+                }
             }
         }
+    }
+
+    /// Unknowns and conjugates of the conjugate solution.
+    fn conjugate(&self, at: &[C]) -> Vec<C> {
+        let (z, w) = at.split_at(self.unknowns);
+        w.iter().chain(z).map(|c| c.conj()).collect()
     }
 
     /// The real solution that this is.

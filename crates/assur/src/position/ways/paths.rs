@@ -90,9 +90,10 @@ impl Homotopy<'_> {
         let mut left = DVector::from_element(size, NOUGHT);
         let mut slopes = DMatrix::from_element(size, size, NOUGHT);
         let mut rates = left.clone();
+        let mut by = vec![NOUGHT; size];
         let dot = |form: &[C], x: &[C]| -> C { form.iter().zip(x).map(|(a, x)| a * x).sum() };
         for (k, (pair, [of_z, of_w])) in self.system.pairs.iter().zip(&self.factors).enumerate() {
-            let (value, by) = pair.homogeneous(z, w);
+            let value = pair.homogeneous(z, w, &mut by);
             let (a, b) = (dot(of_z, z), dot(of_w, w));
             let start = self.gamma * a * b;
             left[k] = start * (1.0 - share) + value * share;
