@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
+use assur::mechanism::{Assemblies, Draft, Following, Mechanism, Method};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
@@ -10,6 +10,7 @@ use crate::groups::{KINDS, Kind, drawn};
 
 const GROUPS: u64 = 120;
 const SPECIAL: u64 = 40;
+const FOLLOWED: u64 = 40;
 /// Angles of assemblies agree, radians.
 const SAME: f64 = 2e-11;
 
@@ -156,6 +157,46 @@ fn special_dimensions() {
                 }
             }
             assert!(compared > SPECIAL / 4, "{kind:?} {choice:?}: {compared}");
+        }
+    }
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// Followed from one input to the next, and found anew, they are the same: in steps of every width, forth and back, past folds,
+/// and in chains of groups, each of which hangs in every way of those before it.
+#[test]
+fn followed_ones_are_all() {
+    let chains = ["jansen", "watt-1", "class4-order2"];
+    let groups = KINDS.iter().flat_map(|(kind, _)| {
+        (0..FOLLOWED).map(move |seed| (format!("{kind:?} {seed}"), drawn(*kind, seed)))
+    });
+    let chains = chains.map(|name| {
+        let document = assur_file::from_catalogue(name).unwrap().unwrap();
+        (
+            name.to_owned(),
+            document.mechanism().unwrap().draft().clone(),
+        )
+    });
+    let mut bad = Vec::new();
+    for (name, draft) in groups.chain(chains) {
+        let mechanism = Mechanism::new(&draft).unwrap();
+        let mut following = Following::default();
+        let mut input = mechanism.home();
+        for step in 0..60 {
+            let width = 10_f64.powf(-0.3 * f64::from(step % 7)) * 3.0_f64.to_radians();
+            input += if step % 10 < 8 { width } else { -width };
+            let near = mechanism.assemblies_near(input, &mut following);
+            let anew = mechanism.assemblies_at(input, Method::Usual);
+            let [one, other] = [&near, &anew].map(|found| angles(&mechanism, found));
+            let known =
+                |one: &Vec<f64>| other.iter().filter(|other| alike(one, other)).count() == 1;
+            if one.len() != other.len() || !one.iter().all(known) || near.complex != anew.complex {
+                bad.push(format!(
+                    "{name} at {input}: {} of {}",
+                    one.len(),
+                    other.len()
+                ));
+            }
         }
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));

@@ -17,7 +17,7 @@ use std::hint::black_box;
 
 use assur::circuits::Circuits;
 use assur::dynamics::TICKS_PER_SECOND;
-use assur::mechanism::{self, LinkId, Method, PointId, Quantity};
+use assur::mechanism::{self, Following, LinkId, Method, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
 use assur::motion::{Input, Motion};
@@ -131,6 +131,19 @@ fn speed() {
         Box::new(move || {
             turned += 1.0;
             black_box(all.assemblies_at(turned, Method::Usual));
+        }),
+    ));
+    let (followed, mut following) = (class4.clone(), Following::default());
+    let mut degree = 0.0;
+    contestants.push((
+        "Class IV, all assemblies followed, a degree",
+        DEGREES,
+        Box::new(move || {
+            for _ in 0..DEGREES {
+                degree += 1.0;
+                let input = black_box(f64::to_radians(degree));
+                black_box(followed.assemblies_near(input, &mut following));
+            }
         }),
     ));
     for (name, of) in [

@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
 
     /// Finds the assemblies at an input, and follows those on no known branch.
     fn look(&mut self, input: f64) {
-        let found: Found<4> = self.mechanism.found_at(input, Method::Usual);
+        let found: Found<4> = self.mechanism.found_at(input, Method::Usual, None);
         self.whole &= found.whole;
         let mut known = Vec::new();
         for motion in &self.branches {

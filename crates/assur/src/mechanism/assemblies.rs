@@ -3,7 +3,9 @@
 use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::position::{Cause, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal};
+use crate::position::{
+    Cause, Followed, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
+};
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
 const MOST: usize = 4096;
@@ -23,6 +25,12 @@ pub struct Assemblies {
     /// Whether these are all. They are not where wheels are in mesh within a group, where there are very many, and where
     /// it would take too long to find them.
     pub whole: bool,
+}
+
+/// What is known of a linkage's assemblies at inputs where they were asked for last.
+#[derive(Clone, Debug, Default)]
+pub struct Following {
+    groups: List<StepId, Followed>,
 }
 
 /// All that is found at an input, with derivatives.
@@ -45,16 +53,30 @@ impl Mechanism {
     ///
     /// They come in no particular order, none twice; those that meet in a singular pose are none.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
-        let found: Found<1> = self.found_at(input, method);
-        Assemblies {
-            poses: found.ways.into_iter().map(|(pose, _)| pose).collect(),
-            complex: found.complex,
-            whole: found.whole,
-        }
+        self.found_at::<1>(input, method, None).into()
+    }
+
+    /// The same at one input after another. Where an input is near the last one the solutions of groups are followed from
+    /// there, which takes a fiftieth of the time; as many as there are in general, none twice, are all of them, and on any
+    /// doubt they are found anew.
+    pub fn assemblies_near(&self, input: f64, following: &mut Following) -> Assemblies {
+        self.found_at::<1>(input, Method::Usual, Some(following))
+            .into()
     }
 
     /// The same with derivatives, and with what nearly is an assembly.
-    pub(crate) fn found_at<const N: usize>(&self, input: f64, method: Method) -> Found<N> {
+    pub(crate) fn found_at<const N: usize>(
+        &self,
+        input: f64,
+        method: Method,
+        mut following: Option<&mut Following>,
+    ) -> Found<N> {
+        if let Some(following) = following.as_deref_mut() {
+            if following.groups.len() != self.steps.len() {
+                following.groups = self.steps.iter().map(|_| Followed::default()).collect();
+            }
+            following.groups.iter_mut().for_each(Followed::begin);
+        }
         let mut search = Search {
             mechanism: self,
             input: Jet::linear(input, 1.0),
@@ -64,6 +86,7 @@ impl Mechanism {
             tries: MOST_TRIES,
             work: MOST_WORK,
             method,
+            following,
             found: Found {
                 whole: true,
                 ..Found::default()
@@ -92,6 +115,16 @@ impl Mechanism {
     }
 }
 
+impl From<Found<1>> for Assemblies {
+    fn from(found: Found<1>) -> Self {
+        Self {
+            poses: found.ways.into_iter().map(|(pose, _)| pose).collect(),
+            complex: found.complex,
+            whole: found.whole,
+        }
+    }
+}
+
 struct Search<'a, const N: usize> {
     mechanism: &'a Mechanism,
     input: Jet<N>,
@@ -102,21 +135,24 @@ struct Search<'a, const N: usize> {
     tries: usize,
     work: usize,
     method: Method,
+    following: Option<&'a mut Following>,
     found: Found<N>,
 }
 
 impl<const N: usize> Search<'_, N> {
     fn join(&mut self, steps: &[StepId], state: &mut State<N>) {
         let [step, rest @ ..] = steps else {
-            let pose = Pose::of(state.clone(), self.natural.clone());
+            let pose = Pose::of(state.placed());
             self.found.ways.push((pose, self.signs.clone()));
             return;
         };
         if let Step::Group(group) = &self.mechanism.steps[*step] {
+            let (mut left, mut following) = (self.work, self.following.take());
+            let followed = following.as_deref_mut();
+            let followed = followed.map(|following| &mut following.groups[*step]);
             let given = self.given(*step);
-            let mut left = self.work;
-            let ways = group.ways(state, &given, (self.method, &mut left));
-            self.work = left;
+            let ways = group.ways(state, &given, (self.method, &mut left), followed);
+            (self.work, self.following) = (left, following);
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
                 if ways.is_ok() {

@@ -33,8 +33,8 @@ mod willis;
 
 use std::f64::consts::TAU;
 
-pub use assemblies::Assemblies;
 pub(crate) use assemblies::Found;
+pub use assemblies::{Assemblies, Following};
 pub(crate) use assembly::Signs;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};

@@ -37,8 +37,11 @@ pub struct Pose<const N: usize> {
 }
 
 impl<const N: usize> Pose<N> {
-    pub(super) fn of(state: State<N>, guess: Vec<f64>) -> Self {
-        Self { state, guess }
+    pub(super) fn of(state: State<N>) -> Self {
+        Self {
+            state,
+            guess: Vec::new(),
+        }
     }
 
     pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {
@@ -49,10 +52,7 @@ impl<const N: usize> Pose<N> {
 impl Mechanism {
     /// A pose to be filled again and again.
     pub fn blank<const N: usize>(&self) -> Pose<N> {
-        Pose {
-            state: self.blank_state(),
-            guess: Vec::new(),
-        }
+        Pose::of(self.blank_state())
     }
 
     /// The angle of a link, from its first to its second point, in a pose.

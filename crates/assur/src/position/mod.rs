@@ -59,7 +59,7 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Given, Sign, Solvable, Step};
 pub use ways::Method;
-pub(crate) use ways::Unreal;
+pub(crate) use ways::{Followed, Unreal};
 
 /// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;

@@ -23,31 +23,10 @@ impl Group {
         near: Nearby<'_>,
         step: StepId,
     ) -> Result<(), Cause> {
-        let work = &mut state.work;
         let mut last = f64::INFINITY;
         for turn in 0..MOST_STEPS {
-            self.evaluate(work);
-            // The first derivative is solved for with the correction: it counts
-            // where there is nothing to correct.
-            for (left, equation) in work.left.iter_mut().zip(&self.equations) {
-                let rate = if N > 1 {
-                    equation.coefficient(&work.values, &work.given, 1)
-                } else {
-                    0.0
-                };
-                *left = [equation.left(&work.values, &work.given), rate];
-            }
-            let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
-            state.margins[step] = [Jet::constant(determinant); 2];
-            self.suited(work.planned, &work.spare).solve(
-                &work.jacobian,
-                &mut work.left,
-                &mut work.step,
-            );
-            let change = self.change(&work.step);
-            if !change.is_finite() {
-                return Err(Cause::DeadPoint);
-            }
+            let change = self.turn(state, step)?;
+            let work = &mut state.work;
             if let Some(correction) = state.corrections.get_mut(turn) {
                 *correction = correction.max(change);
             }
@@ -62,11 +41,51 @@ impl Group {
                 });
             }
             last = change;
-            for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
-                place[0] -= Vector::new(step[0][0], step[1][0]);
-            }
+            self.correct(work);
         }
         Err(Cause::DeadPoint)
+    }
+
+    /// One turn of it: finds the step that the equations ask for, and how large it is.
+    #[inline(always)]
+    pub(super) fn turn<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        step: StepId,
+    ) -> Result<f64, Cause> {
+        let work = &mut state.work;
+        self.evaluate(work);
+        // The first derivative is solved for with the correction: it counts
+        // where there is nothing to correct.
+        for (left, equation) in work.left.iter_mut().zip(&self.equations) {
+            let rate = if N > 1 {
+                equation.coefficient(&work.values, &work.given, 1)
+            } else {
+                0.0
+            };
+            *left = [equation.left(&work.values, &work.given), rate];
+        }
+        let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
+        state.margins[step] = [Jet::constant(determinant); 2];
+        self.suited(work.planned, &work.spare).solve(
+            &work.jacobian,
+            &mut work.left,
+            &mut work.step,
+        );
+        let change = self.change(&work.step);
+        if change.is_finite() {
+            Ok(change)
+        } else {
+            Err(Cause::DeadPoint)
+        }
+    }
+
+    /// Takes the step that was found.
+    #[inline(always)]
+    pub(super) fn correct<const N: usize>(&self, work: &mut Work<N>) {
+        for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
+            place[0] -= Vector::new(step[0][0], step[1][0]);
+        }
     }
 
     /// The largest change of an unknown in its unit; each has a rate with it.

@@ -87,6 +87,20 @@ impl<const N: usize> State<N> {
         }
     }
 
+    /// The same bodies in the same places, without the room that it took to find them.
+    pub(crate) fn placed(&self) -> Self {
+        Self {
+            origin: self.origin.clone(),
+            turn: self.turn.clone(),
+            angle: self.angle.clone(),
+            near: self.near.clone(),
+            margins: self.margins.clone(),
+            natural: self.natural.clone(),
+            work: Work::default(),
+            ..*self
+        }
+    }
+
     /// What a group takes from what is solved.
     pub(crate) fn taken(&self, input: Input) -> Complex<N> {
         match input {

@@ -1,7 +1,7 @@
 //! A group's equations over the complex numbers: places z and their conjugates w are unknowns of their own, and every
 //! equation is linear in either. A real way to join the group has w = z̄.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::Complex;
 
 /// A complex number.
 pub(super) type C = Complex<f64>;
@@ -11,6 +11,7 @@ pub(super) const ONE: C = C::new(1.0, 0.0);
 
 /// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-17;
 const MOST_STEPS: usize = 12;
 /// Forms that differ by so little of their size are one.
 const SAME: f64 = 1e-12;
@@ -32,6 +33,15 @@ impl Affine {
 
     pub(super) fn at(&self, z: &[C]) -> C {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
+    }
+
+    /// With its conjugate at the conjugates.
+    fn both(&self, z: &[C], w: &[C]) -> [C; 2] {
+        let terms = self.by.iter().zip(z).zip(w);
+        let start = [self.constant, self.constant.conj()];
+        terms.fold(start, |[value, conjugate], ((by, z), w)| {
+            [value + by * z, conjugate + by.conj() * w]
+        })
     }
 
     /// With one unknown told by the others, and left out.
@@ -76,11 +86,11 @@ pub(super) enum Pair<F = Affine, W = f64> {
 }
 
 impl<F, W: Copy> Pair<F, W> {
-    fn map<G, V>(&self, change: impl Fn(&F) -> G, way: impl Fn(W) -> V) -> Pair<G, V> {
+    fn map(&self, change: impl Fn(&F) -> F) -> Self {
         match self {
-            Self::Unit(one) => Pair::Unit(change(one)),
-            Self::Parallel(one, other) => Pair::Parallel(change(one), change(other)),
-            Self::Along(one, other, by) => Pair::Along(change(one), change(other), way(*by)),
+            Self::Unit(one) => Self::Unit(change(one)),
+            Self::Parallel(one, other) => Self::Parallel(change(one), change(other)),
+            Self::Along(one, other, by) => Self::Along(change(one), change(other), *by),
         }
     }
 }
@@ -89,9 +99,18 @@ impl<F, W: Copy> Pair<F, W> {
 pub(super) type MovingPair = Pair<Moving, [f64; 2]>;
 
 impl MovingPair {
-    /// As it is now (0), and what its forms change by (1).
-    fn part(&self, which: usize) -> Pair {
-        self.map(|form| form[which].clone(), |way| way[which])
+    /// As it is now, and what its forms change by.
+    fn parts(self) -> [Pair; 2] {
+        match self {
+            Self::Unit([one, rate]) => [one, rate].map(Pair::Unit),
+            Self::Parallel([one, rate], [other, other_rate]) => {
+                [Pair::Parallel(one, other), Pair::Parallel(rate, other_rate)]
+            }
+            Self::Along([one, rate], [other, other_rate], [way, way_rate]) => [
+                Pair::Along(one, other, way),
+                Pair::Along(rate, other_rate, way_rate),
+            ],
+        }
     }
 }
 
@@ -134,13 +153,6 @@ impl Affine {
         terms.fold([NOUGHT; 2], |[value, conjugate], ((by, z), w)| {
             [value + by * z, conjugate + by.conj() * w]
         })
-    }
-
-    fn conjugate(&self) -> Self {
-        Self {
-            constant: self.constant.conj(),
-            by: self.by.iter().map(|by| by.conj()).collect(),
-        }
     }
 }
 
@@ -188,7 +200,7 @@ impl Pair {
     /// By how much what is left of it grows with the input at a place that stays, where its forms change as those of
     /// another one say.
     fn rate(&self, rates: &Self, z: &[C], w: &[C]) -> C {
-        let of = |form: &Affine| [form.at(z), form.conjugate().at(w)];
+        let of = |form: &Affine| form.both(z, w);
         match (self, rates) {
             (Self::Unit(one), Self::Unit(rate)) => {
                 let ([u, cu], [du, dcu]) = (of(one), of(rate));
@@ -217,8 +229,9 @@ pub(super) struct System {
     pub(super) pairs: Vec<Pair>,
     /// What the forms of each change by with the input.
     rates: Vec<Pair>,
-    /// The group's own unknowns by those that are left.
-    pub(super) own: Vec<Affine>,
+    /// The group's own unknowns by those that are left, and which are left.
+    own: Vec<Affine>,
+    left: Vec<usize>,
 }
 
 impl System {
@@ -231,6 +244,7 @@ impl System {
             own
         });
         let mut own: Vec<Affine> = own.collect();
+        let mut left: Vec<usize> = (0..unknowns).collect();
         let (mut unknowns, mut pairs, mut zeros) = (unknowns, pairs, zeros);
         while let Some([zero, rate]) = zeros.pop() {
             let sizes = zero.by.iter().map(|by| by.norm_sqr()).enumerate();
@@ -250,13 +264,14 @@ impl System {
             let told_rate = scaled(&rate.without(unknown, &told));
             let told = [told, told_rate];
             let change = |form: &Moving| without(form, unknown, &told);
-            let changed = pairs.iter().map(|pair| pair.map(change, |way| way));
+            let changed = pairs.iter().map(|pair| pair.map(change));
             pairs = changed.collect();
             own = own
                 .iter()
                 .map(|form| form.without(unknown, &told[0]))
                 .collect();
             zeros = zeros.iter().map(change).collect();
+            left.remove(unknown);
             unknowns -= 1;
         }
         let mut system = Self {
@@ -264,9 +279,10 @@ impl System {
             pairs: Vec::new(),
             rates: Vec::new(),
             own,
+            left,
         };
-        for moving in &pairs {
-            let pair = moving.part(0);
+        for moving in pairs {
+            let [pair, rate] = moving.parts();
             // What no unknown is left in tells nothing of them.
             let tells = pair
                 .forms()
@@ -274,7 +290,7 @@ impl System {
             // Links that are driven against each other turn by one direction.
             if tells && !system.pairs.iter().any(|other| pair.repeats(other)) {
                 system.pairs.push(pair);
-                system.rates.push(moving.part(1));
+                system.rates.push(rate);
             }
         }
         (system.pairs.len() == 2 * unknowns).then_some(system)
@@ -285,38 +301,37 @@ impl System {
         let (z, w) = at.split_at(self.unknowns);
         let mut room = Room::new(self.unknowns);
         room.fill(self, at);
-        let rates = self.pairs.iter().zip(&self.rates);
-        let rates = rates.map(|(pair, rate)| -pair.rate(rate, z, w));
-        let rate = room
-            .slopes
-            .lu()
-            .solve(&DVector::from_iterator(at.len(), rates))?;
-        rate.iter()
-            .all(|c| c.is_finite())
-            .then(|| rate.iter().copied().collect())
+        for (left, (pair, rate)) in room.left.iter_mut().zip(self.pairs.iter().zip(&self.rates)) {
+            *left = -pair.rate(rate, z, w);
+        }
+        let rate = room.step()?;
+        rate.iter().all(|c| c.is_finite()).then(|| rate.to_vec())
     }
 
     /// Newton's method from a guess of unknowns and conjugates; none where it goes nowhere.
-    pub(super) fn polished(&self, guess: &[C]) -> Option<Vec<C>> {
-        let mut at = guess.to_vec();
-        let mut room = Room::new(self.unknowns);
+    pub(super) fn polished(&self, guess: Vec<C>, room: &mut Room) -> Option<Vec<C>> {
+        let mut at = guess;
         let mut last = f64::INFINITY;
         for _ in 0..MOST_STEPS {
             room.fill(self, &at);
-            let step = room.slopes.clone().lu().solve(&room.left)?;
-            let largest = |all: &mut dyn Iterator<Item = &C>, least: f64| {
-                all.fold(least, |most, z| f64::max(most, z.norm_sqr()))
+            let step = room.step()?;
+            let largest = |all: &[C], least: f64| {
+                let sizes = all.iter().map(|z| z.norm_sqr());
+                sizes.fold(least, f64::max)
             };
-            let [scale, change] = [largest(&mut at.iter(), 1.0), largest(&mut step.iter(), 0.0)];
-            let change = (change / scale).sqrt();
+            let change = (largest(step, 0.0) / largest(&at, 1.0)).sqrt();
             if !change.is_finite() || step.iter().any(|step| !step.is_finite()) {
                 return None;
             }
-            for (at, step) in at.iter_mut().zip(step.iter()) {
+            for (at, step) in at.iter_mut().zip(step) {
                 *at -= step;
             }
-            // Rounding is all that further steps mend.
-            if change <= CONVERGED || change < 1e-9 && change >= 0.5 * last {
+            // Rounding is all that further steps mend: each is about the square of the one before.
+            let next = change * (change / last).powi(2);
+            if last.is_finite() && next <= ROUNDING
+                || change <= CONVERGED
+                || change < 1e-9 && change >= 0.5 * last
+            {
                 return Some(at);
             }
             last = change;
@@ -325,29 +340,61 @@ impl System {
     }
 
     /// The group's own unknowns.
-    pub(super) fn own(&self, z: &[C]) -> Vec<C> {
-        self.own.iter().map(|form| form.at(z)).collect()
+    pub(super) fn own(&self, z: &[C]) -> impl Iterator<Item = C> {
+        self.own.iter().map(|form| form.at(z))
+    }
+
+    /// The group's own unknowns and their conjugates.
+    pub(super) fn own_both(&self, at: &[C]) -> impl Iterator<Item = C> {
+        let (z, w) = at.split_at(self.unknowns);
+        let part = |which: usize| self.own.iter().map(move |form| form.both(z, w)[which]);
+        part(0).chain(part(1))
+    }
+
+    /// How many unknowns the group has of its own.
+    pub(super) fn own_unknowns(&self) -> usize {
+        self.own.len()
+    }
+
+    /// Those that are left of the group's own unknowns and conjugates.
+    pub(super) fn reduced(&self, own: &[C]) -> Vec<C> {
+        let (z, w) = own.split_at(self.own.len());
+        let of = |all: &[C]| self.left.iter().map(|k| all[*k]).collect::<Vec<C>>();
+        let mut both = of(z);
+        both.extend(of(w));
+        both
+    }
+
+    /// Newton's method from a guess of the group's own unknowns and conjugates, in its place; none where it goes nowhere.
+    pub(super) fn polish_own(&self, at: &mut [C], room: &mut Room) -> Option<()> {
+        let found = self.polished(self.reduced(at), room)?;
+        let (z, w) = found.split_at(self.unknowns);
+        let (own, conjugates) = at.split_at_mut(self.own.len());
+        for ((form, own), conjugate) in self.own.iter().zip(own).zip(conjugates) {
+            [*own, *conjugate] = form.both(z, w);
+        }
+        Some(())
     }
 }
 
 /// Room for a turn of Newton's method.
-struct Room {
+pub(super) struct Room {
     /// Homogeneous unknowns and conjugates, and the derivatives of an equation by them.
     homogeneous: Vec<C>,
     by: Vec<C>,
-    /// What is left of the equations, and their derivatives.
-    left: DVector<C>,
-    slopes: DMatrix<C>,
+    /// What is left of the equations, and their derivatives, row by row.
+    left: Vec<C>,
+    slopes: Vec<C>,
 }
 
 impl Room {
-    fn new(unknowns: usize) -> Self {
+    pub(super) fn new(unknowns: usize) -> Self {
         let size = 2 * unknowns;
         Self {
             homogeneous: vec![ONE; size + 2],
             by: vec![NOUGHT; size + 2],
-            left: DVector::from_element(size, NOUGHT),
-            slopes: DMatrix::from_element(size, size, NOUGHT),
+            left: vec![NOUGHT; size],
+            slopes: vec![NOUGHT; size * size],
         }
     }
 
@@ -357,12 +404,47 @@ impl Room {
         let (z, w) = self.homogeneous.split_at_mut(m + 1);
         z[1..].copy_from_slice(&at[..m]);
         w[1..].copy_from_slice(&at[m..]);
-        for (k, pair) in system.pairs.iter().enumerate() {
-            self.left[k] = pair.homogeneous(z, w, &mut self.by);
-            for u in 0..m {
-                self.slopes[(k, u)] = self.by[1 + u];
-                self.slopes[(k, m + u)] = self.by[m + 2 + u];
+        let rows = self.slopes.chunks_exact_mut(2 * m);
+        for ((pair, left), row) in system.pairs.iter().zip(&mut self.left).zip(rows) {
+            *left = pair.homogeneous(z, w, &mut self.by);
+            row[..m].copy_from_slice(&self.by[1..=m]);
+            row[m..].copy_from_slice(&self.by[m + 2..]);
+        }
+    }
+
+    /// The step that the equations ask for, by elimination in place: so small and so many that a library's, which asks for
+    /// memory each time, takes twice as long. None where they are singular.
+    fn step(&mut self) -> Option<&[C]> {
+        let Self { left, slopes, .. } = self;
+        let size = left.len();
+        for k in 0..size {
+            let value = |row: &usize| slopes[row * size + k].norm_sqr();
+            let pivot = (k..size).max_by(|a, b| value(a).total_cmp(&value(b)))?;
+            if value(&pivot) == 0.0 {
+                return None;
+            }
+            if pivot != k {
+                let (above, below) = slopes.split_at_mut(pivot * size);
+                above[k * size..][k..size].swap_with_slice(&mut below[k..size]);
+                left.swap(k, pivot);
+            }
+            let (above, below) = slopes.split_at_mut((k + 1) * size);
+            let pivot_row = &above[k * size..];
+            let (reciprocal, known) = (pivot_row[k].inv(), left[k]);
+            for (row, left) in below.chunks_exact_mut(size).zip(&mut left[k + 1..]) {
+                let times = row[k] * reciprocal;
+                for (entry, pivot) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
+                    *entry -= times * pivot;
+                }
+                *left -= times * known;
             }
         }
+        for k in (0..size).rev() {
+            let row = &slopes[k * size..][..size];
+            let known = row[k + 1..].iter().zip(&left[k + 1..]);
+            let rest = left[k] - known.map(|(by, x)| by * x).sum::<C>();
+            left[k] = rest / row[k];
+        }
+        Some(left)
     }
 }

@@ -1,6 +1,7 @@
 //! All ways to join an Assur group at known places of what it hangs on.
 
 mod bilinear;
+mod follow;
 mod paths;
 mod truss;
 
@@ -9,7 +10,8 @@ use super::group::Group;
 use super::{Cause, Course, Given, State};
 use crate::Vector;
 use crate::index::BodyId;
-use bilinear::{Affine, C, Moving, Pair, System};
+use bilinear::{Affine, C, Moving, Pair, Room, System};
+pub(crate) use follow::Followed;
 
 /// Solutions that differ by less than this part of their size are one.
 const ONE: f64 = 1e-8;
@@ -48,6 +50,17 @@ pub(crate) struct Ways {
     pub(crate) unreal: Vec<Unreal>,
 }
 
+/// The solutions of a group's equations, its own unknowns in their units.
+#[derive(Clone, Debug, Default)]
+struct Solutions {
+    /// How many unknowns there are.
+    size: usize,
+    /// The real ones, one after the other.
+    real: Vec<C>,
+    /// Of each two that are each other's conjugates one: unknowns, then conjugates.
+    unreal: Vec<C>,
+}
+
 /// How far a way to join links is from a real one: a square that goes through zero where two ways meet and become real,
 /// about in proportion to the distance of the input from there; with its derivative by the input.
 #[derive(Clone, Copy, Debug)]
@@ -69,25 +82,54 @@ impl Group {
     }
 
     /// All ways to join it where what it hangs on is. None where its equations are not algebraic: wheels in mesh; and
-    /// where finding them is more than the work that is left, of which it takes its part.
+    /// where finding them is more than the work that is left, of which it takes its part. Those that can be followed from
+    /// where they were found last are not found anew.
     pub(crate) fn ways<const N: usize>(
         &self,
         state: &mut State<N>,
         given: &Given<'_, N>,
         (method, left): (Method, &mut usize),
+        followed: Option<&mut Followed>,
     ) -> Result<Option<Ways>, Cause> {
-        let system = self.system(state, given)?;
-        let within = system.and_then(|(system, turning)| {
-            *left = left.checked_sub(system.work(method))?;
-            Some((system, turning))
-        });
-        Ok(within.map(|(system, turning)| {
-            let mut ways = system.ways(&self.units, &turning, method);
-            // Without derivatives of what it hangs on there are none of it.
-            if N < 2 {
-                ways.unreal.clear();
+        let Some((system, turning)) = self.system(state, given)? else {
+            return Ok(None);
+        };
+        let mut followed = followed;
+        let near = followed.as_deref_mut();
+        let near = near.and_then(|near| self.followed(near, &system, state, given));
+        let found = match near {
+            Some(found) => found,
+            None => {
+                let Some(rest) = left.checked_sub(system.work(method)) else {
+                    return Ok(None);
+                };
+                *left = rest;
+                let found = system.solutions(method);
+                if let Some(followed) = followed {
+                    followed.take(self.place(state), &found);
+                }
+                found
             }
-            ways
+        };
+        // Without derivatives of what it hangs on there are none of how far a way is from a real one.
+        let unreal = found.unreal().filter(|_| N > 1);
+        let unreal = unreal.filter_map(|at| system.unreal(&system.reduced(at)));
+        let real = found.real().map(|own| Way {
+            own: own
+                .iter()
+                .zip(&self.units)
+                .map(|(place, unit)| vector(place * unit))
+                .collect(),
+            turned: turning
+                .iter()
+                .map(|(body, turn)| (*body, vector(turn.at(own))))
+                .collect(),
+        });
+        Ok(Some(Ways {
+            complex: found.complex(),
+            // Each is as far from it as its conjugate.
+            unreal: unreal.flat_map(|one| [one; 2]).collect(),
+            real: real.collect(),
         }))
     }
 
@@ -186,31 +228,29 @@ impl System {
         }
     }
 
-    fn ways(&self, units: &[f64], turning: &Turning, method: Method) -> Ways {
+    fn solutions(&self, method: Method) -> Solutions {
         let mut found: Vec<Vec<C>> = Vec::new();
         if method == Method::Paths || !self.add_by_loops(&mut found) {
             self.add_by_paths(&mut found);
         }
-        let mut ways = Ways {
-            complex: found.len(),
-            ..Ways::default()
+        let mut solutions = Solutions {
+            size: self.own_unknowns(),
+            ..Solutions::default()
         };
+        let mut unreal: Vec<Vec<C>> = Vec::new();
+        let mut room = Room::new(self.unknowns);
         for at in found {
-            if let Some(real) = self.real(&at) {
-                let own = self.own(&real);
-                let turned = turning
-                    .iter()
-                    .map(|(body, turn)| (*body, vector(turn.at(&own))));
-                let places = own.iter().zip(units);
-                ways.real.push(Way {
-                    turned: turned.collect(),
-                    own: places.map(|(place, unit)| vector(place * unit)).collect(),
-                });
-            } else {
-                ways.unreal.extend(self.unreal(&at));
+            if let Some(real) = self.real(&at, &mut room) {
+                solutions.real.extend(self.own(&real));
+                continue;
+            }
+            let conjugate = conjugate(&at);
+            if !unreal.iter().any(|other| apart(&conjugate, other) < ONE) {
+                solutions.unreal.extend(self.own_both(&at));
+                unreal.push(at);
             }
         }
-        ways
+        solutions
     }
 
     /// How far a solution is from a real one: from its conjugate, which is one as well.
@@ -267,12 +307,13 @@ impl System {
 
     /// Adds what is new among guesses that are none else.
     fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) {
+        let mut room = Room::new(self.unknowns);
         for candidate in candidates {
-            let Some(at) = self.polished(&candidate) else {
+            let Some(at) = self.polished(candidate, &mut room) else {
                 continue;
             };
             // With a solution its conjugate is one.
-            let conjugate = self.conjugate(&at);
+            let conjugate = conjugate(&at);
             for at in [at, conjugate] {
                 if !found.iter().any(|other| apart(other, &at) < ONE) {
                     found.push(at);
@@ -281,14 +322,8 @@ impl System {
         }
     }
 
-    /// Unknowns and conjugates of the conjugate solution.
-    fn conjugate(&self, at: &[C]) -> Vec<C> {
-        let (z, w) = at.split_at(self.unknowns);
-        w.iter().chain(z).map(|c| c.conj()).collect()
-    }
-
     /// The real solution that this is.
-    fn real(&self, at: &[C]) -> Option<Vec<C>> {
+    fn real(&self, at: &[C], room: &mut Room) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
         if apart(z, &conjugates) > REAL {
@@ -304,18 +339,41 @@ impl System {
             .copied()
             .chain(middle.iter().map(|z| z.conj()))
             .collect();
-        let polished = self.polished(&both)?;
+        let polished = self.polished(both, room)?;
         let (z, w) = polished.split_at(self.unknowns);
         let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
         (apart(z, &conjugates) < ONE && apart(z, &middle) < REAL).then(|| z.to_vec())
     }
 }
 
+impl Solutions {
+    fn real(&self) -> impl ExactSizeIterator<Item = &[C]> {
+        self.real.chunks_exact(self.size)
+    }
+
+    fn unreal(&self) -> impl ExactSizeIterator<Item = &[C]> {
+        self.unreal.chunks_exact(2 * self.size)
+    }
+
+    /// How many there are over the complex numbers.
+    fn complex(&self) -> usize {
+        self.real().len() + 2 * self.unreal().len()
+    }
+}
+
+/// Unknowns and conjugates of the conjugate solution.
+fn conjugate(at: &[C]) -> Vec<C> {
+    let (z, w) = at.split_at(at.len() / 2);
+    w.iter().chain(z).map(|c| c.conj()).collect()
+}
+
 /// How far two places are apart, relative to their size.
 fn apart(one: &[C], other: &[C]) -> f64 {
-    let size = one.iter().fold(1.0, |most, z| f64::max(most, z.norm()));
-    let most = one.iter().zip(other).map(|(a, b)| (a - b).norm());
-    most.fold(0.0, f64::max) / size
+    let largest = |all: &mut dyn Iterator<Item = f64>, least: f64| all.fold(least, f64::max);
+    let size = largest(&mut one.iter().map(|z| z.norm_sqr()), 1.0);
+    let both = one.iter().zip(other);
+    let most = largest(&mut both.map(|(a, b)| (a - b).norm_sqr()), 0.0);
+    (most / size).sqrt()
 }
 
 #[cfg(test)]
