@@ -88,7 +88,7 @@ impl Mechanism {
         output: LinkId,
         number: usize,
     ) -> Result<Self, NoAssembly> {
-        let mut ways = self.found_at::<4>(input, Method::Usual, None).ways;
+        let mut ways = self.found_at::<4>(input).ways;
         let of = ways.len();
         sort_by_key(&mut ways, |(pose, _)| key(self, output, pose));
         let way = ways.get(number).ok_or(NoAssembly { of })?;

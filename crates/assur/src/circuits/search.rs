@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use super::domain::Domain;
 use super::meetings::{Met, folds};
-use crate::mechanism::{Found, Mechanism, Method, Pose};
+use crate::mechanism::{Found, Mechanism, Pose};
 use crate::motion::{DeadPointKind, Motion};
 use crate::position::{Group, Step, Unreal};
 use crate::sorting::sort_by;
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
 
     /// Finds the assemblies at an input, and follows those on no known branch.
     fn look(&mut self, input: f64) {
-        let found: Found<4> = self.mechanism.found_at(input, Method::Usual, None);
+        let found: Found<4> = self.mechanism.found_at(input);
         self.whole &= found.whole;
         let mut known = Vec::new();
         for motion in &self.branches {

@@ -31,6 +31,8 @@ pub struct Assemblies {
 #[derive(Clone, Debug, Default)]
 pub struct Following {
     groups: List<StepId, Followed>,
+    /// Room for what is solved.
+    room: Option<State<1>>,
 }
 
 /// All that is found at an input, with derivatives.
@@ -53,30 +55,38 @@ impl Mechanism {
     ///
     /// They come in no particular order, none twice; those that meet in a singular pose are none.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
-        self.found_at::<1>(input, method, None).into()
+        let state = &mut self.blank_state();
+        self.found_with::<1>(input, method, None, state).into()
     }
 
     /// The same at one input after another. Where an input is near the last one the solutions of groups are followed from
     /// there, which takes a fiftieth of the time; as many as there are in general, none twice, are all of them, and on any
     /// doubt they are found anew.
     pub fn assemblies_near(&self, input: f64, following: &mut Following) -> Assemblies {
-        self.found_at::<1>(input, Method::Usual, Some(following))
-            .into()
+        let fits = following.groups.len() == self.steps.len();
+        if !fits {
+            following.groups = self.steps.iter().map(|_| Followed::default()).collect();
+        }
+        following.groups.iter_mut().for_each(Followed::begin);
+        let room = following.room.take().filter(|_| fits);
+        let mut state = room.unwrap_or_else(|| self.blank_state());
+        let found = self.found_with(input, Method::Usual, Some(following), &mut state);
+        following.room = Some(state);
+        found.into()
     }
 
     /// The same with derivatives, and with what nearly is an assembly.
-    pub(crate) fn found_at<const N: usize>(
+    pub(crate) fn found_at<const N: usize>(&self, input: f64) -> Found<N> {
+        self.found_with(input, Method::Usual, None, &mut self.blank_state())
+    }
+
+    fn found_with<const N: usize>(
         &self,
         input: f64,
         method: Method,
-        mut following: Option<&mut Following>,
+        following: Option<&mut Following>,
+        state: &mut State<N>,
     ) -> Found<N> {
-        if let Some(following) = following.as_deref_mut() {
-            if following.groups.len() != self.steps.len() {
-                following.groups = self.steps.iter().map(|_| Followed::default()).collect();
-            }
-            following.groups.iter_mut().for_each(Followed::begin);
-        }
         let mut search = Search {
             mechanism: self,
             input: Jet::linear(input, 1.0),
@@ -93,7 +103,7 @@ impl Mechanism {
             },
         };
         let steps: Vec<StepId> = self.steps.ids().collect();
-        search.join(&steps, &mut self.blank_state());
+        search.join(&steps, state);
         search.found
     }
 

@@ -229,6 +229,8 @@ pub(super) struct System {
     pub(super) pairs: Vec<Pair>,
     /// What the forms of each change by with the input.
     rates: Vec<Pair>,
+    /// Which of the given ones they are; none where unknowns are left out.
+    pub(super) given: Option<Vec<usize>>,
     /// The group's own unknowns by those that are left, and which are left.
     own: Vec<Affine>,
     left: Vec<usize>,
@@ -245,6 +247,7 @@ impl System {
         });
         let mut own: Vec<Affine> = own.collect();
         let mut left: Vec<usize> = (0..unknowns).collect();
+        let mut given = zeros.is_empty().then(Vec::new);
         let (mut unknowns, mut pairs, mut zeros) = (unknowns, pairs, zeros);
         while let Some([zero, rate]) = zeros.pop() {
             let sizes = zero.by.iter().map(|by| by.norm_sqr()).enumerate();
@@ -278,10 +281,11 @@ impl System {
             unknowns,
             pairs: Vec::new(),
             rates: Vec::new(),
+            given: None,
             own,
             left,
         };
-        for moving in pairs {
+        for (k, moving) in pairs.into_iter().enumerate() {
             let [pair, rate] = moving.parts();
             // What no unknown is left in tells nothing of them.
             let tells = pair
@@ -291,8 +295,10 @@ impl System {
             if tells && !system.pairs.iter().any(|other| pair.repeats(other)) {
                 system.pairs.push(pair);
                 system.rates.push(rate);
+                given.iter_mut().for_each(|given| given.push(k));
             }
         }
+        system.given = given;
         (system.pairs.len() == 2 * unknowns).then_some(system)
     }
 
@@ -359,10 +365,10 @@ impl System {
     /// Those that are left of the group's own unknowns and conjugates.
     pub(super) fn reduced(&self, own: &[C]) -> Vec<C> {
         let (z, w) = own.split_at(self.own.len());
-        let of = |all: &[C]| self.left.iter().map(|k| all[*k]).collect::<Vec<C>>();
-        let mut both = of(z);
-        both.extend(of(w));
-        both
+        let both = [z, w].into_iter();
+        let mut reduced = Vec::with_capacity(2 * self.unknowns);
+        reduced.extend(both.flat_map(|all| self.left.iter().map(|k| all[*k])));
+        reduced
     }
 
     /// Newton's method from a guess of the group's own unknowns and conjugates, in its place; none where it goes nowhere.

@@ -5,7 +5,7 @@
 //! two has a square that goes through zero evenly: from two places before it tells how far they are apart behind it.
 
 use super::bilinear::{C, ROUNDING, Room, System};
-use super::{ONE, REAL, Solutions, apart, conjugate};
+use super::{ONE, REAL, Solutions, apart, apart_from_conjugate};
 use crate::Vector;
 use crate::position::group::Group;
 use crate::position::{Given, State};
@@ -29,6 +29,8 @@ pub(crate) struct Followed {
     /// place agreed.
     general: usize,
     agreed: bool,
+    /// The equations at the last place.
+    pub(super) system: Option<System>,
 }
 
 /// What was found where the group hung on one way of those before it.
@@ -365,9 +367,10 @@ impl Solutions {
         let (mut real, mut unreal) = (self.real().enumerate(), self.unreal().enumerate());
         real.all(|(k, one)| self.real().take(k).all(|other| apart(one, other) > ONE))
             && unreal.all(|(k, one)| {
-                let conjugate = conjugate(one);
                 let mut others = self.unreal().take(k);
-                others.all(|other| apart(one, other) > ONE && apart(&conjugate, other) > ONE)
+                others.all(|other| {
+                    f64::min(apart(one, other), apart_from_conjugate(one, other)) > ONE
+                })
             })
     }
 }
@@ -395,9 +398,7 @@ fn those(all: &[C], off: &[Option<f64>], size: usize) -> Vec<C> {
 
 /// How far a solution is from its conjugate.
 fn unreal_by(at: &[C]) -> f64 {
-    let (z, w) = at.split_at(at.len() / 2);
-    let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
-    apart(z, &conjugates)
+    apart_from_conjugate(at, at)
 }
 
 fn mean(a: &[C], b: &[C]) -> Vec<C> {

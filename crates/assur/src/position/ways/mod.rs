@@ -91,10 +91,16 @@ impl Group {
         (method, left): (Method, &mut usize),
         followed: Option<&mut Followed>,
     ) -> Result<Option<Ways>, Cause> {
-        let Some((system, turning)) = self.system(state, given)? else {
+        self.receive(state, given)?;
+        let mut followed = followed;
+        let kept = followed
+            .as_deref_mut()
+            .and_then(|followed| followed.system.take());
+        let kept = kept.and_then(|system| self.refreshed(system, state));
+        let kept = kept.map(|system| (system, Turning::new()));
+        let Some((system, turning)) = kept.or_else(|| self.system(state)) else {
             return Ok(None);
         };
-        let mut followed = followed;
         let near = followed.as_deref_mut();
         let near = near.and_then(|near| self.followed(near, &system, state, given));
         let found = match near {
@@ -105,7 +111,7 @@ impl Group {
                 };
                 *left = rest;
                 let found = system.solutions(method);
-                if let Some(followed) = followed {
+                if let Some(followed) = &mut followed {
                     followed.take(self.place(state), &found);
                 }
                 found
@@ -125,22 +131,38 @@ impl Group {
                 .map(|(body, turn)| (*body, vector(turn.at(own))))
                 .collect(),
         });
-        Ok(Some(Ways {
+        let ways = Ways {
             complex: found.complex(),
             // Each is as far from it as its conjugate.
             unreal: unreal.flat_map(|one| [one; 2]).collect(),
             real: real.collect(),
-        }))
+        };
+        if let Some(followed) = followed {
+            followed.system = Some(system);
+        }
+        Ok(Some(ways))
     }
 
-    /// Its equations over the complex numbers, unknowns in their units, with what their forms change by with the input;
-    /// and the turns of driven bodies.
-    fn system<const N: usize>(
-        &self,
-        state: &mut State<N>,
-        given: &Given<'_, N>,
-    ) -> Result<Option<(System, Turning)>, Cause> {
-        self.receive(state, given)?;
+    /// Equations of a place before with what the group has received now: only constants differ. None where more does.
+    fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
+        let of = system.given.as_ref().filter(|_| N == 1)?;
+        let value = |form: usize| number(state.work.values[form][0]);
+        for (pair, k) in system.pairs.iter_mut().zip(of) {
+            match (pair, self.equations[*k]) {
+                (Pair::Unit(one), Equation::Unit(form)) => one.constant = value(form),
+                (Pair::Parallel(one, other), Equation::Line { direction, way }) => {
+                    one.constant = value(direction);
+                    other.constant = value(way);
+                }
+                _ => return None,
+            }
+        }
+        Some(system)
+    }
+
+    /// Its equations over the complex numbers, as it has received what it hangs on, unknowns in their units, with what
+    /// their forms change by with the input; and the turns of driven bodies.
+    fn system<const N: usize>(&self, state: &State<N>) -> Option<(System, Turning)> {
         let angles = state.work.given.iter().map(|mesh| {
             [0, 1].map(|order| {
                 if order < N {
@@ -195,11 +217,11 @@ impl Group {
                     rates.add(-spin, &base);
                     zeros.push([zero, rates]);
                 }
-                Equation::Mesh { .. } => return Ok(None),
+                Equation::Mesh { .. } => return None,
             }
         }
-        let system = System::new(self.units.len(), pairs, zeros);
-        Ok(system.map(|system| (system, turning)))
+        let system = System::new(self.units.len(), pairs, zeros)?;
+        Some((system, turning))
     }
 }
 
@@ -244,8 +266,10 @@ impl System {
                 solutions.real.extend(self.own(&real));
                 continue;
             }
-            let conjugate = conjugate(&at);
-            if !unreal.iter().any(|other| apart(&conjugate, other) < ONE) {
+            if !unreal
+                .iter()
+                .any(|other| apart_from_conjugate(other, &at) < ONE)
+            {
                 solutions.unreal.extend(self.own_both(&at));
                 unreal.push(at);
             }
@@ -369,10 +393,23 @@ fn conjugate(at: &[C]) -> Vec<C> {
 
 /// How far two places are apart, relative to their size.
 fn apart(one: &[C], other: &[C]) -> f64 {
-    let largest = |all: &mut dyn Iterator<Item = f64>, least: f64| all.fold(least, f64::max);
-    let size = largest(&mut one.iter().map(|z| z.norm_sqr()), 1.0);
-    let both = one.iter().zip(other);
-    let most = largest(&mut both.map(|(a, b)| (a - b).norm_sqr()), 0.0);
+    most_apart(one.iter().zip(other).map(|(a, b)| [*a, *b]))
+}
+
+/// How far a solution is from the conjugate of another one.
+fn apart_from_conjugate(one: &[C], other: &[C]) -> f64 {
+    let (z, w) = other.split_at(other.len() / 2);
+    let conjugate = w.iter().chain(z).map(|c| c.conj());
+    most_apart(one.iter().zip(conjugate).map(|(a, b)| [*a, b]))
+}
+
+fn most_apart(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
+    let (size, most) = pairs.fold((1.0, 0.0), |(size, most), [a, b]| {
+        (
+            f64::max(size, a.norm_sqr()),
+            f64::max(most, (a - b).norm_sqr()),
+        )
+    });
     (most / size).sqrt()
 }
 
