@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::circuits::{Branch, Circuits, Meeting, Reach};
-use assur::mechanism::{Assemblies, LinkId, Method};
+use assur::mechanism::{Assemblies, LinkId};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -48,9 +48,10 @@ impl Moving {
     /// All assemblies at an input, in the order of their numbers, and which of them moves.
     pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
         let mechanism = self.mechanism();
+        let following = &mut *self.following().borrow_mut();
         let found = match self.numbering() {
-            Some(output) => mechanism.numbered(input, output),
-            None => mechanism.assemblies_at(input, Method::Usual),
+            Some(output) => mechanism.numbered_near(input, output, following),
+            None => mechanism.assemblies_near(input, following),
         };
         let shown = self.motion().pose(input).ok();
         let shown = shown.and_then(|pose| mechanism.number_of(&pose, &found.poses));

@@ -1,9 +1,10 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
+use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
 use assur::motion::Motion;
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
@@ -24,6 +25,8 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
+    /// What is known of its other assemblies.
+    following: RefCell<Following>,
     /// How well dyads transmit: read out without derivatives.
     transmitting: Vec<Quantity>,
     /// The numbers of links, by which their angles are called.
@@ -95,6 +98,7 @@ impl Moving {
             plotted,
             figure,
             motion,
+            following: RefCell::default(),
             document,
             explain,
         })
@@ -120,6 +124,10 @@ impl Moving {
 
     pub(crate) fn document(&self) -> &LinkageDocument {
         &self.document
+    }
+
+    pub(crate) fn following(&self) -> &RefCell<Following> {
+        &self.following
     }
 
     pub(crate) fn motion(&self) -> &Motion {

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use super::search::SAME;
 use super::{Branch, Circuits};
 use crate::index::LinkId;
-use crate::mechanism::{Assemblies, Mechanism, Method, Pose};
+use crate::mechanism::{Assemblies, Following, Mechanism, Pose};
 use crate::sorting::{sort, sort_by, sort_by_key};
 
 /// Angles, radians, and places, relative to the size, that differ by less are alike.
@@ -68,7 +68,17 @@ impl Mechanism {
 
     /// All assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.
     pub fn numbered(&self, input: f64, output: LinkId) -> Assemblies {
-        let mut found = self.assemblies_at(input, Method::Usual);
+        self.numbered_near(input, output, &mut Following::default())
+    }
+
+    /// The same at one input after another.
+    pub fn numbered_near(
+        &self,
+        input: f64,
+        output: LinkId,
+        following: &mut Following,
+    ) -> Assemblies {
+        let mut found = self.assemblies_near(input, following);
         sort_assemblies(self, output, &mut found.poses, |pose| pose);
         found
     }

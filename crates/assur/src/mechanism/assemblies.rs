@@ -166,7 +166,7 @@ impl<const N: usize> Search<'_, N> {
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
                 if ways.is_ok() {
-                    self.go_on(*step, rest, state);
+                    self.go_on(*step, rest, state, false);
                 }
                 return;
             };
@@ -178,24 +178,25 @@ impl<const N: usize> Search<'_, N> {
                     let drawn = self.mechanism.orientations[*body];
                     self.orientations[*body] = drawn.turned_to(*turn);
                 }
-                self.go_on(*step, rest, state);
+                self.go_on(*step, rest, state, ways.solved);
             }
             return;
         }
         for sign in self.mechanism.joinings(*step) {
             self.signs[*step] = *sign;
-            self.go_on(*step, rest, state);
+            self.go_on(*step, rest, state, false);
         }
         self.signs[*step] = Sign::Plus;
     }
 
-    fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>) {
+    /// Puts a step, whose unknowns may be solved already, and joins the rest.
+    fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == MOST {
             self.found.whole = false;
             return;
         }
         self.tries -= 1;
-        match self.put(step, state) {
+        match self.put(step, state, solved) {
             Ok(()) => {
                 let crosses = matches!(self.mechanism.steps[step], Step::Prp(_) | Step::Rpp(_));
                 if N > 1 && crosses {
@@ -219,8 +220,12 @@ impl<const N: usize> Search<'_, N> {
         }
     }
 
-    fn put(&self, step: StepId, state: &mut State<N>) -> Result<(), Cause> {
-        self.mechanism.steps[step].put(state, &self.given(step))
+    fn put(&self, step: StepId, state: &mut State<N>, solved: bool) -> Result<(), Cause> {
+        let given = self.given(step);
+        match &self.mechanism.steps[step] {
+            Step::Group(group) if solved => group.put_solved(state, &given),
+            step => step.put(state, &given),
+        }
     }
 
     fn given(&self, step: StepId) -> Given<'_, N> {

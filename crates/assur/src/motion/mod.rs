@@ -245,7 +245,7 @@ impl Motion {
     {
         let mut pose = self.mechanism.blank();
         self.place(input, &mut pose)?;
-        Ok(pose)
+        Ok(pose.without_room())
     }
 
     /// The same into a pose that was made before: nothing is allocated.

@@ -187,6 +187,18 @@ impl Group {
         self.settle(state, near)
     }
 
+    /// Puts its bodies where its unknowns are nearby, which are a solution.
+    pub(crate) fn put_solved<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &Given<'_, N>,
+    ) -> Result<(), Cause> {
+        self.receive(state, given)?;
+        self.guess(&mut state.work, given.near);
+        self.evaluate(&mut state.work);
+        self.settle(state, given.near)
+    }
+
     /// Takes what is solved into its forms.
     pub(super) fn receive<const N: usize>(
         &self,

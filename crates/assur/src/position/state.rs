@@ -87,18 +87,23 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The same bodies in the same places, without the room that it took to find them.
+    /// The same bodies in the same places, without what it took to find them.
     pub(crate) fn placed(&self) -> Self {
         Self {
             origin: self.origin.clone(),
             turn: self.turn.clone(),
             angle: self.angle.clone(),
             near: self.near.clone(),
-            margins: self.margins.clone(),
+            margins: List::default(),
             natural: self.natural.clone(),
             work: Work::default(),
             ..*self
         }
+    }
+
+    /// Forgets the room that it took to find them.
+    pub(crate) fn drop_room(&mut self) {
+        self.work = Work::default();
     }
 
     /// What a group takes from what is solved.

@@ -438,6 +438,10 @@ impl Room {
             let pivot_row = &above[k * size..];
             let (reciprocal, known) = (pivot_row[k].inv(), left[k]);
             for (row, left) in below.chunks_exact_mut(size).zip(&mut left[k + 1..]) {
+                // Links know few of the unknowns.
+                if row[k] == NOUGHT {
+                    continue;
+                }
                 let times = row[k] * reciprocal;
                 for (entry, pivot) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
                     *entry -= times * pivot;

@@ -151,7 +151,7 @@ impl Group {
         let chain = &followed.chains[at];
         let ahead = chain.ahead(&place);
         let (found, same) = self.all_ahead(&ahead, system, state, given)?;
-        if found.complex() != followed.general || !found.are_distinct() {
+        if found.complex() != followed.general {
             return None;
         }
         let chain = &mut followed.chains[at];
@@ -181,7 +181,7 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All that is where it is expected, and whether it is of the same kind as it was.
+    /// All that is where it is expected, none twice, and whether it is of the same kind as it was.
     fn all_ahead<const N: usize>(
         &self,
         ahead: &Ahead<'_>,
@@ -205,8 +205,8 @@ impl Group {
             (unreal_by(at) > REAL).then(|| apart(at, expected))
         });
         let mut unreal: Vec<Option<f64>> = unreal.collect();
-        drop_strays(&mut real, &found.real, last.size);
-        drop_strays(&mut unreal, &found.unreal, 2 * last.size);
+        drop_strays(&mut real, &found.real, apart);
+        drop_strays(&mut unreal, &found.unreal, apart_either_way);
         if real.iter().chain(&unreal).all(Option::is_some) {
             return Some((found, true));
         }
@@ -258,7 +258,7 @@ impl Group {
                 given,
             )?;
         }
-        Some((all, false))
+        all.are_distinct().then_some((all, false))
     }
 
     /// Adds the two ways about a middle, where half of what was between them has grown so: real where its square is
@@ -294,8 +294,7 @@ impl Group {
         Some(())
     }
 
-    /// Newton's method from a guess of a real way, unknowns in their units, in its place; none where it goes nowhere. Who
-    /// takes the way joins the group there, and so takes a turn more.
+    /// Newton's method from a guess of a real way, unknowns in their units, in its place; none where it goes nowhere.
     fn join<const N: usize>(
         &self,
         at: &mut [C],
@@ -368,15 +367,19 @@ impl Solutions {
         real.all(|(k, one)| self.real().take(k).all(|other| apart(one, other) > ONE))
             && unreal.all(|(k, one)| {
                 let mut others = self.unreal().take(k);
-                others.all(|other| {
-                    f64::min(apart(one, other), apart_from_conjugate(one, other)) > ONE
-                })
+                others.all(|other| apart_either_way(one, other) > ONE)
             })
     }
 }
 
+/// How far a solution is from another one or from its conjugate.
+fn apart_either_way(one: &[C], other: &[C]) -> f64 {
+    f64::min(apart(one, other), apart_from_conjugate(one, other))
+}
+
 /// Of those that came to the same end the one that came from afar is lost.
-fn drop_strays(off: &mut [Option<f64>], all: &[C], size: usize) {
+fn drop_strays(off: &mut [Option<f64>], all: &[C], apart: fn(&[C], &[C]) -> f64) {
+    let size = all.len() / off.len().max(1);
     let at = |k: usize| &all[k * size..][..size];
     for k in 1..off.len() {
         for other in 0..k {

@@ -44,6 +44,8 @@ pub(crate) struct Way {
 pub(crate) struct Ways {
     /// The real ones.
     pub(crate) real: Vec<Way>,
+    /// Whether they are exact already, as those are that are followed, and nothing but places is asked for.
+    pub(crate) solved: bool,
     /// How many there are over the complex numbers, the real ones among them.
     pub(crate) complex: usize,
     /// Of each that is not real how far it is from it.
@@ -103,6 +105,7 @@ impl Group {
         };
         let near = followed.as_deref_mut();
         let near = near.and_then(|near| self.followed(near, &system, state, given));
+        let solved = N == 1 && near.is_some();
         let found = match near {
             Some(found) => found,
             None => {
@@ -132,6 +135,7 @@ impl Group {
                 .collect(),
         });
         let ways = Ways {
+            solved,
             complex: found.complex(),
             // Each is as far from it as its conjugate.
             unreal: unreal.flat_map(|one| [one; 2]).collect(),
