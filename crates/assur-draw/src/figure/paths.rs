@@ -79,7 +79,8 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
             let share = i as f64 / count as f64;
             from + (to - from) * shown * placed(cycle, share)
         });
-        let poses = inputs.filter_map(|input| Some((input, motion.pose(input).ok()?)));
+        let pose = motion.telling(|pose: &Pose<1>| pose.alone());
+        let poses = inputs.filter_map(|input| Some((input, pose(input).ok()?)));
         poses.collect()
     });
     runs.filter(|run: &Run| !run.is_empty()).collect()

@@ -1,5 +1,6 @@
 //! Plots of a linkage's quantities.
 
+use std::cell::RefCell;
 use std::f64::consts::PI;
 
 use assur::mechanism::{Pose, Quantity, RrrDyad};
@@ -41,11 +42,13 @@ impl Figure {
                 features,
             });
         let ends = self.ends();
+        let room = RefCell::new(mechanism.blank::<3>());
         let sample = |input: f64| {
-            let pose = motion.pose::<3>(self.off_the_ends(input)).ok()?;
+            let pose = &mut *room.borrow_mut();
+            motion.place(self.off_the_ends(input), pose).ok()?;
             Some(Sample {
-                jets: quantities.iter().map(|q| q.of(mechanism, &pose)).collect(),
-                clear: ends.iter().all(|end| self.is_clear(end, input, &pose)),
+                jets: quantities.iter().map(|q| q.of(mechanism, pose)).collect(),
+                clear: ends.iter().all(|end| self.is_clear(end, input, pose)),
             })
         };
         let kind = match quantities.first() {

@@ -45,10 +45,8 @@ impl<const N: usize> Pose<N> {
     }
 
     /// The same without the room that it took to find it, many times as large: of poses there may be many.
-    pub(crate) fn without_room(mut self) -> Self {
-        self.state.drop_room();
-        self.guess = Vec::new();
-        self
+    pub fn alone(&self) -> Self {
+        Self::of(self.state.placed())
     }
 
     pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {

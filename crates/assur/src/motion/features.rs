@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Extremum, Input, Kind, Motion};
-use crate::mechanism::{Quantity, acute, sense};
+use crate::mechanism::{Pose, Quantity, acute, sense};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
@@ -66,11 +66,11 @@ impl Motion {
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
             let units: Vec<f64> = bases.iter().map(|base| self.unit(*base)).collect();
-            let jets = |input: f64| -> Option<Vec<Jet<5>>> {
-                let pose = self.pose::<5>(input).ok()?;
+            let jets = self.telling(|pose: &Pose<5>| {
                 let bases = bases.iter();
-                Some(bases.map(|base| base.unfolded(mechanism, &pose)).collect())
-            };
+                bases.map(|base| base.unfolded(mechanism, pose)).collect()
+            });
+            let jets = |input: f64| -> Option<Vec<Jet<5>>> { jets(input).ok() };
             let found = features_over(&stretches, self.cycle(), &jets, &units, input);
             let found = bases.iter().zip(found);
             found.map(|(base, found)| {

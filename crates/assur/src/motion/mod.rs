@@ -37,6 +37,7 @@ pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
 pub use transmission::WorstTransmission;
 
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -245,7 +246,26 @@ impl Motion {
     {
         let mut pose = self.mechanism.blank();
         self.place(input, &mut pose)?;
-        Ok(pose.without_room())
+        Ok(pose)
+    }
+
+    /// What of a pose is asked for, at one input after another: only the first allocates.
+    ///
+    /// # Errors
+    /// Which links find no place, and why.
+    pub fn telling<const N: usize, T>(
+        &self,
+        of: impl Fn(&Pose<N>) -> T,
+    ) -> impl Fn(f64) -> Result<T, Unsolved>
+    where
+        Pose<N>: Placed,
+    {
+        let room = RefCell::new(self.mechanism.blank());
+        move |input| {
+            let pose = &mut *room.borrow_mut();
+            self.place(input, pose)?;
+            Ok(of(pose))
+        }
     }
 
     /// The same into a pose that was made before: nothing is allocated.

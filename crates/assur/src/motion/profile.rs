@@ -6,12 +6,13 @@
 //! extremum just touches an edge, or, on a flank, where the quantity leaves as
 //! fast as it came.
 
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 use super::Motion;
 use super::features::turning_points;
 use super::root::root;
-use crate::mechanism::Quantity;
+use crate::mechanism::{Pose, Quantity};
 
 /// An arc of the input over which a quantity stays within a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +41,7 @@ impl Dwell {
 pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
     pub(super) quantity: Quantity,
+    room: RefCell<Pose<1>>,
     /// Inputs and values at which pieces meet: extrema, and the ends of the range
     /// of a motion to and fro. A full cycle is there twice, from an extremum on.
     pub(super) stations: Vec<[f64; 2]>,
@@ -63,7 +65,8 @@ impl<'a> OutputProfile<'a> {
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
         let mechanism = motion.mechanism();
         let unit = motion.unit(quantity);
-        let jet = |input: f64| Some(quantity.of(mechanism, &motion.pose::<3>(input).ok()?));
+        let jet = motion.telling(|pose: &Pose<3>| quantity.of(mechanism, pose));
+        let jet = |input: f64| jet(input).ok();
         let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
             Some(inputs) => inputs,
             None => turning_points(motion.cycle(), &jet, unit)
@@ -74,6 +77,7 @@ impl<'a> OutputProfile<'a> {
         let mut profile = Self {
             motion,
             quantity,
+            room: RefCell::new(mechanism.blank()),
             stations: Vec::new(),
             once: 0,
             gain: 0.0,
@@ -148,8 +152,9 @@ impl<'a> OutputProfile<'a> {
             }
             None => (0.0, input),
         };
-        let pose = self.motion.pose::<1>(within).ok()?;
-        let jet = self.quantity.of(self.motion.mechanism(), &pose);
+        let room = &mut *self.room.borrow_mut();
+        self.motion.place(within, room).ok()?;
+        let jet = self.quantity.of(self.motion.mechanism(), room);
         Some(jet.value() + cycles * self.gain)
     }
 

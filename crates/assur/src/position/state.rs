@@ -101,11 +101,6 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// Forgets the room that it took to find them.
-    pub(crate) fn drop_room(&mut self) {
-        self.work = Work::default();
-    }
-
     /// What a group takes from what is solved.
     pub(crate) fn taken(&self, input: Input) -> Complex<N> {
         match input {
