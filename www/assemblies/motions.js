@@ -1,5 +1,5 @@
 // All motions of the linkage that is shown, from the worker that finds them. It is asked one thing at a time, the newest first:
-// while a length is dragged the map follows as fast as it can be found.
+// while a length is dragged the map follows some times a second.
 import { fetchWasm } from "assur/engine.js";
 
 /**
@@ -11,6 +11,8 @@ export class Motions {
   #changed;
   /** @type {Worker | null} */
   #worker = null;
+  /** When the worker was asked last. */
+  #since = 0;
   /** What is asked when the worker is free. */
   #next = /** @type {object | null} */ (null);
   #busy = true;
@@ -68,6 +70,7 @@ export class Motions {
     this.#worker?.postMessage(this.#next);
     this.#next = null;
     this.#busy = true;
+    this.#since = performance.now();
   }
 
   async #begin() {
@@ -87,7 +90,6 @@ export class Motions {
 
   /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean }} answer */
   #hear({ revision, map, belonging, lost }) {
-    this.#busy = false;
     const current = revision === this.#revision;
     if (map) {
       this.map = map;
@@ -98,7 +100,12 @@ export class Motions {
       this.lost = true;
       if (current) this.map = null;
     }
-    this.#send();
+    // While a length is dragged it rests twice as long as it worked: the page draws with the same processors.
+    const rest = map && this.#next ? 2 * (performance.now() - this.#since) : 0;
+    setTimeout(() => {
+      this.#busy = false;
+      this.#send();
+    }, rest);
     this.#changed();
   }
 }

@@ -17,6 +17,8 @@ import { change } from "assur/state/change.js";
 
 /** Free room around a picture, in pixels. */
 const MARGIN = 7;
+/** Pictures are painted anew after so many milliseconds: the mechanism that moves has all other frames. */
+const PERIOD = 30;
 
 export class Assemblies {
   #page;
@@ -37,6 +39,9 @@ export class Assemblies {
   /** The rectangle in which all were so far, of the linkage with this revision. */
   #bounds = [Infinity, Infinity, -Infinity, -Infinity];
   #revision = 0;
+  /** When pictures were painted last, and whether they are to be painted later. */
+  #painted = -Infinity;
+  #later = false;
   /** @type {object | null} what the map was drawn of */
   #drawn = null;
 
@@ -65,9 +70,24 @@ export class Assemblies {
     if (!this.#here) return;
     this.#motions.of(snapshot.revision, state);
     this.#show(this.#here, snapshot);
-    this.#paint(this.#here, snapshot);
+    if (this.#due()) this.#paint(this.#here, snapshot);
     if (snapshot.legible) this.#tell(this.#here, snapshot);
     this.#draw(this.#here, snapshot);
+  }
+
+  /** Whether pictures are to be painted now; else they will be later. */
+  #due() {
+    const now = performance.now();
+    const due = now - this.#painted >= PERIOD;
+    if (due) this.#painted = now;
+    else if (!this.#later) {
+      this.#later = true;
+      setTimeout(() => {
+        this.#later = false;
+        this.#page.redraw();
+      }, PERIOD);
+    }
+    return due;
   }
 
   /**
@@ -127,9 +147,14 @@ export class Assemblies {
    * @param {readonly number[]} bodies
    */
   #hold(bodies) {
-    const [left, below, right, above] = this.#bounds;
-    const [xs, ys] = [1, 2].map((first) => bodies.filter((_, at) => at > 3 && at % 3 === first % 3));
-    this.#bounds = [Math.min(left, ...xs), Math.min(below, ...ys), Math.max(right, ...xs), Math.max(above, ...ys)];
+    const bounds = this.#bounds;
+    for (let at = 4; at + 1 < bodies.length; at += 3) {
+      const [x, y] = [bodies[at], bodies[at + 1]];
+      if (x < bounds[0]) bounds[0] = x;
+      if (y < bounds[1]) bounds[1] = y;
+      if (x > bounds[2]) bounds[2] = x;
+      if (y > bounds[3]) bounds[3] = y;
+    }
   }
 
   /**
