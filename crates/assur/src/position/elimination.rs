@@ -47,7 +47,7 @@ const CHOSEN: f64 = 0.25;
 const SMALL: f64 = 1e-2;
 
 impl Elimination {
-    /// Room for a matrix of a size, so that planning allocates nothing the next time.
+    /// Room for a matrix of a size, so that planning allocates nothing.
     pub(crate) fn fit(&mut self, size: usize) {
         self.size = size;
         self.pivots.clear();

@@ -298,7 +298,6 @@ impl Group {
         let planned = self.elimination.factor(&mut work.jacobian);
         work.planned = planned.is_some();
         planned.or_else(|| {
-            work.spare.fit(2 * self.unknowns);
             work.jacobian.fill(0.0);
             self.jacobian(work);
             work.spare.plan(&self.pattern, &mut work.jacobian)

@@ -64,5 +64,6 @@ impl<const N: usize> Work<N> {
         self.gain.resize(size, [0.0]);
         self.jacobian.resize(size * size, 0.0);
         self.noise.reserve(group.constants.len());
+        self.spare.fit(size);
     }
 }
