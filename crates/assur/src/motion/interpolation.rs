@@ -29,6 +29,9 @@ pub(super) struct Knots {
     /// Of each of as many equal parts of the way as there are knots, how many of them come before it, and of all how
     /// many there are: to find one at once. Made when all are there.
     before: Vec<usize>,
+    /// How many parts there are to a unit of the way, and where they begin.
+    parts: f64,
+    first: f64,
     /// Where links pass through in line.
     smooth_roots: Vec<SmoothRoot>,
     /// How far apart samples are at most.
@@ -112,6 +115,8 @@ impl Knots {
                 natural: Vec::new(),
             }],
             before: Vec::new(),
+            parts: 0.0,
+            first: 0.0,
             smooth_roots: Vec::new(),
             cell: 0.0,
             margins: signs.alike([1.0; 2]),
@@ -222,6 +227,10 @@ impl Knots {
 
     /// Lets knots be found at once; after it none is moved or put in.
     pub(super) fn index(&mut self) {
+        if let [first, .., last] = &self.list[..] {
+            self.first = first.input;
+            self.parts = self.list.len() as f64 / (last.input - first.input);
+        }
         let mut before = vec![0; self.list.len() + 1];
         for knot in &self.list {
             before[self.part(knot.input) + 1] += 1;
@@ -236,12 +245,8 @@ impl Knots {
 
     /// The part of the way that an input is in: never a lesser one for a greater input.
     fn part(&self, input: f64) -> usize {
-        let [first, .., last] = &self.list[..] else {
-            return 0;
-        };
         let parts = self.list.len();
-        let way = (input - first.input) / (last.input - first.input);
-        ((way * parts as f64) as usize).min(parts - 1)
+        (((input - self.first) * self.parts) as usize).min(parts.saturating_sub(1))
     }
 
     /// The last knot that is not after an input, or the first.
