@@ -46,10 +46,12 @@ impl Csv {
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value + 0.0);
         let text = text.strip_suffix(".0").unwrap_or(text);
-        match text.split_once('.') {
-            Some((whole, rest)) if self.decimal_comma => write!(out, "{whole},{rest}"),
-            _ => out.write_all(text.as_bytes()),
+        if self.decimal_comma
+            && let Some((whole, rest)) = text.split_once('.')
+        {
+            return write!(out, "{whole},{rest}");
         }
+        out.write_all(text.as_bytes())
     }
 }
 
