@@ -4,133 +4,16 @@
 //! Two real ways that meet go on as two that are each other's conjugates, and the other way round. Half of what is between the
 //! two has a square that goes through zero evenly: from two places before it tells how far they are apart behind it.
 
-use super::bilinear::{C, ROUNDING, Room, System};
-use super::{ONE, REAL, Solutions, apart, apart_from_conjugate};
+use super::bilinear::{C, System};
+use super::known::{Ahead, FAR, Followed, Sample};
+use super::newton::{ROUNDING, Room};
+use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate};
 use crate::Vector;
 use crate::position::group::Group;
 use crate::position::{Given, State};
 
-/// What a group takes from what is solved may have changed by so much, relative to its links, since they were found.
-const FAR: f64 = 0.25;
-/// Places that differ by more tell independently how many ways there are.
-const APART: f64 = 1e-3;
-/// It is not extrapolated by more than so many times the last way.
-const MOST_AHEAD: f64 = 4.0;
 /// Newton's method takes no more turns.
 const MOST_TURNS: usize = 8;
-/// No more places are kept at which the group hangs.
-const MOST_CHAINS: usize = 64;
-
-/// What is known of the ways to join a group, wherever it hangs.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Followed {
-    chains: Vec<Chain>,
-    /// How many ways there are at most, over the complex numbers, as far as is known: at a general place. Whether a second
-    /// place agreed.
-    general: usize,
-    agreed: bool,
-    /// The equations at the last place.
-    pub(super) system: Option<System>,
-}
-
-/// What was found where the group hung on one way of those before it.
-#[derive(Clone, Debug)]
-struct Chain {
-    last: Sample,
-    /// Up to two before, the newer first, with the same ways in the same order.
-    before: Vec<Sample>,
-    used: bool,
-}
-
-#[derive(Clone, Debug)]
-struct Sample {
-    given: Vec<Vector>,
-    found: Solutions,
-}
-
-/// Where something is expected, by the last samples.
-struct Ahead<'a> {
-    chain: &'a Chain,
-    /// How far ahead it is, in ways between the last two.
-    times: f64,
-    /// What each sample counts, the last one first.
-    weights: [f64; 3],
-}
-
-impl Followed {
-    /// All ways are asked for once more.
-    pub(crate) fn begin(&mut self) {
-        self.chains.retain(|chain| chain.used);
-        for chain in &mut self.chains {
-            chain.used = false;
-        }
-    }
-
-    /// The chain that is nearest to a place, and how far it is.
-    fn nearest(&self, given: &[Vector]) -> Option<(usize, f64)> {
-        let chains = self.chains.iter().enumerate();
-        let unused = chains.filter(|(_, chain)| !chain.used);
-        let off = unused.map(|(k, chain)| (k, distance(&chain.last.given, given)));
-        off.min_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
-    /// Takes what was found anew.
-    pub(super) fn take(&mut self, given: Vec<Vector>, found: &Solutions) {
-        let count = found.complex();
-        if count > self.general {
-            self.agreed = false;
-            self.general = count;
-            self.chains.clear();
-        } else if count == self.general {
-            self.agreed |= self
-                .chains
-                .iter()
-                .any(|chain| distance(&chain.last.given, &given) > APART);
-        } else {
-            return;
-        }
-        let chain = Chain {
-            last: Sample {
-                given,
-                found: found.clone(),
-            },
-            before: Vec::new(),
-            used: true,
-        };
-        match self.nearest(&chain.last.given) {
-            Some((k, off)) if off < FAR => self.chains[k] = chain,
-            _ if self.chains.len() < MOST_CHAINS => self.chains.push(chain),
-            _ => {}
-        }
-    }
-}
-
-impl Ahead<'_> {
-    /// Where all are, by where they were.
-    fn expected(&self) -> Solutions {
-        let Chain { last, before, .. } = self.chain;
-        let mut expected = last.found.clone();
-        let [by, rest @ ..] = self.weights;
-        let all = expected.real.iter_mut().chain(&mut expected.unreal);
-        all.for_each(|at| *at *= by);
-        for (before, by) in before.iter().zip(rest) {
-            let found = before.found.real.iter().chain(&before.found.unreal);
-            let all = expected.real.iter_mut().chain(&mut expected.unreal);
-            for (at, before) in all.zip(found) {
-                *at += before * by;
-            }
-        }
-        expected
-    }
-
-    /// By how much a square has grown, relative to its last value; none where nothing tells.
-    fn grown(&self, square: impl Fn(&Solutions) -> f64) -> Option<f64> {
-        let before = self.chain.before.first()?;
-        let last = square(&self.chain.last.found);
-        Some(1.0 + (1.0 - square(&before.found) / last) * self.times)
-    }
-}
-
 impl Group {
     /// All ways where they can be followed to here, as the group has received what it hangs on.
     pub(super) fn followed<const N: usize>(
@@ -322,61 +205,6 @@ impl Group {
     }
 }
 
-impl Chain {
-    /// What is expected at a place: by a line through the last two samples, or a parabola through three.
-    fn ahead(&self, place: &[Vector]) -> Ahead<'_> {
-        let mut ahead = Ahead {
-            chain: self,
-            times: 0.0,
-            weights: [1.0, 0.0, 0.0],
-        };
-        let [before, earlier @ ..] = &self.before[..] else {
-            return ahead;
-        };
-        let terms = place.iter().zip(&self.last.given).zip(&before.given);
-        let (along, way) = terms.fold((0.0, 0.0), |(along, way), ((here, last), before)| {
-            let step = last - before;
-            (along + (here - last).dot(&step), way + step.norm_squared())
-        });
-        let t = along / way;
-        if t.is_nan() || t.abs() > MOST_AHEAD {
-            return ahead;
-        }
-        ahead.times = t;
-        ahead.weights = [1.0 + t, -t, 0.0];
-        let [earlier] = earlier else {
-            return ahead;
-        };
-        // At 0, −1 and −r of that way.
-        let r = 1.0
-            + distance(&before.given, &earlier.given) / distance(&self.last.given, &before.given);
-        if r > 1.0 + MOST_AHEAD.recip() && r < 1.0 + MOST_AHEAD {
-            ahead.weights = [
-                (t + 1.0) * (t + r) / r,
-                -t * (t + r) / (r - 1.0),
-                t * (t + 1.0) / (r * (r - 1.0)),
-            ];
-        }
-        ahead
-    }
-}
-
-impl Solutions {
-    fn are_distinct(&self) -> bool {
-        let (mut real, mut unreal) = (self.real().enumerate(), self.unreal().enumerate());
-        real.all(|(k, one)| self.real().take(k).all(|other| apart(one, other) > ONE))
-            && unreal.all(|(k, one)| {
-                let mut others = self.unreal().take(k);
-                others.all(|other| apart_either_way(one, other) > ONE)
-            })
-    }
-}
-
-/// How far a solution is from another one or from its conjugate.
-fn apart_either_way(one: &[C], other: &[C]) -> f64 {
-    f64::min(apart(one, other), apart_from_conjugate(one, other))
-}
-
 /// Of those that came to the same end the one that came from afar is lost.
 fn drop_strays(off: &mut [Option<f64>], all: &[C], apart: fn(&[C], &[C]) -> f64) {
     let size = all.len() / off.len().max(1);
@@ -414,9 +242,4 @@ fn half_way(a: &[C], b: &[C]) -> Vec<C> {
 
 fn square(all: &[C]) -> f64 {
     all.iter().map(|c| c.norm_sqr()).sum()
-}
-
-fn distance(a: &[Vector], b: &[Vector]) -> f64 {
-    let all = a.iter().zip(b).map(|(a, b)| (a - b).norm_squared());
-    all.fold(0.0, f64::max).sqrt()
 }

@@ -2,7 +2,10 @@
 
 mod bilinear;
 mod follow;
+mod known;
+mod newton;
 mod paths;
+mod solutions;
 mod truss;
 
 use super::equation::Equation;
@@ -10,13 +13,10 @@ use super::group::Group;
 use super::{Cause, Course, Given, State};
 use crate::Vector;
 use crate::index::BodyId;
-use bilinear::{Affine, C, Moving, Pair, Room, System};
-pub(crate) use follow::Followed;
-
-/// Solutions that differ by less than this part of their size are one.
-const ONE: f64 = 1e-8;
-/// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
-const REAL: f64 = 1e-5;
+use bilinear::{Affine, C, Moving, Pair, System};
+pub(crate) use known::Followed;
+use newton::Room;
+use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate};
 
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
@@ -50,17 +50,6 @@ pub(crate) struct Ways {
     pub(crate) complex: usize,
     /// Of each that is not real how far it is from it.
     pub(crate) unreal: Vec<Unreal>,
-}
-
-/// The solutions of a group's equations, its own unknowns in their units.
-#[derive(Clone, Debug, Default)]
-struct Solutions {
-    /// How many unknowns there are.
-    size: usize,
-    /// The real ones, one after the other.
-    real: Vec<C>,
-    /// Of each two that are each other's conjugates one: unknowns, then conjugates.
-    unreal: Vec<C>,
 }
 
 /// How far a way to join links is from a real one: a square that goes through zero where two ways meet and become real,
@@ -372,49 +361,6 @@ impl System {
         let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
         (apart(z, &conjugates) < ONE && apart(z, &middle) < REAL).then(|| z.to_vec())
     }
-}
-
-impl Solutions {
-    fn real(&self) -> impl ExactSizeIterator<Item = &[C]> {
-        self.real.chunks_exact(self.size)
-    }
-
-    fn unreal(&self) -> impl ExactSizeIterator<Item = &[C]> {
-        self.unreal.chunks_exact(2 * self.size)
-    }
-
-    /// How many there are over the complex numbers.
-    fn complex(&self) -> usize {
-        self.real().len() + 2 * self.unreal().len()
-    }
-}
-
-/// Unknowns and conjugates of the conjugate solution.
-fn conjugate(at: &[C]) -> Vec<C> {
-    let (z, w) = at.split_at(at.len() / 2);
-    w.iter().chain(z).map(|c| c.conj()).collect()
-}
-
-/// How far two places are apart, relative to their size.
-fn apart(one: &[C], other: &[C]) -> f64 {
-    most_apart(one.iter().zip(other).map(|(a, b)| [*a, *b]))
-}
-
-/// How far a solution is from the conjugate of another one.
-fn apart_from_conjugate(one: &[C], other: &[C]) -> f64 {
-    let (z, w) = other.split_at(other.len() / 2);
-    let conjugate = w.iter().chain(z).map(|c| c.conj());
-    most_apart(one.iter().zip(conjugate).map(|(a, b)| [*a, b]))
-}
-
-fn most_apart(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
-    let (size, most) = pairs.fold((1.0, 0.0), |(size, most), [a, b]| {
-        (
-            f64::max(size, a.norm_sqr()),
-            f64::max(most, (a - b).norm_sqr()),
-        )
-    });
-    (most / size).sqrt()
 }
 
 #[cfg(test)]
