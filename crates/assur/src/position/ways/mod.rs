@@ -249,7 +249,7 @@ impl System {
             self.add_by_paths(&mut found);
         }
         let mut solutions = Solutions {
-            size: self.own_unknowns(),
+            size: self.own_unknowns().max(1),
             ..Solutions::default()
         };
         let mut unreal: Vec<Vec<C>> = Vec::new();
