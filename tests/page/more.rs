@@ -44,8 +44,8 @@ async fn a_lesson_without_motion() {
     assert!(drawn.places([0x00, 0x72, 0xB2]).count() > 100);
     assert_eq!(answer(&page, "1").await.as_deref(), Some("right"));
     page.keys(" ").await;
-    page.settle().await;
-    assert!(page.address().await.contains("kind=scheme"));
+    let told = async || page.address().await.contains("kind=scheme");
+    page.until("the address of the scheme", told).await;
     // It has no assemblies: the keys for them are no step.
     page.focus("tab-lesson").await;
     page.keys("2").await;
@@ -53,6 +53,7 @@ async fn a_lesson_without_motion() {
     page.until("the mixer", async || visible(&page, "play").await)
         .await;
     page.click("redo").await;
+    page.until("the address of the scheme again", told).await;
 
     // It is kept, sent and opened again.
     page.reload().await;
