@@ -402,7 +402,7 @@ async fn the_drawing_is_saved_as_png() {
     page.click("export-close").await;
     let shown = page.picture("mechanism").await;
     let scale = SHARPNESS as f64;
-    assert!(saved.width <= SHARPNESS * (shown.width + 1) && saved.width % SHARPNESS == 0);
+    assert!(saved.width <= SHARPNESS * (shown.width + 1) && saved.width.is_multiple_of(SHARPNESS));
     assert!(saved.height < SHARPNESS * shown.height * 3 / 4);
     let (small, large) = (shown.cloud(COUPLER), saved.cloud(COUPLER));
     assert!(large.count > 4000, "{large:?}");
