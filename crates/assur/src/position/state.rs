@@ -87,14 +87,14 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The same bodies in the same places, without what it took to find them.
+    /// The same bodies in the same places, without the room that it took to find them.
     pub(crate) fn placed(&self) -> Self {
         Self {
             origin: self.origin.clone(),
             turn: self.turn.clone(),
             angle: self.angle.clone(),
             near: self.near.clone(),
-            margins: List::default(),
+            margins: self.margins.clone(),
             natural: self.natural.clone(),
             work: Work::default(),
             ..*self

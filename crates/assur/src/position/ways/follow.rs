@@ -6,14 +6,15 @@
 
 use super::bilinear::{C, System};
 use super::known::{Ahead, FAR, Followed, Sample};
-use super::newton::{ROUNDING, Room};
-use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate};
+use super::newton::{Room, is_exact};
+use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate, mean};
 use crate::Vector;
 use crate::position::group::Group;
 use crate::position::{Given, State};
 
 /// Newton's method takes no more turns.
 const MOST_TURNS: usize = 8;
+
 impl Group {
     /// All ways where they can be followed to here, as the group has received what it hangs on.
     pub(super) fn followed<const N: usize>(
@@ -192,7 +193,7 @@ impl Group {
         for _ in 0..MOST_TURNS {
             let change = self.turn(state, given.step).ok()?;
             self.correct(&mut state.work);
-            if last.is_finite() && change * (change / last).powi(2) <= ROUNDING {
+            if is_exact(change, last) {
                 let found = state.work.unknowns.iter().zip(units());
                 for (at, (place, unit)) in at.iter_mut().zip(found) {
                     *at = super::number(place[0]) / unit;
@@ -230,10 +231,6 @@ fn those(all: &[C], off: &[Option<f64>], size: usize) -> Vec<C> {
 /// How far a solution is from its conjugate.
 fn unreal_by(at: &[C]) -> f64 {
     apart_from_conjugate(at, at)
-}
-
-fn mean(a: &[C], b: &[C]) -> Vec<C> {
-    a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
 }
 
 fn half_way(a: &[C], b: &[C]) -> Vec<C> {

@@ -16,7 +16,7 @@ use crate::index::BodyId;
 use bilinear::{Affine, C, Moving, Pair, System};
 pub(crate) use known::Followed;
 use newton::Room;
-use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate};
+use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate, mean};
 
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
@@ -80,10 +80,9 @@ impl Group {
         state: &mut State<N>,
         given: &Given<'_, N>,
         (method, left): (Method, &mut usize),
-        followed: Option<&mut Followed>,
+        mut followed: Option<&mut Followed>,
     ) -> Result<Option<Ways>, Cause> {
         self.receive(state, given)?;
-        let mut followed = followed;
         let kept = followed
             .as_deref_mut()
             .and_then(|followed| followed.system.take());
@@ -346,11 +345,7 @@ impl System {
         if apart(z, &conjugates) > REAL {
             return None;
         }
-        let middle: Vec<C> = z
-            .iter()
-            .zip(&conjugates)
-            .map(|(z, c)| (z + c) / 2.0)
-            .collect();
+        let middle = mean(z, &conjugates);
         let both: Vec<C> = middle
             .iter()
             .copied()

@@ -5,7 +5,7 @@ use super::bilinear::{C, NOUGHT, ONE, System};
 /// It goes on until a step is this small relative to the unknowns …
 const CONVERGED: f64 = 1e-14;
 /// … or the next one would be no more than this.
-pub(super) const ROUNDING: f64 = 1e-17;
+const ROUNDING: f64 = 1e-17;
 const MOST_STEPS: usize = 12;
 
 impl System {
@@ -39,9 +39,8 @@ impl System {
             for (at, step) in at.iter_mut().zip(step) {
                 *at -= step;
             }
-            // Rounding is all that further steps mend: each is about the square of the one before.
-            let next = change * (change / last).powi(2);
-            if last.is_finite() && next <= ROUNDING
+            // Rounding is all that further steps mend.
+            if is_exact(change, last)
                 || change <= CONVERGED
                 || change < 1e-9 && change >= 0.5 * last
             {
@@ -51,6 +50,11 @@ impl System {
         }
         (last < 1e-6).then_some(at)
     }
+}
+
+/// Whether a step leaves nothing but rounding: the next one would be about as much less as this one is of the last, squared.
+pub(super) fn is_exact(change: f64, last: f64) -> bool {
+    last.is_finite() && change * (change / last).powi(2) <= ROUNDING
 }
 
 /// Room for a turn of Newton's method.

@@ -75,3 +75,8 @@ fn most_apart(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
 pub(super) fn apart_either_way(one: &[C], other: &[C]) -> f64 {
     f64::min(apart(one, other), apart_from_conjugate(one, other))
 }
+
+/// The middle between two places.
+pub(super) fn mean(a: &[C], b: &[C]) -> Vec<C> {
+    a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
+}
