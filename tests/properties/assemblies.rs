@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Assemblies, Draft, Following, Mechanism, Method};
+use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
@@ -180,12 +180,12 @@ fn followed_ones_are_all() {
     let mut bad = Vec::new();
     for (name, draft) in groups.chain(chains) {
         let mechanism = Mechanism::new(&draft).unwrap();
-        let mut following = Following::default();
+        let mut following = mechanism.following();
         let mut input = mechanism.home();
         for step in 0..60 {
             let width = 10_f64.powf(-0.3 * f64::from(step % 7)) * 3.0_f64.to_radians();
             input += if step % 10 < 8 { width } else { -width };
-            let near = mechanism.assemblies_near(input, &mut following);
+            let near = following.at(input);
             let anew = mechanism.assemblies_at(input, Method::Usual);
             let [one, other] = [&near, &anew].map(|found| angles(&mechanism, found));
             let known =
@@ -200,4 +200,21 @@ fn followed_ones_are_all() {
         }
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// A pose that was found is room for another one.
+#[test]
+fn poses_are_filled_again() {
+    let document = assur_file::from_catalogue("class4-dwell").unwrap().unwrap();
+    let mechanism = document.mechanism().unwrap();
+    let motion = Motion::new(mechanism.clone());
+    let expected = motion.pose::<1>(0.3).unwrap();
+    let found = mechanism.assemblies_at(1.0, Method::Usual);
+    for mut pose in found.poses.into_iter().chain([expected.alone()]) {
+        motion.place(0.3, &mut pose).unwrap();
+        for link in mechanism.link_ids() {
+            let [one, other] = [&pose, &expected].map(|pose| mechanism.angle(pose, link).value());
+            assert!((one - other).abs() < 1e-12, "{one} {other}");
+        }
+    }
 }

@@ -50,8 +50,8 @@ impl Moving {
         let mechanism = self.mechanism();
         let following = &mut *self.following().borrow_mut();
         let found = match self.numbering() {
-            Some(output) => mechanism.numbered_near(input, output, following),
-            None => mechanism.assemblies_near(input, following),
+            Some(output) => following.numbered(input, output),
+            None => following.at(input),
         };
         let shown = self.motion().pose(input).ok();
         let shown = shown.and_then(|pose| mechanism.number_of(&pose, &found.poses));

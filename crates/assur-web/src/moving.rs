@@ -85,6 +85,7 @@ impl Moving {
         };
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
+        let following = RefCell::new(mechanism.following());
         Ok(Self {
             transmitting: mechanism.transmitting(),
             numbers,
@@ -98,7 +99,7 @@ impl Moving {
             plotted,
             figure,
             motion,
-            following: RefCell::default(),
+            following,
             document,
             explain,
         })

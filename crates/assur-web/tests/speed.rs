@@ -17,7 +17,7 @@ use std::hint::black_box;
 
 use assur::circuits::Circuits;
 use assur::dynamics::TICKS_PER_SECOND;
-use assur::mechanism::{self, Following, LinkId, Method, PointId, Quantity};
+use assur::mechanism::{self, LinkId, Method, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
 use assur::motion::{Input, Motion};
@@ -133,7 +133,7 @@ fn speed() {
             black_box(all.assemblies_at(turned, Method::Usual));
         }),
     ));
-    let (followed, mut following) = (class4.clone(), Following::default());
+    let mut following = class4.following();
     let mut degree = 0.0;
     contestants.push((
         "Class IV, all assemblies followed, a degree",
@@ -142,7 +142,7 @@ fn speed() {
             for _ in 0..DEGREES {
                 degree += 1.0;
                 let input = black_box(f64::to_radians(degree));
-                black_box(followed.assemblies_near(input, &mut following));
+                black_box(following.at(input));
             }
         }),
     ));

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use super::search::SAME;
 use super::{Branch, Circuits};
 use crate::index::LinkId;
-use crate::mechanism::{Assemblies, Following, Mechanism, Pose};
+use crate::mechanism::{Assemblies, Following, Mechanism, Method, Pose};
 use crate::sorting::{sort, sort_by, sort_by_key};
 
 /// Angles, radians, and places, relative to the size, that differ by less are alike.
@@ -68,17 +68,7 @@ impl Mechanism {
 
     /// All assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.
     pub fn numbered(&self, input: f64, output: LinkId) -> Assemblies {
-        self.numbered_near(input, output, &mut Following::default())
-    }
-
-    /// The same at one input after another.
-    pub fn numbered_near(
-        &self,
-        input: f64,
-        output: LinkId,
-        following: &mut Following,
-    ) -> Assemblies {
-        let mut found = self.assemblies_near(input, following);
+        let mut found = self.assemblies_at(input, Method::Usual);
         sort_assemblies(self, output, &mut found.poses, |pose| pose);
         found
     }
@@ -103,6 +93,15 @@ impl Mechanism {
         sort_by_key(&mut ways, |(pose, _)| key(self, output, pose));
         let way = ways.get(number).ok_or(NoAssembly { of })?;
         self.in_assembly(input, way).map_err(|_| NoAssembly { of })
+    }
+}
+
+impl Following {
+    /// All assemblies at an input in the order of their numbers.
+    pub fn numbered(&mut self, input: f64, output: LinkId) -> Assemblies {
+        let mut found = self.at(input);
+        sort_assemblies(self.mechanism(), output, &mut found.poses, |pose| pose);
+        found
     }
 }
 

@@ -27,12 +27,34 @@ pub struct Assemblies {
     pub whole: bool,
 }
 
-/// What is known of a linkage's assemblies at inputs where they were asked for last.
-#[derive(Clone, Debug, Default)]
+/// The assemblies of a linkage at one input after another. Where an input is near the last one the solutions of groups are
+/// followed from there, which takes a tenth of the time or less; as many as there are in general, none twice, are all of
+/// them, and on any doubt they are found anew.
+#[derive(Clone, Debug)]
 pub struct Following {
+    mechanism: Mechanism,
     groups: List<StepId, Followed>,
     /// Room for what is solved.
-    room: Option<State<1>>,
+    room: State<1>,
+}
+
+impl Following {
+    /// All assemblies at an input, as [`Mechanism::assemblies_at`] finds them.
+    pub fn at(&mut self, input: f64) -> Assemblies {
+        let Self {
+            mechanism,
+            groups,
+            room,
+        } = self;
+        groups.iter_mut().for_each(Followed::begin);
+        let found = mechanism.found_with(input, Method::Usual, Some(groups), room);
+        found.into()
+    }
+
+    /// The linkage.
+    pub(crate) fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
 }
 
 /// All that is found at an input, with derivatives.
@@ -59,20 +81,13 @@ impl Mechanism {
         self.found_with::<1>(input, method, None, state).into()
     }
 
-    /// The same at one input after another. Where an input is near the last one the solutions of groups are followed from
-    /// there, which takes a fiftieth of the time; as many as there are in general, none twice, are all of them, and on any
-    /// doubt they are found anew.
-    pub fn assemblies_near(&self, input: f64, following: &mut Following) -> Assemblies {
-        let fits = following.groups.len() == self.steps.len();
-        if !fits {
-            following.groups = self.steps.iter().map(|_| Followed::default()).collect();
+    /// The same at one input after another.
+    pub fn following(&self) -> Following {
+        Following {
+            mechanism: self.clone(),
+            groups: self.steps.iter().map(|_| Followed::default()).collect(),
+            room: self.blank_state(),
         }
-        following.groups.iter_mut().for_each(Followed::begin);
-        let room = following.room.take().filter(|_| fits);
-        let mut state = room.unwrap_or_else(|| self.blank_state());
-        let found = self.found_with(input, Method::Usual, Some(following), &mut state);
-        following.room = Some(state);
-        found.into()
     }
 
     /// The same with derivatives, and with what nearly is an assembly.
@@ -84,7 +99,7 @@ impl Mechanism {
         &self,
         input: f64,
         method: Method,
-        following: Option<&mut Following>,
+        following: Option<&mut List<StepId, Followed>>,
         state: &mut State<N>,
     ) -> Found<N> {
         let mut search = Search {
@@ -145,7 +160,7 @@ struct Search<'a, const N: usize> {
     tries: usize,
     work: usize,
     method: Method,
-    following: Option<&'a mut Following>,
+    following: Option<&'a mut List<StepId, Followed>>,
     found: Found<N>,
 }
 
@@ -159,7 +174,7 @@ impl<const N: usize> Search<'_, N> {
         if let Step::Group(group) = &self.mechanism.steps[*step] {
             let (mut left, mut following) = (self.work, self.following.take());
             let followed = following.as_deref_mut();
-            let followed = followed.map(|following| &mut following.groups[*step]);
+            let followed = followed.map(|groups| &mut groups[*step]);
             let given = self.given(*step);
             let ways = group.ways(state, &given, (self.method, &mut left), followed);
             (self.work, self.following) = (left, following);
