@@ -90,6 +90,10 @@ epsilon: number,
  */
 true_time: boolean, 
 /**
+ * The tools for drawing shown.
+ */
+drawing: boolean, 
+/**
  * Differences of φ′ shown over φ″.
  */
 differenced: boolean, 
@@ -118,7 +122,7 @@ export type Only = "all" | "value" | "first" | "second";
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
-export type Document = { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "drawing", "document": DrawingDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type MixerDocument = { 
 /**
  * What its lengths are in; without it metres.
@@ -253,6 +257,7 @@ band?: number | null,
  * and files of before name one: an assembly is saved as its drawing.
  */
 assembly?: number | null, };
+export type DrawingDocument = LinkageDocument;
 export type PointDocument = { 
 /**
  * Its name.
@@ -655,7 +660,7 @@ export type Preset = {
 /**
  * Its name.
  */
-id: string, } & ({ "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+id: string, } & ({ "kind": "drawing", "document": DrawingDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type Shelf = { 
 /**
  * Its name.

@@ -1,6 +1,7 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
+import { Mend } from "assur/types/edit.js";
 import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
-export type Summaries = { "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { drawing: DrawingSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AssembliesHere = { 
 /**
  * In the order of their angles.
@@ -207,6 +208,24 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
  * Wheels whose meshes only repeat what the others do.
  */
 passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type DrawingSummary = { 
+/**
+ * Nothing does.
+ */
+moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/**
+ * W by the count; none where what is named is not there.
+ */
+mobility: number | null, drivers: number, 
+/**
+ * Every reason why it does not move.
+ */
+reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
+export type LinkHere = { link: string, 
+/**
+ * How far off it is drawn, in the unit of the lengths.
+ */
+off: number, };
 export type SchemeSummary = { 
 /**
  * Nothing does.

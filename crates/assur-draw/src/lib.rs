@@ -12,6 +12,7 @@ mod overlays;
 mod parts;
 mod projection;
 mod scheme;
+mod sketch;
 pub mod svg;
 mod train;
 
@@ -20,4 +21,5 @@ pub use figure::{Figure, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
 pub use scheme::{SchemeFigure, SchemeHandle, SchemeView};
+pub use sketch::{Sketch, SketchView};
 pub use train::{TrainFigure, TrainPose, TrainView, WorkingMember};

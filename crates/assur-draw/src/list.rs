@@ -38,6 +38,8 @@ pub enum Role {
     Accent5,
     Accent6,
     Accent7,
+    Loose,
+    Locked,
 }
 
 impl Role {
@@ -48,7 +50,7 @@ impl Role {
 }
 
 /// The names of the roles in the order of their numbers.
-pub const ROLES: [&str; 19] = [
+pub const ROLES: [&str; 21] = [
     "ink",
     "secondary",
     "line",
@@ -68,6 +70,8 @@ pub const ROLES: [&str; 19] = [
     "accent5",
     "accent6",
     "accent7",
+    "loose",
+    "locked",
 ];
 
 /// How it is drawn.

@@ -86,6 +86,9 @@ pub struct View {
     /// Played with ω₁ instead of `speed`.
     #[serde(default)]
     pub true_time: bool,
+    /// The tools for drawing shown.
+    #[serde(default)]
+    pub drawing: bool,
     /// Differences of φ′ shown over φ″.
     #[serde(default)]
     pub differenced: bool,
@@ -196,6 +199,7 @@ impl Default for View {
             omega_unit: SpeedUnit::default(),
             epsilon: 0.0,
             true_time: false,
+            drawing: false,
             differenced: false,
             lesson: None,
             projector: false,

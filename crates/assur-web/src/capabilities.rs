@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use assur::Point;
 use assur_draw::Figure;
 use assur_draw::chart::Chart;
-use assur_file::Problem;
+use assur_file::{LinkageDocument, Problem};
+use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::assemblies::AssembliesHere;
@@ -44,6 +45,33 @@ pub(crate) trait Capabilities {
     fn edited(&self) -> Option<&dyn Edited> {
         None
     }
+
+    /// The linkage as it is drawn at an input, to be drawn on.
+    ///
+    /// # Errors
+    /// What is no linkage; no pose there.
+    fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
+        let moving = self.linkage().ok_or_else(|| unknown("drawing"))?;
+        moving.drawn(input)
+    }
+
+    /// The link that is drawn nearest to a place, at an input.
+    fn link_at(&self, input: f64, at: Point) -> Option<LinkHere> {
+        let moving = self.linkage()?;
+        let pose = moving.pose(input).ok()?;
+        let (link, off) = moving.figure().link_at(&pose, at)?;
+        let link = moving.mechanism().link_name(link).to_owned();
+        Some(LinkHere { link, off })
+    }
+}
+
+/// A link near a place.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LinkHere {
+    pub(crate) link: String,
+    /// How far off it is drawn, in the unit of the lengths.
+    pub(crate) off: f64,
 }
 
 /// What moves by an input; what is told of it is in its summary.

@@ -3,6 +3,7 @@
 use assur_file::{Problem, State};
 use js_sys::{Array, Object};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -33,6 +34,20 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     });
     let state = value.and_then(|value| State::read(&value));
     state.map_err(|problem| thrown([problem]))
+}
+
+/// A value of ours of what the page gives, by way of JSON's values as well.
+///
+/// # Errors
+/// What has not the form.
+pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsValue> {
+    let bad = |detail: String| {
+        let path = ".".to_owned();
+        thrown([Problem::BadState { path, detail }])
+    };
+    let value: Result<Value, _> = serde_wasm_bindgen::from_value(given.clone());
+    let value = value.map_err(|error| bad(error.to_string()))?;
+    serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
 /// Names the fields that hold NaN or an infinity.

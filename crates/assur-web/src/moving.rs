@@ -9,7 +9,7 @@ use assur::motion::Motion;
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
 use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
-use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
+use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
 
 use crate::capabilities::Moves;
 use crate::driven::Driven;
@@ -198,6 +198,26 @@ impl Moving {
 
     pub(crate) fn handles(&self) -> &[Handle] {
         &self.handles
+    }
+
+    /// The linkage drawn where it is at an input. At home it is the document as it is, if nothing in
+    /// it is given otherwise than by the drawing.
+    pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
+        let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
+        let document = &self.document;
+        if input == self.motion.home() && !document.links.iter().any(own) {
+            return Ok(document.clone());
+        }
+        let pose = self.pose(input)?;
+        let drawn = LinkageDocument::new(&self.mechanism().drawn_in(&pose));
+        Ok(LinkageDocument {
+            points: drawn.points,
+            links: drawn.links,
+            drivers: drawn.drivers,
+            tracers: drawn.tracers,
+            assembly: None,
+            ..document.clone()
+        })
     }
 
     /// The pose at an input.

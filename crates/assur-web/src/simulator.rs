@@ -2,6 +2,7 @@
 
 use assur::Point;
 use assur_draw::ROLES;
+use assur_edit::Edit;
 use assur_file::{Document, LengthUnit, Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -10,8 +11,8 @@ use web_sys::CanvasRenderingContext2d;
 use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
-use crate::convert::{read, thrown, to_js};
-use crate::kinds::{as_kind, open, scheme_task};
+use crate::convert::{read, read_value, thrown, to_js};
+use crate::kinds::{as_kind, drawing, open, scheme_task};
 use crate::moving::Moving;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
@@ -143,6 +144,42 @@ impl Simulator {
     pub fn press(&self, handle: &str) -> Result<JsValue, JsValue> {
         let change = self.edited()?.press(handle);
         Ok(change.map_err(one)?.into_js())
+    }
+
+    /// What is open, drawn at an input, after one edit (the type `Edit`): `{kind, document, point,
+    /// link}` with what it has made. What moves then is a linkage, what does not a drawing.
+    ///
+    /// # Errors
+    /// What cannot be drawn on; why it cannot be edited so.
+    pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
+        let edit: Edit = read_value(&edit)?;
+        drawing::edit(self.document()?, &edit, input).map_err(thrown)
+    }
+
+    /// Links and points of what is open, drawn at an input, as a linkage of their own: to be
+    /// put elsewhere by the edit `paste`.
+    ///
+    /// # Errors
+    /// What cannot be drawn on.
+    pub fn part(
+        &self,
+        points: Vec<String>,
+        links: Vec<String>,
+        input: f64,
+    ) -> Result<JsValue, JsValue> {
+        let part = drawing::part(self.document()?, &points, &links, input).map_err(one)?;
+        Ok(to_js(&part))
+    }
+
+    /// The link drawn nearest to a place at an input, `{link, off}` with its distance; `null`
+    /// where there is none.
+    ///
+    /// # Errors
+    /// A place that is not finite; before the first `set`.
+    #[wasm_bindgen(js_name = linkAt)]
+    pub fn link_at(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let place = place(x, y)?;
+        Ok(to_js(&self.document()?.link_at(input, place)))
     }
 
     /// What is open, at an input, as a document of another kind: `{kind, document}`.

@@ -8,10 +8,12 @@ use ts_rs::{Config, TS};
 use crate::assemblies::{
     AssembliesHere, AssemblyHere, Belonging, BranchLine, MeetingPlace, MotionsMap,
 };
+use crate::capabilities::LinkHere;
 use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
+use crate::kinds::drawing::DrawingSummary;
 use crate::kinds::gear_train::summary::{
     BodyNumbers, GearTrainSummary, HaltSummary, IdentitySummary, MobilitySummary, PullSummary,
     RatioSummary, ShaftNumbers, SuggestionSummary, TrainConditionSummary, VelocitySummary,
@@ -53,6 +55,8 @@ fn the_scripts_know_what_crosses_the_border() {
         RateSummary::decl(&config),
         DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
+        DrawingSummary::decl(&config),
+        LinkHere::decl(&config),
         SchemeSummary::decl(&config),
         PairSummary::decl(&config),
         CountSummary::decl(&config),
@@ -117,8 +121,9 @@ fn the_scripts_know_what_crosses_the_border() {
         ReachedSummary::decl(&config),
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
+                 import { Mend } from \"assur/types/edit.js\";\n\
                  import { KindDocument, LinkageDocument, Only } from \"assur/types/file.js\";\n\
-                 export type Summaries = { \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
+                 export type Summaries = { drawing: DrawingSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))
         .concat();

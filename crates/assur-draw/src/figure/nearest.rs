@@ -9,8 +9,8 @@ use crate::parts;
 impl Figure {
     /// The link drawn nearest to a place in a pose: what a point put there is on.
     /// Bars and plates lie over wheels; of what is fixed to a link that link is
-    /// meant. None where no link moves.
-    pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
+    /// meant. With how far off it is; none where no link moves.
+    pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
         let mechanism = self.motion.mechanism();
         let bar = |link: LinkId| {
             let (origin, angle) = layout::body(mechanism, pose, Some(link));
@@ -25,10 +25,8 @@ impl Figure {
         };
         let bars = mechanism.link_ids().filter_map(bar);
         let wheels = self.gearing.distances(mechanism, pose, place);
-        let nearest = bars
-            .chain(wheels)
-            .filter_map(|(off, link)| Some((off, mechanism.root_of(link)?)))
-            .reduce(|best, next| if next.0 < best.0 { next } else { best });
-        nearest.map(|(_, link)| link)
+        bars.chain(wheels)
+            .filter_map(|(off, link)| Some((mechanism.root_of(link)?, off)))
+            .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 }

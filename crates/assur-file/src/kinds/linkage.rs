@@ -234,6 +234,18 @@ impl LinkageDocument {
         }
     }
 
+    /// Checks single fields, of what need not move yet.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming the field.
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let problems = check::problems(self);
+        if problems.is_empty() {
+            return Ok(());
+        }
+        Err(problems.into_iter().map(Problem::from).collect())
+    }
+
     /// The mechanism that is described, drawn in the assembly that moves.
     ///
     /// # Errors
@@ -241,10 +253,7 @@ impl LinkageDocument {
     /// fault. What is wrong with single fields comes first and alone. An assembly
     /// that there is not.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
-        let problems = check::problems(self);
-        if !problems.is_empty() {
-            return Err(problems.into_iter().map(Problem::from).collect());
-        }
+        self.check()?;
         let drawn = Mechanism::new(&self.draft()).map_err(LinkageProblem::all)?;
         let Some(number) = self.assembly else {
             return Ok(drawn);

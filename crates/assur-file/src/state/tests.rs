@@ -32,6 +32,7 @@ fn state() -> State {
             omega_unit: SpeedUnit::PerMin,
             epsilon: 0.5,
             true_time: true,
+            drawing: false,
             differenced: true,
             lesson: Some(lesson()),
             projector: true,

@@ -216,7 +216,7 @@ impl Edited for Linkage {
         let moving = &self.0;
         let (pose, mechanism) = (moving.pose(input)?, moving.mechanism());
         let link = moving.figure().link_at(&pose, at);
-        let link = link.ok_or_else(|| unknown("tracer"))?;
+        let (link, _) = link.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = moving.document().tracers.clone();
         let taken = |name: &String| mechanism.points().any(|point| point == name);
         let mut number = 1;

@@ -221,7 +221,7 @@ impl Edited for Mixer {
         let pose = self.moving.pose(input)?;
         let link = self.moving.figure().link_at(&pose, at);
         let carrier = link
-            .and_then(|link| MixerTracerDocument::carrier(self.moving.mechanism().link_name(link)));
+            .and_then(|(link, _)| MixerTracerDocument::carrier(self.moving.mechanism().link_name(link)));
         let carrier = carrier.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = self.parameters.tracers().to_vec();
         tracers.push(self.parameters.tracer_at(&self.pose(input)?, carrier, at));

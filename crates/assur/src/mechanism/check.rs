@@ -169,9 +169,6 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     for gear in &draft.gears {
         meshing(draft, gear, found);
     }
-    if draft.drivers.is_empty() {
-        found.push(Defect::NoDriver);
-    }
     for driver in &draft.drivers {
         match driver {
             DraftDriver::Crank { link, base, .. }

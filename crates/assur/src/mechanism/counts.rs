@@ -2,7 +2,8 @@
 
 use super::Mechanism;
 use super::body::Bodies;
-use super::draft::{Draft, DraftLink};
+use super::check;
+use super::draft::{Defect, Draft, DraftLink};
 use super::resolved::Resolved;
 use crate::gears::Mesh;
 use crate::index::LinkId;
@@ -47,6 +48,23 @@ impl Mechanism {
             // Of equals the second.
             wheels.into_iter().rev().min_by_key(sharing)
         })
+    }
+}
+
+impl Draft {
+    /// The links, pairs and mobility of what need not move yet.
+    ///
+    /// # Errors
+    /// What is named and is not there, and whatever else leaves nothing to count.
+    pub fn counts(&self) -> Result<Counts, Vec<Defect>> {
+        let defects = check::defects(self);
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let one = |defect| vec![defect];
+        let resolved = Resolved::new(self).map_err(one)?;
+        let (bodies, _) = Bodies::new(&resolved, None).map_err(one)?;
+        Ok(counts(&resolved, &bodies))
     }
 }
 

@@ -44,7 +44,9 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
             Fault::SelfJoined { link, .. } => Defect::WithItself(name(&link)),
             _ => Defect::NoDriver,
         };
-        faults.into_iter().map(defect).collect()
+        // Without a driver everything is free: only that is said.
+        let told = |fault: &Fault| !drivers.is_empty() || !matches!(fault, Fault::Undriven { .. });
+        faults.into_iter().filter(told).map(defect).collect()
     })
 }
 

@@ -125,6 +125,16 @@ pub enum LinkageProblem {
     /// A search from a linkage whose driver does not turn fully, or comes close to a
     /// singular position.
     Blocked,
+    /// Two points of a drawing that are to be apart and are in one place.
+    OnePlace { points: [String; 2] },
+    /// Two points that are to become one hinge, and are of one link.
+    OneLink { link: String, points: [String; 2] },
+    /// What is to slide along a line and is an end of it, or joined to one.
+    OnItsLine { link: String, point: String },
+    /// A link along which nothing can slide: it has not two points.
+    NoLine { link: String },
+    /// Three slides that are to be a dyad.
+    NoSuchDyad,
 }
 
 impl LinkageProblem {

@@ -1,0 +1,450 @@
+//! What is added to a drawing: points, links, slides, wheels, drivers.
+
+use assur::mechanism::FRAME;
+use assur::{Point, Vector};
+use assur_file::{
+    DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
+    PointDocument, SlideDocument, TracerDocument,
+};
+
+use crate::edit::{Edit, End, Line};
+use crate::{dyads, names};
+
+/// Two places closer than this, relative to the size of the drawing, are one.
+const CLOSEST: f64 = 1e-9;
+/// The least a drawing measures, for what is placed beside other things.
+const LEAST: f64 = 1e-6;
+
+/// A drawing that is edited.
+#[derive(Debug)]
+pub(crate) struct Drawing {
+    pub(crate) document: LinkageDocument,
+    /// The point that was added last.
+    pub(crate) point: Option<String>,
+    /// The link that was added last.
+    pub(crate) link: Option<String>,
+}
+
+type Done = Result<(), LinkageProblem>;
+
+impl Drawing {
+    pub(crate) fn new(document: &LinkageDocument) -> Self {
+        Self {
+            document: document.clone(),
+            point: None,
+            link: None,
+        }
+    }
+
+    pub(crate) fn apply(&mut self, edit: &Edit) -> Done {
+        match edit {
+            Edit::Point { at, fixed } => {
+                let point = self.put(*at);
+                if *fixed {
+                    self.document.frame.push(point);
+                }
+                Ok(())
+            }
+            Edit::Bar { ends: [from, to] } => {
+                let ends = [self.end(from)?, self.end(to)?];
+                self.bar(&ends).map(drop)
+            }
+            Edit::Corner { link, end } => {
+                let point = self.end(end)?;
+                self.list(link, &point)
+            }
+            Edit::Block { end, along } => {
+                let point = self.end(end)?;
+                self.block(&point, along).map(drop)
+            }
+            Edit::Slide { link, along } => {
+                let first = self.linked(link)?.points.first().cloned();
+                let unmade = || LinkageProblem::Bare { link: link.clone() };
+                self.slide(link, &first.ok_or_else(unmade)?, along)
+            }
+            Edit::Dyad { outer, inner } => dyads::dyad(self, outer, *inner),
+            Edit::Triad { ends } => dyads::triad(self, ends),
+            Edit::Wheel { end } => {
+                let point = self.end(end)?;
+                self.add_link(&[point], Some("wheel"));
+                Ok(())
+            }
+            Edit::Mesh {
+                links,
+                teeth,
+                internal,
+            } => self.mesh(links, *teeth, *internal),
+            Edit::Drive { link } => self.drive(link),
+            Edit::Fix { point } => self.fix(point),
+            Edit::Weld { links } => self.weld(links),
+            Edit::Join { points } => self.join(points),
+            Edit::Part { point } => self.part(point),
+            Edit::Trace { link, at } => self.trace(link, *at),
+            Edit::Mass { link, at } => self.mass(link, *at),
+            Edit::Move { points, by } => self.shift(points, *by),
+            Edit::Place { point, at } => self.place(point, *at),
+            Edit::Rename { name, to } => names::rename(&mut self.document, name, to),
+            Edit::Remove { points, links } => self.remove(points, links),
+            Edit::Paste { drawing, by } => {
+                self.paste(drawing, *by);
+                Ok(())
+            }
+            Edit::Mirror { points } => self.mirror(points),
+        }
+    }
+
+    /// A link by its name.
+    pub(crate) fn linked(&self, name: &str) -> Result<&LinkDocument, LinkageProblem> {
+        let mut links = self.document.links.iter();
+        links.find(|link| link.name == name).ok_or_else(|| unknown(name))
+    }
+
+    /// Where a point is drawn.
+    pub(crate) fn at(&self, name: &str) -> Result<Point, LinkageProblem> {
+        let mut points = self.document.points.iter();
+        let point = points.find(|point| point.name == name);
+        let point = point.ok_or_else(|| unknown(name))?;
+        Ok(Point::from(point.at))
+    }
+
+    /// The diagonal of what is drawn.
+    pub(crate) fn size(&self) -> f64 {
+        let places = || self.document.points.iter().map(|point| point.at);
+        let extent = |axis: usize| {
+            let all = || places().map(|at| at[axis]);
+            all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+        };
+        let size = extent(0).hypot(extent(1));
+        if size.is_finite() { size.max(LEAST) } else { 1.0 }
+    }
+
+    /// A new point.
+    pub(crate) fn put(&mut self, at: [f64; 2]) -> String {
+        let name = names::new_point(&self.document);
+        self.document.points.push(PointDocument {
+            name: name.clone(),
+            at,
+        });
+        self.point = Some(name.clone());
+        name
+    }
+
+    /// The point at an end, which is new where there was none.
+    pub(crate) fn end(&mut self, end: &End) -> Result<String, LinkageProblem> {
+        match end {
+            End::Point(name) => {
+                self.at(name)?;
+                self.point = Some(name.clone());
+                Ok(name.clone())
+            }
+            End::At(at) => Ok(self.put(*at)),
+            End::On(link, at) => {
+                self.linked(link)?;
+                let point = self.put(*at);
+                self.list(link, &point)?;
+                Ok(point)
+            }
+        }
+    }
+
+    /// A link between two points.
+    pub(crate) fn bar(&mut self, ends: &[String; 2]) -> Result<String, LinkageProblem> {
+        self.apart(ends)?;
+        Ok(self.add_link(ends, None))
+    }
+
+    /// A link with these points.
+    pub(crate) fn add_link(&mut self, points: &[String], name: Option<&str>) -> String {
+        let name = names::new_link(&self.document, points, name);
+        self.document.links.push(LinkDocument {
+            name: name.clone(),
+            points: points.to_vec(),
+            ..LinkDocument::default()
+        });
+        self.link = Some(name.clone());
+        name
+    }
+
+    /// Sees to it that two points are not in one place.
+    fn apart(&self, ends: &[String; 2]) -> Done {
+        let [from, to] = ends;
+        let near = (self.at(to)? - self.at(from)?).norm() <= CLOSEST * self.size();
+        let points = ends.clone();
+        if from == to || near {
+            Err(LinkageProblem::OnePlace { points })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// A link lists one more point, where it is drawn.
+    fn list(&mut self, link: &str, point: &str) -> Done {
+        let own = &self.linked(link)?.points;
+        if own.iter().any(|one| one == point) {
+            let (link, point) = (link.to_owned(), point.to_owned());
+            return Err(LinkageProblem::Repeated { link, point });
+        }
+        for one in own {
+            self.apart(&[one.clone(), point.to_owned()])?;
+        }
+        self.redraw(|one| one.name == link);
+        let mut links = self.document.links.iter_mut();
+        if let Some(link) = links.find(|one| one.name == link) {
+            link.points.push(point.to_owned());
+        }
+        Ok(())
+    }
+
+    /// Links of which the drawing tells the dimensions from now on.
+    pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
+        let links = self.document.links.iter_mut();
+        for link in links.filter(|link| which(link)) {
+            link.length = None;
+            link.shape = None;
+        }
+    }
+
+    /// A block that is hinged at a point and slides.
+    pub(crate) fn block(&mut self, point: &str, along: &Line) -> Result<String, LinkageProblem> {
+        if let Line::Link(link) = along
+            && self.linked(link)?.points.iter().any(|one| one == point)
+        {
+            let (link, point) = (link.clone(), point.to_owned());
+            return Err(LinkageProblem::OnItsLine { link, point });
+        }
+        let points = [point.to_owned()];
+        let block = self.add_link(&points, Some("block"));
+        self.slide(&block, point, along)?;
+        Ok(block)
+    }
+
+    /// A link slides by one of its points.
+    pub(crate) fn slide(&mut self, link: &str, point: &str, along: &Line) -> Done {
+        let (on, line) = self.line(point, along)?;
+        if on == link {
+            let link = on;
+            return Err(LinkageProblem::WithItself { link });
+        }
+        self.document.slides.push(SlideDocument {
+            link: link.to_owned(),
+            point: point.to_owned(),
+            on,
+            line,
+        });
+        Ok(())
+    }
+
+    /// A line for what slides by a point: the link that has it, and two of its points.
+    fn line(
+        &mut self,
+        point: &str,
+        along: &Line,
+    ) -> Result<(String, [String; 2]), LinkageProblem> {
+        match along {
+            Line::Toward(to) => {
+                let kept = self.point.clone();
+                let from = self.at(point)?;
+                let ends = [self.put(from.into()), self.put(*to)];
+                self.point = kept;
+                self.apart(&ends)?;
+                self.document.frame.extend(ends.iter().cloned());
+                Ok((FRAME.to_owned(), ends))
+            }
+            Line::Link(link) => {
+                let at = self.at(point)?;
+                Ok((link.clone(), self.side(link, at)?))
+            }
+        }
+    }
+
+    /// The two points of a link whose line is nearest to a place.
+    pub(crate) fn side(&self, link: &str, to: Point) -> Result<[String; 2], LinkageProblem> {
+        let points = &self.linked(link)?.points;
+        let mut nearest: Option<(f64, [String; 2])> = None;
+        for (k, from) in points.iter().enumerate() {
+            for other in &points[..k] {
+                let off = distance(to, self.at(other)?, self.at(from)?);
+                if nearest.as_ref().is_none_or(|(least, _)| off < *least) {
+                    nearest = Some((off, [other.clone(), from.clone()]));
+                }
+            }
+        }
+        let link = link.to_owned();
+        nearest.map(|(_, side)| side).ok_or(LinkageProblem::NoLine { link })
+    }
+
+    fn mesh(&mut self, links: &[String; 2], teeth: [f64; 2], internal: bool) -> Done {
+        let [first, second] = links;
+        let carrier = self.carrier(links)?;
+        self.document.gears.retain(|gear| !gear.links.contains(first) || !gear.links.contains(second));
+        self.document.gears.push(GearDocument {
+            links: links.clone(),
+            carrier,
+            teeth,
+            mesh: if internal { MeshDocument::Internal } else { MeshDocument::External },
+        });
+        Ok(())
+    }
+
+    /// The link, or the frame, on which both of two links are hinged.
+    fn carrier(&self, links: &[String; 2]) -> Result<String, LinkageProblem> {
+        let [first, second] = links;
+        let own = [&self.linked(first)?.points, &self.linked(second)?.points];
+        let carries = |points: &[String]| own.iter().all(|own| own.iter().any(|one| points.contains(one)));
+        let mut others = self.document.links.iter();
+        let carrier = others.find(|other| !links.contains(&other.name) && carries(&other.points));
+        let frame = carries(&self.document.frame).then(|| FRAME.to_owned());
+        let carrier = frame.or(carrier.map(|link| link.name.clone()));
+        let links = links.clone();
+        carrier.ok_or(LinkageProblem::NotHinged { links })
+    }
+
+    /// Drives a link, or lets it go. Where there are drivers enough, the last one gives way.
+    fn drive(&mut self, link: &str) -> Done {
+        let LinkageDocument { slides, .. } = &self.document;
+        let by_slide = slides.iter().position(|slide| slide.link == link);
+        let points = &self.linked(link)?.points;
+        let drives = |driver: &DriverDocument| {
+            let slide = driver.slide.and_then(|slide| slides.get(slide));
+            driver.crank.as_deref() == Some(link) || slide.is_some_and(|slide| slide.link == link)
+        };
+        if let Some(driver) = self.document.drivers.iter().position(drives) {
+            self.document.drivers.remove(driver);
+            return Ok(());
+        }
+        let driver = if let Some(slide) = by_slide {
+            DriverDocument {
+                slide: Some(slide),
+                range: Some(self.range(slide)?),
+                ..DriverDocument::default()
+            }
+        } else {
+            let base = if points.iter().any(|point| self.document.frame.contains(point)) {
+                None
+            } else {
+                let shares = |other: &&LinkDocument| {
+                    other.name != link && other.points.iter().any(|point| points.contains(point))
+                };
+                let base = self.document.links.iter().find(shares);
+                let links = || [link.to_owned(), FRAME.to_owned()];
+                Some(base.ok_or_else(|| LinkageProblem::NotHinged { links: links() })?.name.clone())
+            };
+            DriverDocument {
+                crank: Some(link.to_owned()),
+                base,
+                ..DriverDocument::default()
+            }
+        };
+        let freedoms = self.document.draft().counts().map_or(1, |counts| counts.mobility);
+        let drivers = &mut self.document.drivers;
+        if !drivers.is_empty() && freedoms <= drivers.len() as isize {
+            drivers.pop();
+        }
+        drivers.push(driver);
+        Ok(())
+    }
+
+    /// The way of a driven slide: half the line to either side of where it is drawn.
+    fn range(&self, slide: usize) -> Result<[f64; 2], LinkageProblem> {
+        let SlideDocument { point, line, .. } = &self.document.slides[slide];
+        let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];
+        let length = (to - from).norm();
+        let along = (to - from) / length;
+        let way = if along.x.is_finite() { (self.at(point)? - from).dot(&along) } else { 0.0 };
+        let half = 0.5 * if length > 0.0 { length } else { self.size() };
+        Ok([way - half, way + half])
+    }
+
+    /// A point becomes one of the frame, or is let go.
+    fn fix(&mut self, point: &str) -> Done {
+        self.at(point)?;
+        let frame = &mut self.document.frame;
+        match frame.iter().position(|one| one == point) {
+            Some(place) => {
+                frame.remove(place);
+            }
+            None => frame.push(point.to_owned()),
+        }
+        Ok(())
+    }
+
+    fn weld(&mut self, [first, second]: &[String; 2]) -> Done {
+        self.linked(second)?;
+        let fixed = self.linked(first)?.fixed_to.as_ref() != Some(second);
+        self.redraw(|link| link.name == *first);
+        let mut links = self.document.links.iter_mut();
+        if let Some(link) = links.find(|link| link.name == *first) {
+            link.fixed_to = fixed.then(|| second.clone());
+        }
+        Ok(())
+    }
+
+    fn trace(&mut self, link: &str, at: [f64; 2]) -> Done {
+        let place = self.on_link(link, Point::from(at))?;
+        let name = names::new_tracer(&self.document);
+        self.point = Some(name.clone());
+        self.document.tracers.push(TracerDocument {
+            name,
+            link: link.to_owned(),
+            at: place,
+        });
+        Ok(())
+    }
+
+    fn mass(&mut self, link: &str, at: Option<[f64; 2]>) -> Done {
+        if let Some(old) = self.linked(link)?.centre_of_mass.clone() {
+            let mut links = self.document.links.iter_mut();
+            if let Some(link) = links.find(|one| one.name == link) {
+                link.centre_of_mass = None;
+            }
+            let elsewhere = |one: &&LinkDocument| one.points.contains(&old);
+            if self.document.links.iter().filter(elsewhere).count() == 1 {
+                self.remove(&[old], &[])?;
+            }
+        }
+        let Some(at) = at else { return Ok(()) };
+        let point = self.put(at);
+        self.list(link, &point)?;
+        let mut links = self.document.links.iter_mut();
+        if let Some(link) = links.find(|one| one.name == link) {
+            link.centre_of_mass = Some(point);
+        }
+        Ok(())
+    }
+
+    /// A place in a link's own coordinates: from its first point, x towards its second.
+    fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
+        let points = &self.linked(link)?.points;
+        let mut places = points.iter().map(|point| self.at(point));
+        let bare = || LinkageProblem::Bare { link: link.to_owned() };
+        let first = places.next().ok_or_else(bare)??;
+        let along = match places.next() {
+            Some(second) => (second? - first).normalize(),
+            None => Vector::x(),
+        };
+        let off = at - first;
+        Ok([off.dot(&along), along.perp(&off)])
+    }
+}
+
+/// How far a place is from a line's part between two points.
+pub(crate) fn distance(at: Point, from: Point, to: Point) -> f64 {
+    (at - foot(at, from, to)).norm()
+}
+
+/// The place between two points that is nearest to another.
+pub(crate) fn foot(at: Point, from: Point, to: Point) -> Point {
+    let along = to - from;
+    let square = along.norm_squared();
+    if square > 0.0 {
+        from + along * ((at - from).dot(&along) / square).clamp(0.0, 1.0)
+    } else {
+        from
+    }
+}
+
+/// Nothing has this name.
+pub(crate) fn unknown(name: &str) -> LinkageProblem {
+    let name = name.to_owned();
+    LinkageProblem::UnknownName { name }
+}

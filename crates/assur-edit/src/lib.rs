@@ -1,0 +1,76 @@
+//! What a person draws. An [`Edit`] makes another linkage of one, whether either moves yet or
+//! not: [`edited`]. What keeps a drawing from moving is told with the edits that mend it: [`Advice`].
+//!
+//! Links keep the dimensions that they are given; of one that is drawn otherwise the drawing
+//! tells them from then on.
+
+mod advice;
+mod draw;
+mod dyads;
+mod edit;
+mod names;
+mod remove;
+mod reshape;
+mod selection;
+#[cfg(test)]
+mod types;
+
+pub use advice::{Advice, Mend};
+pub use edit::{Edit, End, Inner, Line, Outer};
+pub use selection::selected;
+
+use assur_file::{LinkageDocument, LinkageProblem, Problem};
+
+use draw::Drawing;
+
+/// Coordinates beyond this are no drawing, as the engine has it.
+const FARTHEST: f64 = 1e9;
+
+/// A drawing after an edit, and what the edit has made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edited {
+    /// The drawing.
+    pub document: LinkageDocument,
+    /// The point that it added last, or that took the place of another.
+    pub point: Option<String>,
+    /// The link that it added last.
+    pub link: Option<String>,
+}
+
+/// A drawing after one edit.
+///
+/// # Errors
+/// Why it cannot be done; the drawing would be none that is taken.
+pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Problem>> {
+    let mut drawing = Drawing::new(document);
+    let called = names::called_by_points(document);
+    drawing.apply(edit).map_err(|problem| vec![problem.into()])?;
+    let Drawing {
+        mut document,
+        point,
+        mut link,
+    } = drawing;
+    let position = |document: &LinkageDocument, name: &Option<String>| {
+        let name = name.as_ref()?;
+        document.links.iter().position(|one| one.name == *name)
+    };
+    let added = position(&document, &link);
+    if !matches!(edit, Edit::Rename { .. }) {
+        names::call_by_points(&mut document, &called);
+    }
+    if let Some(added) = added {
+        link = document.links.get(added).map(|link| link.name.clone());
+    }
+    document.assembly = None;
+    document.check()?;
+    let far = |at: &f64| !(at.abs() <= FARTHEST);
+    if let Some(point) = document.points.iter().find(|point| point.at.iter().any(far)) {
+        let name = point.name.clone();
+        return Err(vec![LinkageProblem::NotFinite { name }.into()]);
+    }
+    Ok(Edited {
+        document,
+        point,
+        link,
+    })
+}

@@ -1,0 +1,96 @@
+//! Points that stand elsewhere: moved, placed, reflected.
+
+use std::collections::BTreeSet;
+
+use assur::mechanism::FRAME;
+use assur_file::{LinkDocument, LinkageProblem};
+
+use crate::draw::Drawing;
+
+type Done = Result<(), LinkageProblem>;
+
+impl Drawing {
+    /// Points move by as much.
+    pub(crate) fn shift(&mut self, points: &[String], [x, y]: [f64; 2]) -> Done {
+        for point in points {
+            self.at(point)?;
+        }
+        let points = self.with_guides(points);
+        self.redraw(|link| partly(link, &points));
+        for point in &mut self.document.points {
+            if points.contains(&point.name) {
+                point.at[0] += x;
+                point.at[1] += y;
+            }
+        }
+        Ok(())
+    }
+
+    /// A point stands at a place, exactly.
+    pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
+        let by = assur::Point::from(to) - self.at(point)?;
+        self.shift(&[point.to_owned()], by.into())?;
+        let mut points = self.document.points.iter_mut();
+        if let Some(placed) = points.find(|one| one.name == point) {
+            placed.at = to;
+        }
+        Ok(())
+    }
+
+    /// Points are reflected in the vertical through their middle.
+    pub(crate) fn mirror(&mut self, points: &[String]) -> Done {
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        for point in points {
+            let x = self.at(point)?.x;
+            ends = [ends[0].min(x), ends[1].max(x)];
+        }
+        if points.is_empty() {
+            return Ok(());
+        }
+        let points: BTreeSet<String> = points.iter().cloned().collect();
+        self.redraw(|link| partly(link, &points));
+        let document = &mut self.document;
+        for point in &mut document.points {
+            if points.contains(&point.name) {
+                point.at[0] = ends[0] + ends[1] - point.at[0];
+            }
+        }
+        let whole = |link: &LinkDocument| link.points.iter().all(|point| points.contains(point));
+        for link in document.links.iter_mut().filter(|link| whole(link)) {
+            let places = link.shape.iter_mut().flatten();
+            places.for_each(|[_, y]| *y = -*y);
+        }
+        for tracer in &mut document.tracers {
+            if document.links.iter().any(|link| link.name == tracer.link && whole(link)) {
+                tracer.at[1] = -tracer.at[1];
+            }
+        }
+        Ok(())
+    }
+
+    /// Points, and the lines of the frame along which blocks slide that are hinged at them.
+    fn with_guides(&self, points: &[String]) -> BTreeSet<String> {
+        let mut all: BTreeSet<String> = points.iter().cloned().collect();
+        let slides = &self.document.slides;
+        for slide in slides {
+            let own = |end: &String| slides.iter().filter(|other| other.line.contains(end)).count() == 1;
+            if slide.on == FRAME && points.contains(&slide.point) && slide.line.iter().all(own) {
+                let ends = slide.line.iter().filter(|end| !self.is_hinge(end));
+                all.extend(ends.cloned());
+            }
+        }
+        all
+    }
+
+    /// Whether a link has a point.
+    fn is_hinge(&self, point: &str) -> bool {
+        let mut links = self.document.links.iter();
+        links.any(|link| link.points.iter().any(|one| one == point))
+    }
+}
+
+/// Whether some of a link's points move, and others do not.
+fn partly(link: &LinkDocument, points: &BTreeSet<String>) -> bool {
+    let moved = link.points.iter().filter(|point| points.contains(*point)).count();
+    moved > 0 && moved < link.points.len()
+}

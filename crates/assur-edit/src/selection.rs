@@ -1,0 +1,108 @@
+//! Parts of a drawing, to be put elsewhere.
+
+use std::collections::BTreeMap;
+
+use assur::mechanism::FRAME;
+use assur_file::LinkageDocument;
+
+use crate::draw::Drawing;
+use crate::names;
+
+/// The part of a drawing with these links, their points, and what joins them: for [`crate::Edit::Paste`].
+/// Points alone are taken along.
+pub fn selected(document: &LinkageDocument, points: &[String], links: &[String]) -> LinkageDocument {
+    let link = |name: &String| links.contains(name);
+    let kept: Vec<_> = document.links.iter().filter(|one| link(&one.name)).cloned().collect();
+    let on_frame = |name: &String| name == FRAME || link(name);
+    let slides = document.slides.iter().enumerate();
+    let slides: Vec<_> = slides.filter(|(_, slide)| link(&slide.link) && on_frame(&slide.on)).collect();
+    let lines = slides.iter().flat_map(|(_, slide)| &slide.line);
+    let of_links = kept.iter().flat_map(|one| &one.points);
+    let names: Vec<&String> = of_links.chain(lines).chain(points).collect();
+    let drivers = document.drivers.iter().filter_map(|driver| {
+        let mut driver = driver.clone();
+        if let Some(slide) = driver.slide {
+            driver.slide = Some(slides.iter().position(|(index, _)| *index == slide)?);
+            return Some(driver);
+        }
+        driver.crank.iter().chain(&driver.base).all(link).then_some(driver)
+    });
+    LinkageDocument {
+        unit: document.unit,
+        points: document.points.iter().filter(|one| names.contains(&&one.name)).cloned().collect(),
+        frame: document.frame.iter().filter(|one| names.contains(one)).cloned().collect(),
+        drivers: drivers.collect(),
+        gears: document.gears.iter().filter(|gear| gear.links.iter().all(link) && on_frame(&gear.carrier)).cloned().collect(),
+        tracers: document.tracers.iter().filter(|tracer| link(&tracer.link)).cloned().collect(),
+        slides: slides.into_iter().map(|(_, slide)| slide.clone()).collect(),
+        links: kept
+            .into_iter()
+            .map(|mut one| {
+                one.fixed_to = one.fixed_to.filter(link);
+                one
+            })
+            .collect(),
+        ..LinkageDocument::default()
+    }
+}
+
+impl Drawing {
+    /// Puts another drawing beside what is there, under names that are free.
+    pub(crate) fn paste(&mut self, drawing: &LinkageDocument, [x, y]: [f64; 2]) {
+        let mut other = drawing.clone();
+        for point in &mut other.points {
+            point.at[0] += x;
+            point.at[1] += y;
+        }
+        // Two rounds, as a free name may be one that the other drawing has itself.
+        let called = names::called_by_points(&other);
+        let points: Vec<String> = (other.points.iter().map(|point| &point.name))
+            .chain(other.tracers.iter().map(|tracer| &tracer.name))
+            .cloned()
+            .collect();
+        let links: Vec<String> = other.links.iter().map(|link| link.name.clone()).collect();
+        let mut put = BTreeMap::new();
+        for (k, name) in points.iter().enumerate() {
+            names::rename_point(&mut other, name, &aside(k));
+        }
+        for (k, name) in links.iter().enumerate() {
+            names::rename_link(&mut other, name, &aside(k));
+        }
+        for (k, name) in points.iter().enumerate() {
+            let mut both = self.document.clone();
+            both.points.extend(other.points.iter().cloned());
+            both.tracers.extend(other.tracers.iter().cloned());
+            let free = names::free_point(&both, name);
+            names::rename_point(&mut other, &aside(k), &free);
+            put.insert(name.clone(), free);
+        }
+        for (k, name) in links.iter().enumerate() {
+            let mut both = self.document.clone();
+            both.links.extend(other.links.iter().cloned());
+            let link = other.links.iter().find(|link| link.name == aside(k));
+            let own = link.map(|link| link.points.clone()).unwrap_or_default();
+            let wish = (!called.contains(name)).then_some(name.as_str());
+            let free = names::new_link(&both, &own, wish);
+            names::rename_link(&mut other, &aside(k), &free);
+            self.link = Some(free);
+        }
+        let slides = self.document.slides.len();
+        for driver in &mut other.drivers {
+            driver.slide = driver.slide.map(|slide| slide + slides);
+        }
+        let document = &mut self.document;
+        document.points.extend(other.points);
+        document.frame.extend(other.frame);
+        document.links.extend(other.links);
+        document.slides.extend(other.slides);
+        document.gears.extend(other.gears);
+        document.drivers.extend(other.drivers);
+        document.tracers.extend(other.tracers);
+        self.point = points.last().and_then(|last| put.get(last)).cloned();
+    }
+}
+
+/// A name that nobody gives: control characters are refused in names.
+fn aside(k: usize) -> String {
+    format!("\u{1}{k}")
+}

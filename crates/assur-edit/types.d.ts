@@ -1,0 +1,152 @@
+// Written by the tests of this crate from its Rust: see src/types.rs.
+import { LinkageDocument } from "assur/types/file.js";
+export type Edit = { "edit": "point", 
+/**
+ * Where it is.
+ */
+at: [number, number], 
+/**
+ * Whether the frame has it.
+ */
+fixed: boolean, } | { "edit": "bar", 
+/**
+ * Its ends.
+ */
+ends: [End, End], } | { "edit": "corner", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * The point.
+ */
+end: End, } | { "edit": "block", 
+/**
+ * Where it is hinged.
+ */
+end: End, 
+/**
+ * What it slides along.
+ */
+along: Line, } | { "edit": "slide", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * What it slides along.
+ */
+along: Line, } | { "edit": "dyad", 
+/**
+ * Its outer pairs, in turn.
+ */
+outer: [Outer, Outer], 
+/**
+ * Its inner pair.
+ */
+inner: Inner, } | { "edit": "triad", 
+/**
+ * The ends of its bars.
+ */
+ends: [End, End, End], } | { "edit": "wheel", 
+/**
+ * Its centre.
+ */
+end: End, } | { "edit": "mesh", 
+/**
+ * The links.
+ */
+links: [string, string], 
+/**
+ * Their numbers of teeth.
+ */
+teeth: [number, number], 
+/**
+ * Whether the larger one is a ring.
+ */
+internal: boolean, } | { "edit": "drive", 
+/**
+ * The link.
+ */
+link: string, } | { "edit": "fix", 
+/**
+ * The point.
+ */
+point: string, } | { "edit": "weld", 
+/**
+ * The links: the first is fixed to the second.
+ */
+links: [string, string], } | { "edit": "join", 
+/**
+ * The point that goes, and the one that stays.
+ */
+points: [string, string], } | { "edit": "part", 
+/**
+ * The point.
+ */
+point: string, } | { "edit": "trace", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * Where it is in the drawing.
+ */
+at: [number, number], } | { "edit": "mass", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * Where it is in the drawing.
+ */
+at: [number, number] | null, } | { "edit": "move", 
+/**
+ * The points.
+ */
+points: Array<string>, 
+/**
+ * By how much.
+ */
+by: [number, number], } | { "edit": "place", 
+/**
+ * The point.
+ */
+point: string, 
+/**
+ * The place.
+ */
+at: [number, number], } | { "edit": "rename", 
+/**
+ * What is renamed: a point or a tracer, or else a link.
+ */
+name: string, 
+/**
+ * Its name from now on.
+ */
+to: string, } | { "edit": "remove", 
+/**
+ * Points and tracers.
+ */
+points: Array<string>, 
+/**
+ * Links.
+ */
+links: Array<string>, } | { "edit": "paste", 
+/**
+ * What is put there.
+ */
+drawing: LinkageDocument, 
+/**
+ * By how much it is moved.
+ */
+by: [number, number], } | { "edit": "mirror", 
+/**
+ * The points.
+ */
+points: Array<string>, };
+export type End = { "point": string } | { "at": [number, number] } | { "on": [string, [number, number]] };
+export type Line = { "link": string } | { "toward": [number, number] };
+export type Outer = { "hinge": End } | { "slide": [string, [number, number]] } | { "level": [number, number] };
+export type Inner = "hinge" | "slide";
+export type Mend = { "drive": string } | { "release": string } | { "remove": string } | { "fix": string };

@@ -1,0 +1,178 @@
+//! A linkage that is being drawn, and edits of any linkage.
+
+use std::collections::BTreeMap;
+
+use assur::Point;
+use assur::mechanism::Mechanism;
+use assur_draw::{Sketch, SketchView};
+use assur_edit::{Advice, Edit, Mend, edited, selected};
+use assur_file::{Document, DrawingDocument, LinkageDocument, Problem, State};
+use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
+
+use crate::capabilities::{Capabilities, Edited, LinkHere, Rigid, unknown};
+use crate::change::Change;
+use crate::convert::to_js;
+use crate::here::Here;
+use crate::summary::HandleSummary;
+
+/// A drawing with what is said of it.
+pub(crate) struct Drawing {
+    document: LinkageDocument,
+    /// What keeps it from moving; nothing where it could.
+    advice: Option<Advice>,
+    sketch: Sketch,
+}
+
+/// What is said of a drawing that does not move.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct DrawingSummary<'a> {
+    /// Nothing does.
+    #[cfg_attr(test, ts(type = "null"))]
+    moves: Option<&'static str>,
+    bounds: [f64; 4],
+    handles: Vec<HandleSummary<'a>>,
+    roles: BTreeMap<&'a str, &'static str>,
+    /// W by the count; none where what is named is not there.
+    mobility: Option<isize>,
+    drivers: usize,
+    /// Every reason why it does not move.
+    #[cfg_attr(test, ts(type = "readonly import(\"assur/core/problem.js\").Problem[]"))]
+    reasons: &'a [Problem],
+    loose: &'a [String],
+    locked: &'a [String],
+    #[cfg_attr(test, ts(type = "readonly Mend[]"))]
+    mends: &'a [Mend],
+}
+
+/// A drawing after an edit.
+#[derive(Serialize)]
+struct Drawn {
+    /// What it is now: what moves is a linkage.
+    #[serde(flatten)]
+    document: Document,
+    /// The point that was added last.
+    point: Option<String>,
+    /// The link that was added last.
+    link: Option<String>,
+}
+
+impl Drawing {
+    pub(crate) fn new(state: &State, document: &DrawingDocument) -> Result<Self, Vec<Problem>> {
+        state.check()?;
+        let DrawingDocument(document) = document;
+        let advice = Advice::of(document)?;
+        let told = advice.as_ref();
+        let view = SketchView {
+            loose: told.map(|one| one.loose.clone()).unwrap_or_default(),
+            locked: told.map(|one| one.locked.clone()).unwrap_or_default(),
+        };
+        Ok(Self {
+            sketch: Sketch::new(&document.draft(), &view),
+            document: document.clone(),
+            advice,
+        })
+    }
+}
+
+impl Capabilities for Drawing {
+    fn summary(&self) -> JsValue {
+        let Self { document, sketch, .. } = self;
+        let advice = self.advice.as_ref();
+        let roles = document.links.iter().zip(sketch.roles());
+        let handles = sketch.handles().iter().map(|(name, role, _)| HandleSummary {
+            name,
+            role: role.name(),
+            pressed: false,
+        });
+        to_js(&DrawingSummary {
+            moves: None,
+            bounds: sketch.bounds(),
+            handles: handles.collect(),
+            roles: roles.map(|(link, role)| (link.name.as_str(), role.name())).collect(),
+            mobility: advice.and_then(|advice| advice.mobility),
+            drivers: document.drivers.len(),
+            reasons: advice.map_or(&[], |advice| &advice.problems),
+            loose: advice.map_or(&[], |advice| &advice.loose),
+            locked: advice.map_or(&[], |advice| &advice.locked),
+            mends: advice.map_or(&[], |advice| &advice.mends),
+        })
+    }
+
+    fn rigid(&self) -> Rigid<'_> {
+        Rigid {
+            names: self.sketch.names(),
+            list: &[],
+        }
+    }
+
+    fn still(&self, _opened: f64) -> Here {
+        let handles = self.sketch.handles().iter();
+        Here::still(self.sketch.frame(), handles.map(|(_, _, at)| *at))
+    }
+
+    fn edited(&self) -> Option<&dyn Edited> {
+        Some(self)
+    }
+
+    fn drawn(&self, _input: f64) -> Result<LinkageDocument, Problem> {
+        Ok(self.document.clone())
+    }
+
+    fn link_at(&self, _input: f64, at: Point) -> Option<LinkHere> {
+        let (link, off) = self.sketch.link_at(at)?;
+        let link = link.to_owned();
+        Some(LinkHere { link, off })
+    }
+}
+
+impl Edited for Drawing {
+    fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
+        let handles = self.sketch.handles().iter();
+        let mut handles = handles.map(|(name, _, _)| name);
+        if !handles.any(|name| name == point) {
+            return Err(unknown(point));
+        }
+        let (point, at) = (point.to_owned(), to.into());
+        let moved = edited(&self.document, &Edit::Place { point, at });
+        let moved = moved.map_err(|_| unknown("place"))?;
+        Ok(Change::document(&moved.document))
+    }
+}
+
+/// A document after an edit, from the pose at an input.
+///
+/// # Errors
+/// What cannot be drawn on; why it cannot be edited so.
+pub(crate) fn edit(
+    open: &dyn Capabilities,
+    edit: &Edit,
+    input: f64,
+) -> Result<JsValue, Vec<Problem>> {
+    let before = open.drawn(input).map_err(|problem| vec![problem])?;
+    let after = edited(&before, edit)?;
+    let moves = Mechanism::new(&after.document.draft()).is_ok();
+    Ok(to_js(&Drawn {
+        document: if moves {
+            Document::Linkage(after.document)
+        } else {
+            Document::Drawing(DrawingDocument(after.document))
+        },
+        point: after.point,
+        link: after.link,
+    }))
+}
+
+/// Links and points of what is open, at an input, as a drawing of its own.
+///
+/// # Errors
+/// What cannot be drawn on.
+pub(crate) fn part(
+    open: &dyn Capabilities,
+    points: &[String],
+    links: &[String],
+    input: f64,
+) -> Result<LinkageDocument, Problem> {
+    Ok(selected(&open.drawn(input)?, points, links))
+}
