@@ -233,6 +233,11 @@ export class Engine {
     return this.ask(() => module.task(number));
   }
 
+  /** @returns {Pick<State, "kind" | "document">} an empty sheet to draw on */
+  blank() {
+    return this.ask(() => module.blank());
+  }
+
   /**
    * What is open, at an input, as a document of another kind.
    * @template {Kind} K

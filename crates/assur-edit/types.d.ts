@@ -116,7 +116,23 @@ point: string,
 /**
  * The place.
  */
-at: [number, number], } | { "edit": "rename", 
+at: [number, number], } | { "edit": "stretch", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * Its length.
+ */
+length: number, } | { "edit": "turn", 
+/**
+ * The link.
+ */
+link: string, 
+/**
+ * The direction from its first point to its second, degrees.
+ */
+angle_deg: number, } | { "edit": "rename", 
 /**
  * What is renamed: a point or a tracer, or else a link.
  */

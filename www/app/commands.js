@@ -48,6 +48,8 @@ function fileCommands(page) {
     copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
+    "new-drawing": () => later(() => import("assur/drawing/begin.js"), ({ newDrawing }) => newDrawing(page)),
+    draw: () => later(() => import("assur/drawing/begin.js"), ({ toggleDrawing }) => toggleDrawing(page)),
     gallery: () => later(() => import("assur/gallery/gallery.js"), ({ openGallery }) => openGallery(page)),
     help: () => later(() => import("assur/help/help.js"), ({ openHelp }) => openHelp(page.words)),
   };

@@ -2,7 +2,7 @@
 import { byId, setData } from "assur/core/dom.js";
 
 /** Buttons that do what a command of their name does. */
-const BUTTONS = Object.freeze(["undo", "redo", "gallery", "open", "save", "copy", "export", "print", "reset", "projector"]);
+const BUTTONS = Object.freeze(["undo", "redo", "gallery", "new-drawing", "open", "save", "copy", "export", "print", "reset", "projector"]);
 
 export class Header {
   #undo = byId("undo", HTMLButtonElement);
@@ -17,6 +17,7 @@ export class Header {
    */
   constructor(history, commands) {
     this.#history = history;
+    byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
     const menu = byId("menu", HTMLDetailsElement);

@@ -77,6 +77,7 @@ export class Page {
       lesson.call();
     };
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
+    this.pointer = pointer;
     this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
     byId("help-open", HTMLButtonElement).addEventListener("click", commands.help);
     listen({

@@ -36,6 +36,7 @@ export class Views {
   #own = new Map();
   #described = false;
   #assembled = false;
+  #drawn = false;
   /** Whether the first rest is a reader's doing. */
   #opened;
 
@@ -64,6 +65,7 @@ export class Views {
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
     if (state.view.all_assemblies && !this.#assembled) this.#bringAssemblies();
+    if (state.view.drawing && !this.#drawn) this.#bringDrawing();
     if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -114,6 +116,18 @@ export class Views {
       this.#page.redraw();
     } catch {
       this.#assembled = false;
+      this.#page.notices.tell(LOST);
+    }
+  }
+
+  async #bringDrawing() {
+    this.#drawn = true;
+    try {
+      const { Drawing } = await awaited(import("assur/drawing/drawing.js"));
+      this.#views.push(new Drawing(this.#page));
+      this.#page.redraw();
+    } catch {
+      this.#drawn = false;
       this.#page.notices.tell(LOST);
     }
   }

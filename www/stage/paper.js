@@ -48,6 +48,14 @@ export class Backdrop {
 }
 
 /**
+ * @param {number} scale pixels of a unit
+ * @returns {number} how long the side of a square is: 1, 2 or 5 times a power of ten
+ */
+export function side(scale) {
+  return roundUp(SQUARE / scale);
+}
+
+/**
  * Squares of a round size, and how long the side of one is.
  * @param {Context} context
  * @param {Size} size
@@ -57,8 +65,8 @@ export class Backdrop {
  * @param {number} ratio device pixels per CSS pixel
  */
 export function paintSquares(context, { width, height }, view, theme, words, ratio) {
-  const side = roundUp(SQUARE / view.scale);
-  const pixels = side * view.scale;
+  const length = side(view.scale);
+  const pixels = length * view.scale;
   context.fillStyle = theme.ground;
   context.fillRect(0, 0, width, height);
   const line = sharp(theme.weight, ratio);
@@ -76,7 +84,7 @@ export function paintSquares(context, { width, height }, view, theme, words, rat
   context.strokeStyle = theme.colours.line;
   context.stroke();
   context.globalAlpha = 1;
-  paintScaleBar(context, height, pixels, words.length(words.numbers.short(side)), theme, ratio);
+  paintScaleBar(context, height, pixels, words.length(words.numbers.short(length)), theme, ratio);
 }
 
 /**

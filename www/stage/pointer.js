@@ -8,6 +8,11 @@ import { TRACERS, withView } from "assur/state/state.js";
  * @typedef {import("assur/stage/view.js").Joint} Joint
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {{ x: number, y: number }} Place on the canvas, in pixels
+ * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
+ * @typedef {{
+ *   hover(at: Place, event: PointerEvent): void, leave(): void, press(at: Place, event: PointerEvent): void,
+ *   grab(at: Place, event: PointerEvent): Drag | null,
+ * }} Hand that the pointer is lent to
  */
 
 /** So near a joint a pointer takes it, in pixels. */
@@ -39,7 +44,12 @@ export class MechanismPointer {
   #taken = null;
   /** Whether the next press puts a traced point. */
   #tracing = false;
+  #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
+  /** @type {Hand | null} what has the pointer instead of the joints */
+  #hand = null;
+  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} what it does */
+  #work = null;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -57,8 +67,11 @@ export class MechanismPointer {
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#up(event));
     canvas.addEventListener("pointercancel", (event) => this.#up(event));
-    canvas.addEventListener("pointerleave", () => this.#show(this.#taken?.name ?? ""));
-    canvas.addEventListener("dblclick", () => view.fit());
+    canvas.addEventListener("pointerleave", () => {
+      this.#show(this.#taken?.name ?? "");
+      this.#hand?.leave();
+    });
+    canvas.addEventListener("dblclick", () => this.#hand ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     // A finger on the fitted drawing scrolls the page; on a joint, and with a second one, it does not.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
@@ -78,9 +91,19 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
+  /** @param {Hand | null} hand has the pointer from now on; null: the joints have it again */
+  lend(hand) {
+    this.#hand = hand;
+    this.#work = null;
+    setData(this.#canvas, "lent", String(hand !== null));
+  }
+
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, summary }) {
     const { tracers = [] } = /** @type {{ tracers?: readonly unknown[] }} */ (state.document);
+    const drawable = !summary.moves || summary.traceable;
+    if (this.#draw.hidden === drawable) this.#draw.hidden = !drawable;
+    this.#draw.setAttribute("aria-pressed", String(state.view.drawing));
     const none = !summary.moves || !summary.traceable || tracers.length >= TRACERS.most;
     if (this.#trace.disabled !== none) this.#trace.disabled = none;
   }
@@ -93,6 +116,11 @@ export class MechanismPointer {
     this.#canvas.setPointerCapture(event.pointerId);
     if (this.#pointers.size > 1) {
       this.#drop();
+      this.#work = null;
+      return;
+    }
+    if (this.#hand) {
+      this.#work = { from: at, still: true, drag: this.#hand.grab(at, event) };
       return;
     }
     const joint = this.#tracing ? this.#put(at) : this.#near(at, event.pointerType);
@@ -112,11 +140,19 @@ export class MechanismPointer {
   #move(event) {
     const at = this.#place(event);
     const from = this.#pointers.get(event.pointerId);
+    if (!from && this.#hand) {
+      this.#hand.hover(at, event);
+      return;
+    }
     if (!from) {
       if (event.pointerType !== "touch") this.#show(this.#near(at, event.pointerType)?.name ?? "");
       return;
     }
     this.#pointers.set(event.pointerId, at);
+    if (this.#work) {
+      this.#pull(this.#work, from, at, event.altKey);
+      return;
+    }
     if (this.#taken?.pressed) this.#taken.pressed = Math.hypot(at.x - this.#taken.from.x, at.y - this.#taken.from.y) <= STILL;
     if (this.#taken?.pressed) return;
     if (this.#taken) this.#drag(this.#taken, at);
@@ -127,9 +163,32 @@ export class MechanismPointer {
   /** @param {PointerEvent} event */
   #up(event) {
     if (!this.#pointers.delete(event.pointerId)) return;
+    const work = this.#work;
+    this.#work = null;
+    if (work && this.#hand) {
+      if (!work.still) work.drag?.end();
+      else if (event.type === "pointerup") this.#hand.press(this.#place(event), event);
+      setData(this.#canvas, "hand", "");
+      return;
+    }
     if (this.#taken?.pressed && event.type === "pointerup") this.#press(this.#taken.name);
     this.#drop();
     this.#show("");
+  }
+
+  /**
+   * @param {{ from: Place, still: boolean, drag: Drag | null }} work
+   * @param {Place} from
+   * @param {Place} at
+   * @param {boolean} free
+   */
+  #pull(work, from, at, free) {
+    if (work.still && Math.hypot(at.x - work.from.x, at.y - work.from.y) <= STILL) return;
+    const began = work.still;
+    work.still = false;
+    if (work.drag) work.drag.to(at, free);
+    else this.#view.pan(at.x - (began ? work.from : from).x, at.y - (began ? work.from : from).y);
+    setData(this.#canvas, "hand", "closed");
   }
 
   /** @param {string} name of a handle that is pressed, and not dragged */
@@ -209,7 +268,7 @@ export class MechanismPointer {
   /** @param {TouchEvent} event */
   #touch(event) {
     const [touch] = event.touches;
-    const ours = event.touches.length > 1 || this.#view.zoomed || this.#tracing || this.#near(this.#place(touch), "touch");
+    const ours = event.touches.length > 1 || this.#hand || this.#view.zoomed || this.#tracing || this.#near(this.#place(touch), "touch");
     if (ours && event.cancelable) event.preventDefault();
   }
 

@@ -12,6 +12,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {readonly [number, number, number, number]} Edges of a part of the canvas: left, bottom, right, top, in its pixels
  * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint a joint or a traced point in model coordinates; `pressed`: whether
  * something comes of pressing it without a drag
+ * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid
  */
 
 /** Free room around the drawing, in pixels. */
@@ -37,8 +38,13 @@ export class MechanismView {
   #bounds = null;
   /** @type {Transform | null} the view that stays while a joint is dragged */
   #held = null;
+  /** Whether the view stays though what is shown becomes larger, and the size of the canvas that it stays for. */
+  #kept = false;
+  #keptSize = "";
   /** @type {string} the joint with a ring around it */
   #ringed = "";
+  /** @type {Laid[]} */
+  #laid = [];
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -57,6 +63,16 @@ export class MechanismView {
     this.#snapshot = snapshot;
     this.#figure.take(snapshot);
     setData(this.#surface.canvas, "faded", String(snapshot.faded));
+    this.#draw();
+  }
+
+  /** @param {Laid} paint what is painted over the mechanism, and in no exported picture */
+  lay(paint) {
+    this.#laid.push(paint);
+  }
+
+  /** Paints what is there once more. */
+  repaint() {
     this.#draw();
   }
 
@@ -130,7 +146,15 @@ export class MechanismView {
   fit() {
     this.#zoom = Zoom.NONE;
     this.#bounds = null;
-    this.release();
+    this.#held = null;
+    this.#shown();
+  }
+
+  /** @param {boolean} on whether the view stays where it is while something is drawn */
+  keep(on) {
+    if (on === this.#kept) return;
+    this.#kept = on;
+    if (!on) this.release();
   }
 
   /** Keeps the view from following what is dragged. */
@@ -140,7 +164,7 @@ export class MechanismView {
 
   /** Lets the view follow the bounds again, unless the reader has zoomed. */
   release() {
-    this.#held = null;
+    if (!this.#kept) this.#held = null;
     this.#shown();
   }
 
@@ -204,12 +228,23 @@ export class MechanismView {
   #draw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
+    if (this.#kept) this.#keep();
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
+    for (const paint of this.#laid) paint(this.#surface.context, view, this.#theme);
     this.#figure.paintLabels(this.#surface, view, this.#surface, this.#small);
+  }
+
+  /** A canvas of another size has another view. */
+  #keep() {
+    const { width, height } = this.#surface;
+    const size = `${width}×${height}`;
+    if (size !== this.#keptSize) this.#held = null;
+    this.#keptSize = size;
+    this.#held ??= this.view;
   }
 
   /** @param {Transform} view */

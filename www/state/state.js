@@ -63,6 +63,7 @@ export function usualView(view) {
     omega_unit: "rad_per_s",
     epsilon: 0,
     true_time: false,
+    drawing: false,
     differenced: false,
     lesson: null,
     projector: false,

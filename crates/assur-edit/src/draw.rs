@@ -83,6 +83,8 @@ impl Drawing {
             Edit::Mass { link, at } => self.mass(link, *at),
             Edit::Move { points, by } => self.shift(points, *by),
             Edit::Place { point, at } => self.place(point, *at),
+            Edit::Stretch { link, length } => self.stretch(link, *length),
+            Edit::Turn { link, angle_deg } => self.turn(link, *angle_deg),
             Edit::Rename { name, to } => names::rename(&mut self.document, name, to),
             Edit::Remove { points, links } => self.remove(points, links),
             Edit::Paste { drawing, by } => {
@@ -413,7 +415,7 @@ impl Drawing {
     }
 
     /// A place in a link's own coordinates: from its first point, x towards its second.
-    fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
+    pub(crate) fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut places = points.iter().map(|point| self.at(point));
         let bare = || LinkageProblem::Bare { link: link.to_owned() };

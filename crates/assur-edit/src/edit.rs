@@ -113,12 +113,26 @@ pub enum Edit {
         /// By how much.
         by: [f64; 2],
     },
-    /// A point stands at a place.
+    /// A point, or a tracer, stands at a place.
     Place {
         /// The point.
         point: String,
         /// The place.
         at: [f64; 2],
+    },
+    /// A link of two points has a length from now on: its second point moves along it.
+    Stretch {
+        /// The link.
+        link: String,
+        /// Its length.
+        length: f64,
+    },
+    /// A link stands at an angle: its other points turn about its first one.
+    Turn {
+        /// The link.
+        link: String,
+        /// The direction from its first point to its second, degrees.
+        angle_deg: f64,
     },
     /// Another name.
     Rename {

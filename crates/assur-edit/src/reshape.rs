@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use assur::{Point, Vector};
 use assur::mechanism::FRAME;
 use assur_file::{LinkDocument, LinkageProblem};
 
@@ -26,15 +27,72 @@ impl Drawing {
         Ok(())
     }
 
-    /// A point stands at a place, exactly.
+    /// A point, or a tracer, stands at a place, exactly.
     pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
-        let by = assur::Point::from(to) - self.at(point)?;
+        let tracers = &self.document.tracers;
+        if let Some(index) = tracers.iter().position(|tracer| tracer.name == point) {
+            let at = self.on_link(&tracers[index].link, Point::from(to))?;
+            self.document.tracers[index].at = at;
+            return Ok(());
+        }
+        let by = Point::from(to) - self.at(point)?;
         self.shift(&[point.to_owned()], by.into())?;
         let mut points = self.document.points.iter_mut();
         if let Some(placed) = points.find(|one| one.name == point) {
             placed.at = to;
         }
         Ok(())
+    }
+
+    /// The second point of a link moves along it until it is as long as wanted.
+    pub(crate) fn stretch(&mut self, link: &str, length: f64) -> Done {
+        let [first, second] = self.ends(link)?;
+        let [from, to] = [self.at(&first)?, self.at(&second)?];
+        let along = (to - from).try_normalize(0.0);
+        let points = [first, second.clone()];
+        let along = along.ok_or(LinkageProblem::OnePlace { points })?;
+        if !(length > 0.0 && length.is_finite()) {
+            let path = format!("{link}.length");
+            return Err(LinkageProblem::BadLength { path, value: length });
+        }
+        self.place(&second, (from + along * length).into())
+    }
+
+    /// The points of a link turn about its first one until it stands as wanted.
+    pub(crate) fn turn(&mut self, link: &str, angle_deg: f64) -> Done {
+        let [first, second] = self.ends(link)?;
+        let [from, to] = [self.at(&first)?, self.at(&second)?];
+        let along = to - from;
+        let wanted = angle_deg.to_radians();
+        let turned = |angle: f64, off: Vector| {
+            let (sin, cos) = angle.sin_cos();
+            [from.x + cos * off.x - sin * off.y, from.y + sin * off.x + cos * off.y]
+        };
+        for point in self.linked(link)?.points.clone() {
+            if point == first {
+                continue;
+            }
+            let off = self.at(&point)? - from;
+            // The one that has the angle stands at it without rounding of another turn.
+            let to = if point == second {
+                turned(wanted, Vector::new(along.norm(), 0.0))
+            } else {
+                turned(wanted - along.y.atan2(along.x), off)
+            };
+            self.place(&point, to)?;
+        }
+        Ok(())
+    }
+
+    /// The first two points of a link.
+    fn ends(&self, link: &str) -> Result<[String; 2], LinkageProblem> {
+        match &self.linked(link)?.points[..] {
+            [first, second, ..] => Ok([first.clone(), second.clone()]),
+            _ => {
+                let link = link.to_owned();
+                Err(LinkageProblem::NoLine { link })
+            }
+        }
     }
 
     /// Points are reflected in the vertical through their middle.

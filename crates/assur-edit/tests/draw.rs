@@ -248,6 +248,32 @@ fn a_guide_goes_with_its_block() {
     assert_eq!([from, to], [[3.0, 3.5], [8.0, 3.5]]);
 }
 
+#[test]
+fn numbers_are_set() {
+    let drawn = done(
+        &four_bar(),
+        &[
+            Edit::Corner { link: text("AB"), end: at(-1.0, 1.0) },
+            Edit::Trace { link: text("BC"), at: [1.0, 3.0] },
+            Edit::Turn { link: text("ABE"), angle_deg: 0.0 },
+            Edit::Stretch { link: text("ABE"), length: 2.0 },
+            Edit::Place { point: text("P1"), at: [1.0, 1.0] },
+        ],
+    );
+    let place = |name: &str| drawn.points.iter().find(|point| point.name == name).unwrap().at;
+    assert_eq!(place("B"), [2.0, 0.0]);
+    let [x, y] = place("E");
+    assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+    let mechanism = Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).draft()).unwrap();
+    let motion = Motion::new(mechanism);
+    let pose = motion.pose::<1>(motion.home()).unwrap();
+    let traced = motion.mechanism().point("P1").unwrap();
+    let at = motion.mechanism().place(&pose, traced).place();
+    assert!((at.x - 1.0).abs() < 1e-14 && (at.y - 1.0).abs() < 1e-14);
+    let none = refused(&drawn, &Edit::Stretch { link: text("BC"), length: -1.0 });
+    assert_eq!(none, LinkageProblem::BadLength { path: text("BC.length"), value: -1.0 });
+}
+
 /// The last edit is known by what it has made.
 #[test]
 fn what_is_made_is_told() {

@@ -3,7 +3,7 @@
 use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
-use assur_file::{Document, LengthUnit, Preset, Problem, Shelf};
+use assur_file::{Document, DrawingDocument, LengthUnit, Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -350,6 +350,12 @@ pub fn role_names() -> Vec<String> {
 #[wasm_bindgen]
 pub fn task(number: u32) -> JsValue {
     to_js(&Document::Scheme(scheme_task(number)))
+}
+
+/// An empty sheet to draw on: `{kind, document}`.
+#[wasm_bindgen]
+pub fn blank() -> JsValue {
+    to_js(&Document::Drawing(DrawingDocument::default()))
 }
 
 /// The catalogue: `{id, kind, document}` for each mechanism of it.

@@ -1,0 +1,24 @@
+// Where drawing begins: on an empty sheet, or on what is there.
+import { edit } from "assur/drawing/edit.js";
+import { withView } from "assur/state/state.js";
+
+/** @param {import("assur/app/page.js").Page} page */
+export function newDrawing(page) {
+  const { kind, document } = page.engine.blank();
+  page.choose(kind, document, [], () => ({ drawing: true, playing: false, lesson: null }));
+}
+
+/** @param {import("assur/app/page.js").Page} page */
+export function toggleDrawing(page) {
+  const { store, history, model } = page;
+  model.follow(store.get());
+  const { summary } = model;
+  if (summary.moves && !summary.traceable) return;
+  // What does not move yet has no other view.
+  const on = !summary.moves || !store.get().view.drawing;
+  history.step(() => {
+    store.update((state) => withView(state, { drawing: on, playing: on ? false : state.view.playing }));
+    // What is no linkage by its kind becomes one.
+    if (on && !("links" in store.get().document)) edit(page, { edit: "move", points: [], by: [0, 0] });
+  });
+}

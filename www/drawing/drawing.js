@@ -1,0 +1,196 @@
+// Drawing: tools over the drawing, a hand for them, and what is told beside it. Loaded when it is asked for.
+import { step, unsay } from "assur/drawing/edit.js";
+import { Hand } from "assur/drawing/hand.js";
+import { paint } from "assur/drawing/marks.js";
+import { DrawingRail } from "assur/drawing/rail.js";
+import { Selection } from "assur/drawing/selection.js";
+import { Palette } from "assur/drawing/palette.js";
+import "assur/drawing/style.js";
+import { Work } from "assur/drawing/tools.js";
+import { attempt } from "assur/core/problem.js";
+import { inputNow } from "assur/state/change.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
+ */
+
+/** What is copied, where the clipboard is another's: pasted in the same page. */
+const FORMAT = "assur.drawing";
+
+/** Something that is pasted stands so far beside what it was copied of, in squares of the grid. */
+const BESIDE = 4;
+
+export class Drawing {
+  #page;
+  #selection = new Selection();
+  #work;
+  #hand;
+  #palette;
+  #rail;
+  #on = false;
+  /** What was shown last began as an empty sheet. */
+  #empty = false;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#work = new Work(page);
+    this.#hand = new Hand(page, this.#work, this.#selection, () => page.mechanism.repaint());
+    this.#palette = new Palette(page, this.#work);
+    this.#rail = new DrawingRail(page, this.#selection, {
+      remove: () => this.#remove(), duplicate: () => this.#duplicate(), mirror: () => this.#mirror(),
+    });
+    page.mechanism.lay((context, view, theme) => {
+      if (this.#on) paint(context, view, theme, { page, work: this.#work, selection: this.#selection, hand: this.#hand });
+    });
+    addEventListener("keydown", (event) => this.#key(event), true);
+    for (const kind of /** @type {const} */ (["copy", "cut", "paste"])) addEventListener(kind, (event) => this.#clip(event, kind));
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, summary } = snapshot;
+    const on = state.view.drawing && "links" in state.document && (!summary.moves || summary.traceable);
+    if (on !== this.#on) this.#turn(on);
+    if (!on) return;
+    const document = /** @type {Document} */ (state.document);
+    // An empty sheet is drawn on with bars first.
+    const empty = document.points.length === 0;
+    if (empty && !this.#empty) this.#palette.take("bars");
+    this.#empty = empty;
+    this.#selection.keep(document);
+    const names = new Set(document.points.map(({ name }) => name));
+    if (this.#work.pressed.some(({ point }) => point !== null && !names.has(point))) this.#work.rest();
+    this.#palette.render(snapshot);
+    this.#rail.render(snapshot, document);
+  }
+
+  /** @param {boolean} on */
+  #turn(on) {
+    const { pointer, mechanism } = this.#page;
+    this.#on = on;
+    this.#palette.element.hidden = !on;
+    this.#rail.show(on);
+    this.#selection.clear();
+    this.#work.rest();
+    unsay(this.#page);
+    pointer.lend(on ? this.#hand : null);
+    mechanism.keep(on);
+    if (on) this.#palette.take("select");
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (!this.#on || event.defaultPrevented || document.querySelector("dialog[open]")) return;
+    const target = event.target instanceof HTMLElement ? event.target : document.body;
+    const typing = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+    if (event.key === "Escape" && this.#work.pressed.length > 0) this.#work.rest();
+    else if (typing) return;
+    else if (event.key === "Escape" && !this.#selection.empty) this.#selection.clear();
+    else if (event.key === "Enter" && this.#work.pressed.length > 0 && target.closest("button") === null) this.#work.rest();
+    else if (event.key === "Delete" || event.key === "Backspace") this.#remove();
+    else if (event.altKey && this.#palette.byKey(event)) return;
+    else if ((event.ctrlKey || event.metaKey) && event.code === "KeyA") this.#all();
+    else if ((event.ctrlKey || event.metaKey) && event.code === "KeyD") this.#duplicate();
+    else if (/^[\d.,]$/.test(event.key) && !event.ctrlKey && !event.metaKey && this.#rail.type()) return;
+    else if (event.key.startsWith("Arrow") && !this.#selection.empty && target.id !== "scrubber") this.#nudge(event);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#page.redraw();
+  }
+
+  #document() {
+    return /** @type {Document} */ (this.#page.store.get().document);
+  }
+
+  #remove() {
+    const { points, links } = this.#selection;
+    if (this.#selection.empty) return;
+    step(this.#page, { edit: "remove", points: [...points], links: [...links] });
+  }
+
+  #mirror() {
+    const document = this.#document();
+    const points = this.#selection.empty ? document.points.map(({ name }) => name) : this.#selection.all(document);
+    const own = points.filter((name) => document.points.some((point) => point.name === name));
+    step(this.#page, { edit: "mirror", points: own });
+  }
+
+  #all() {
+    const { points, links } = this.#document();
+    this.#selection.set(points.map(({ name }) => name), links.map(({ name }) => name));
+  }
+
+  #duplicate() {
+    const part = this.#part();
+    if (part) this.#paste(part);
+  }
+
+  /** @returns {Document | null} what is selected, as a drawing */
+  #part() {
+    if (this.#selection.empty) return null;
+    const { points, links } = this.#selection;
+    const input = inputNow(this.#page);
+    return attempt(() => this.#page.engine.ask((simulator) => /** @type {Document} */ (simulator.part([...points], [...links], input)))).value;
+  }
+
+  /** @param {Document} drawing */
+  #paste(drawing) {
+    const beside = BESIDE * this.#hand.step;
+    const made = step(this.#page, { edit: "paste", drawing: /** @type {import("assur/types/file.js").LinkageDocument} */ (drawing), by: [beside, -beside] });
+    if (!made) return;
+    const { points, links } = made.document;
+    const count = drawing.points.length;
+    this.#selection.set(points.slice(points.length - count).map(({ name }) => name), links.slice(links.length - drawing.links.length).map(({ name }) => name));
+    this.#palette.take("select");
+  }
+
+  /**
+   * The arrow keys move what is selected by a step of the grid.
+   * @param {KeyboardEvent} event
+   */
+  #nudge({ key }) {
+    const by = this.#hand.step;
+    const [x, y] = { ArrowLeft: [-by, 0], ArrowRight: [by, 0], ArrowUp: [0, by], ArrowDown: [0, -by] }[key] ?? [0, 0];
+    const points = this.#selection.all(this.#document()).filter((name) => this.#document().points.some((point) => point.name === name));
+    step(this.#page, { edit: "move", points, by: [x, y] });
+  }
+
+  /**
+   * @param {ClipboardEvent} event
+   * @param {"copy" | "cut" | "paste"} kind
+   */
+  #clip(event, kind) {
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (!this.#on || target.closest("input, textarea, select, dialog") || !event.clipboardData) return;
+    if (kind === "paste") {
+      const drawing = pasted(event.clipboardData.getData("text/plain"));
+      if (!drawing) return;
+      this.#paste(drawing);
+    } else {
+      const part = this.#part();
+      if (!part) return;
+      event.clipboardData.setData("text/plain", JSON.stringify({ [FORMAT]: part }));
+      if (kind === "cut") this.#remove();
+    }
+    event.preventDefault();
+    this.#page.redraw();
+  }
+}
+
+/**
+ * @param {string} text of the clipboard
+ * @returns {Document | null} what was copied of a drawing; the engine says whether it is one
+ */
+function pasted(text) {
+  try {
+    const value = JSON.parse(text);
+    const drawing = value?.[FORMAT];
+    return Array.isArray(drawing?.points) && Array.isArray(drawing?.links) ? drawing : null;
+  } catch {
+    return null;
+  }
+}

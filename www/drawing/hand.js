@@ -1,0 +1,272 @@
+// The hand that draws: where it presses, with what is there; what it drags.
+import { attempt } from "assur/core/problem.js";
+import { edit } from "assur/drawing/edit.js";
+import { inputNow } from "assur/state/change.js";
+import { side } from "assur/stage/paper.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/stage/pointer.js").Place} Place
+ * @typedef {import("assur/drawing/tools.js").Target} Target
+ * @typedef {readonly [number, number]} Point in the model
+ * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
+ */
+
+/** So near a joint or a link it is meant, in pixels: by a mouse, by a finger. */
+const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
+
+/** A square of the paper has so many steps of the grid, by the first digit of its side. */
+const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
+
+export class Hand {
+  #page;
+  #work;
+  #selection;
+  #changed;
+  /** @type {[Point, Point] | null} the frame that is drawn around what is selected */
+  frame = null;
+  /** @type {Point | null} where the pointer is over the paper */
+  over = null;
+
+  /**
+   * @param {Page} page
+   * @param {import("assur/drawing/tools.js").Work} work
+   * @param {import("assur/drawing/selection.js").Selection} selection
+   * @param {() => void} changed called where only what is painted over the drawing is other
+   */
+  constructor(page, work, selection, changed) {
+    this.#page = page;
+    this.#work = work;
+    this.#selection = selection;
+    this.#changed = changed;
+  }
+
+  /**
+   * @param {Place} at
+   * @param {PointerEvent} event
+   */
+  hover(at, event) {
+    const target = this.#target(at, event);
+    this.over = target.at;
+    this.#page.mechanism.ring(target.point ?? "");
+    this.#changed();
+  }
+
+  leave() {
+    this.over = null;
+    this.#page.mechanism.ring("");
+    this.#changed();
+  }
+
+  /**
+   * A press that went nowhere.
+   * @param {Place} at
+   * @param {PointerEvent} event
+   */
+  press(at, event) {
+    const target = this.#target(at, event);
+    if (this.#work.tool === "select") this.#selection.choose(target.point, target.link, event.shiftKey);
+    else this.#work.press(target);
+    this.over = target.at;
+    this.#page.redraw();
+  }
+
+  /**
+   * What begins to be dragged; null where it is the paper.
+   * @param {Place} at
+   * @param {PointerEvent} event
+   * @returns {Drag | null}
+   */
+  grab(at, event) {
+    const touch = event.pointerType === "touch";
+    if (this.#work.tool !== "select") return null;
+    const { point, link } = this.#target(at, event);
+    if (point && this.#selection.points.has(point) && this.#selection.points.size > 1) return this.#carry(this.#selection.all(this.#document()), at);
+    if (point) return this.#move(point, at, touch);
+    if (link) {
+      const own = this.#selection.links.has(link) ? this.#selection.all(this.#document()) : this.#document().links.find(({ name }) => name === link)?.points ?? [];
+      return this.#carry(own, at);
+    }
+    // A finger on paper moves the paper.
+    return touch ? null : this.#surround(at, event.shiftKey);
+  }
+
+  /**
+   * One point is dragged; left upon another one it is joined with it.
+   * @param {string} point
+   * @param {Place} from
+   * @param {boolean} touch
+   * @returns {Drag}
+   */
+  #move(point, from, touch) {
+    const joint = this.#page.mechanism.joints().find(({ name }) => name === point);
+    if (!joint) return { to() {}, end() {} };
+    const [left, top] = this.#view.toScreen(joint.x, joint.y);
+    const off = { x: left - from.x, y: top - from.y };
+    let onto = "";
+    return {
+      to: (at, free) => {
+        const place = { x: at.x + off.x, y: at.y + off.y };
+        const near = this.#joint(place, touch, point);
+        onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
+        const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
+        this.#page.mechanism.ring(onto || point);
+        edit(this.#page, { edit: "place", point, at: [x, y] });
+      },
+      end: () => {
+        // The same step: what was dragged there is joined there.
+        if (onto && edit(this.#page, { edit: "join", points: [point, onto] })) this.#selection.set([onto], []);
+      },
+    };
+  }
+
+  /**
+   * Points are dragged together.
+   * @param {readonly string[]} points
+   * @param {Place} from
+   * @returns {Drag}
+   */
+  #carry(points, from) {
+    let last = this.#snapped(from, false);
+    return {
+      to: (at, free) => {
+        const [x, y] = this.#snapped(at, free);
+        const by = /** @type {[number, number]} */ ([x - last[0], y - last[1]]);
+        if (by[0] === 0 && by[1] === 0) return;
+        if (edit(this.#page, { edit: "move", points: [...points], by })) last = [x, y];
+      },
+      end() {},
+    };
+  }
+
+  /**
+   * A frame is drawn around what is to be selected.
+   * @param {Place} from
+   * @param {boolean} more
+   * @returns {Drag}
+   */
+  #surround(from, more) {
+    const corner = this.#view.toModel(from.x, from.y);
+    const [points, links] = more ? [this.#selection.points, this.#selection.links] : [[], []];
+    return {
+      to: (at) => {
+        const other = this.#view.toModel(at.x, at.y);
+        this.frame = [corner, other];
+        const inside = this.#page.mechanism.joints().filter(({ x, y }) => between(x, corner[0], other[0]) && between(y, corner[1], other[1]));
+        const names = new Set(inside.map(({ name }) => name));
+        const whole = this.#document().links.filter((link) => link.points.every((point) => names.has(point)));
+        this.#selection.set([...points, ...names], [...links, ...whole.map(({ name }) => name)]);
+        this.#page.redraw();
+      },
+      end: () => {
+        this.frame = null;
+        this.#page.redraw();
+      },
+    };
+  }
+
+  /** The step of the grid, in the unit of lengths. */
+  get step() {
+    return grid(this.#view.scale);
+  }
+
+  get #view() {
+    return this.#page.mechanism.view;
+  }
+
+  #document() {
+    return /** @type {import("assur/state/state.js").Documents["linkage"]} */ (this.#page.store.get().document);
+  }
+
+  /** @param {string} name */
+  #isPoint(name) {
+    return this.#document().points?.some((point) => point.name === name) ?? true;
+  }
+
+  /**
+   * @param {Place} at
+   * @param {PointerEvent} event
+   * @returns {Target} what is there
+   */
+  #target(at, event) {
+    const touch = event.pointerType === "touch";
+    const joint = this.#joint(at, touch);
+    if (joint) return { point: joint.name, link: this.#linkOf(joint.name), at: [joint.x, joint.y] };
+    return { point: null, link: this.#link(at, touch), at: this.#snapped(at, event.altKey) };
+  }
+
+  /**
+   * @param {Place} at
+   * @param {boolean} touch
+   * @param {string} [but] that one
+   */
+  #joint(at, touch, but = "") {
+    let [nearest, least] = [/** @type {import("assur/stage/view.js").Joint | null} */ (null), REACH.joint[Number(touch)]];
+    for (const joint of this.#page.mechanism.joints()) {
+      const [left, top] = this.#view.toScreen(joint.x, joint.y);
+      const off = Math.hypot(left - at.x, top - at.y);
+      if (joint.name !== but && off <= least) [nearest, least] = [joint, off];
+    }
+    return nearest;
+  }
+
+  /**
+   * @param {string} point
+   * @returns {string | null} the only link that has it
+   */
+  #linkOf(point) {
+    const having = this.#document().links?.filter(({ points }) => points.includes(point)) ?? [];
+    return having.length === 1 ? having[0].name : null;
+  }
+
+  /**
+   * @param {Place} at
+   * @param {boolean} touch
+   * @returns {string | null}
+   */
+  #link(at, touch) {
+    const [x, y] = this.#view.toModel(at.x, at.y);
+    const input = inputNow(this.#page);
+    const near = attempt(() => this.#page.engine.ask((simulator) => /** @type {import("assur/types/web.js").LinkHere | null} */ (simulator.linkAt(input, x, y)))).value;
+    return near && near.off * this.#view.scale <= REACH.link[Number(touch)] ? near.link : null;
+  }
+
+  /**
+   * @param {Place} at
+   * @param {boolean} free whether the grid is left
+   * @returns {[number, number]} the place in the model, on the grid
+   */
+  #snapped(at, free) {
+    const [x, y] = this.#view.toModel(at.x, at.y);
+    if (free) return [x, y];
+    return [round(x, this.step), round(y, this.step)];
+  }
+}
+
+/**
+ * @param {number} scale pixels of a unit
+ * @returns {number} the step of the grid
+ */
+function grid(scale) {
+  const square = side(scale);
+  const digit = Math.round(square / 10 ** Math.floor(Math.log10(square * 1.000001)));
+  return square / (STEPS[/** @type {1 | 2 | 5} */ (digit)] ?? 5);
+}
+
+/**
+ * @param {number} value
+ * @param {number} step
+ * @returns {number} the nearest number of the grid, written with as few digits as it has
+ */
+function round(value, step) {
+  return Number((Math.round(value / step) * step).toPrecision(12));
+}
+
+/**
+ * @param {number} value
+ * @param {number} one
+ * @param {number} other
+ */
+function between(value, one, other) {
+  return value >= Math.min(one, other) && value <= Math.max(one, other);
+}

@@ -1,0 +1,102 @@
+// The tools for drawing as buttons over it, and what the one in hand waits for.
+import { byId, make, write } from "assur/core/dom.js";
+import { DYADS, TOOLS } from "assur/drawing/tools.js";
+import { Seen } from "assur/core/seen.js";
+
+export class Palette {
+  #page;
+  #work;
+  /** @type {Map<string, HTMLButtonElement>} */
+  #buttons = new Map();
+  #prompt = make("p", { id: "draw-prompt", role: "status" });
+  #dyads = make("select", { id: "draw-dyad", class: "control", "data-t-label": "draw.dyad.kind" }, DYADS.map((value) => make("option", { value }, [value])));
+  #teeth = [0, 1].map((k) => make("input", {
+    id: `draw-teeth-${k + 1}`, class: "control number", type: "text", inputmode: "numeric", autocomplete: "off", spellcheck: "false",
+    "data-t-label": "draw.teeth", "data-n": String(k + 1),
+  }));
+  #internal = make("input", { id: "draw-internal", type: "checkbox" });
+  #wheels;
+  #shown = new Seen();
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {import("assur/drawing/tools.js").Work} work
+   */
+  constructor(page, work) {
+    this.#page = page;
+    this.#work = work;
+    const buttons = TOOLS.map(({ name, icon, key }) => {
+      const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+      svg.setAttribute("viewBox", "0 0 24 24");
+      svg.setAttribute("aria-hidden", "true");
+      const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+      path.setAttribute("d", icon);
+      svg.append(path);
+      const button = make("button", {
+        id: `draw-${name}`, class: "control", type: "button", "aria-pressed": "false", "aria-keyshortcuts": `Alt+${key}`,
+        "data-t-label": `draw.tool.${name}`, "data-t-title": `draw.tool.${name}`,
+      }, [svg]);
+      button.addEventListener("click", () => {
+        this.take(name);
+        page.redraw();
+      });
+      this.#buttons.set(name, button);
+      return button;
+    });
+    this.#dyads.addEventListener("change", () => {
+      work.dyad = this.#dyads.value;
+      work.rest();
+      page.redraw();
+    });
+    this.#teeth.forEach((input, k) => {
+      input.value = String(work.teeth[k]);
+      input.addEventListener("input", () => {
+        const teeth = Number(input.value);
+        const sound = Number.isInteger(teeth) && teeth >= 3;
+        input.setAttribute("aria-invalid", String(!sound));
+        if (sound) work.teeth[k] = teeth;
+      });
+    });
+    this.#internal.addEventListener("change", () => {
+      work.internal = this.#internal.checked;
+    });
+    this.#wheels = make("span", { class: "draw-wheels" }, [
+      ...this.#teeth, make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
+    ]);
+    this.element = make("div", { id: "draw-tools", class: "draw-tools" }, [
+      make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons),
+      make("div", { class: "draw-options" }, [this.#dyads, this.#wheels, this.#prompt]),
+    ]);
+    byId("mechanism", HTMLCanvasElement).after(this.element);
+    page.words.fill(this.element);
+  }
+
+  /** @param {string} name of the tool that is taken up */
+  take(name) {
+    this.#work.take(name);
+    this.#shown = new Seen();
+  }
+
+  /**
+   * @param {KeyboardEvent} event
+   * @returns {boolean} whether its key takes up a tool
+   */
+  byKey({ code }) {
+    const tool = TOOLS.find(({ key }) => code === `Key${key}` || code === `Digit${key}`);
+    if (tool) this.take(tool.name);
+    this.#page.redraw();
+    return tool !== undefined;
+  }
+
+  /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
+  render({ words, state }) {
+    const { tool, pressed, dyad } = this.#work;
+    if (this.#shown.same(words, tool, pressed.length, dyad, state.document)) return;
+    for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === tool));
+    this.#dyads.hidden = tool !== "dyad";
+    this.#wheels.hidden = tool !== "mesh";
+    // Of a dyad the prompt is that of its pair.
+    const letter = tool === "dyad" ? dyad[2 * pressed.length] : "";
+    write(this.#prompt, words.text(letter ? `draw.prompt.dyad_${letter}` : `draw.prompt.${tool}_${pressed.length + 1}`));
+  }
+}

@@ -1,0 +1,288 @@
+// What is told of a drawing beside it: why it does not move and what would let it, what is selected, its points in numbers.
+import { NumberBox } from "assur/controls/number-box.js";
+import { sentence } from "assur/controls/problems.js";
+import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
+import { edit, step } from "assur/drawing/edit.js";
+
+/**
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
+ * @typedef {import("assur/types/edit.js").Edit} Edit
+ * @typedef {import("assur/types/edit.js").Mend} Mend
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+export class DrawingRail {
+  #page;
+  #selection;
+  #reasons = make("div", { id: "draw-reasons", class: "draw-reasons", role: "status" });
+  #mends = make("div", { id: "draw-mends", class: "draw-mends" });
+  #chosen = make("div", { id: "draw-chosen" });
+  #points = make("div", { id: "draw-points", class: "draw-points" });
+  #element;
+  /** @type {{ name: string, label: HTMLElement, inputs: HTMLInputElement[], boxes: NumberBox[] }[]} */
+  #rows = [];
+  /** @type {(() => void)[]} write anew what stands of the link that is selected */
+  #numbers = [];
+  #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
+  /** The point that numbers are typed for. */
+  #last = "";
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {import("assur/drawing/selection.js").Selection} selection
+   * @param {Readonly<Record<"remove" | "duplicate" | "mirror", () => void>>} acts on what is selected
+   */
+  constructor(page, selection, acts) {
+    this.#page = page;
+    this.#selection = selection;
+    this.acts = acts;
+    this.#element = make("section", { id: "draw-rail", "data-field": "edit" }, [
+      make("h2", { "data-t": "draw.heading" }), this.#reasons, this.#mends, this.#chosen,
+      make("details", { id: "draw-numbers", open: "" }, [make("summary", { "data-t": "draw.points" }), this.#points]),
+    ]);
+    byId("rail", HTMLElement).prepend(this.#element);
+    page.words.fill(this.#element);
+  }
+
+  /** @param {boolean} on */
+  show(on) {
+    this.#element.hidden = !on;
+  }
+
+  /**
+   * Begins to type the place of the point that was drawn last.
+   * @returns {boolean} whether there is one
+   */
+  type() {
+    const row = this.#rows.find(({ name }) => name === this.#last) ?? this.#rows.at(-1);
+    if (!row) return false;
+    byId("draw-numbers", HTMLDetailsElement).open = true;
+    row.inputs[0].focus();
+    // What is being pressed goes into the field, which has the focus now.
+    return false;
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Document} document
+   */
+  render(snapshot, document) {
+    const { words, summary } = snapshot;
+    if (!this.#seen.told.same(words, summary)) this.#tell(snapshot);
+    const chosen = [...this.#selection.points, "/", ...this.#selection.links].join("\n");
+    if (!this.#seen.chosen.same(words, chosen, structure(document))) this.#choose(document, words);
+    this.#numbers.forEach((show) => show());
+    this.#list(document, words);
+  }
+
+  /** @param {Snapshot} snapshot */
+  #tell({ summary, words, state }) {
+    if (summary.moves) {
+      this.#reasons.replaceChildren(make("p", {}, [words.text("draw.moves")]));
+      this.#mends.replaceChildren();
+      return;
+    }
+    const told = /** @type {import("assur/types/web.js").DrawingSummary} */ (/** @type {unknown} */ (summary));
+    const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [sentence(reason, words, state.document)]));
+    if (reasons.length === 0) reasons.push(make("p", {}, [words.text("draw.sound")]));
+    this.#reasons.replaceChildren(...reasons);
+    /** @type {readonly { wanted: Edit, text: string }[]} */
+    const mends = told.reasons.length === 0
+      ? [{ wanted: { edit: "move", points: [], by: [0, 0] }, text: words.text("draw.mend.go") }]
+      : told.mends.map((mend) => ({ wanted: mending(mend), text: mendText(mend, words) }));
+    this.#mends.replaceChildren(...mends.map(({ wanted, text }) => this.#button(text, () => step(this.#page, wanted))));
+  }
+
+  /**
+   * @param {string} text
+   * @param {() => void} act
+   * @param {string} [id]
+   */
+  #button(text, act, id) {
+    const button = make("button", { class: "control", type: "button", ...(id ? { id } : {}) }, [text]);
+    button.addEventListener("click", act);
+    return button;
+  }
+
+  /**
+   * What can be done with what is selected.
+   * @param {Document} document
+   * @param {Words} words
+   */
+  #choose(document, words) {
+    const { points, links } = this.#selection;
+    this.#numbers = [];
+    const act = (/** @type {string} */ name, /** @type {Edit} */ wanted) => this.#button(words.text(`draw.act.${name}`), () => step(this.#page, wanted), `draw-act-${name}`);
+    const acts = (/** @type {"remove" | "duplicate" | "mirror"} */ name) => this.#button(words.text(`draw.act.${name}`), this.acts[name], `draw-act-${name}`);
+    /** @type {Node[]} */
+    const content = [];
+    const [point] = points;
+    const [link, other] = links;
+    if (points.size + links.size === 1) content.push(this.#name(point ?? link, words));
+    const own = point && document.points.some(({ name }) => name === point);
+    const buttons = [];
+    if (points.size === 1 && links.size === 0 && own) {
+      buttons.push(act(document.frame.includes(point) ? "unfix" : "fix", { edit: "fix", point }));
+      if (document.links.filter((one) => one.points.includes(point)).length > 1) buttons.push(act("part", { edit: "part", point }));
+    }
+    if (links.size === 1 && points.size === 0) {
+      buttons.push(act("drive", { edit: "drive", link }));
+      if (document.links.find(({ name }) => name === link)?.centre_of_mass) buttons.push(act("unmass", { edit: "mass", link, at: null }));
+      content.push(this.#measures(link, words));
+    }
+    if (links.size === 2 && points.size === 0) buttons.push(act("weld", { edit: "weld", links: [link, other] }));
+    if (points.size === 2 && links.size === 0) {
+      const [from, to] = points;
+      buttons.push(act("join", { edit: "join", points: [from, to] }));
+      buttons.push(act("bar", { edit: "bar", ends: [{ point: from }, { point: to }] }));
+    }
+    if (points.size + links.size > 0) buttons.push(acts("duplicate"), acts("mirror"), acts("remove"));
+    content.push(make("div", { class: "draw-acts" }, buttons));
+    this.#chosen.replaceChildren(...content);
+    words.fill(this.#chosen);
+  }
+
+  /**
+   * @param {string} name
+   * @param {Words} words
+   */
+  #name(name, words) {
+    const input = make("input", { id: "draw-name", class: "control", type: "text", maxlength: "40", autocomplete: "off", spellcheck: "false", "data-t-label": "draw.name" });
+    input.value = name;
+    input.addEventListener("change", () => {
+      const { points } = this.#selection;
+      const made = step(this.#page, { edit: "rename", name, to: input.value });
+      if (made) this.#selection.set(points.has(name) ? [input.value.trim()] : [], points.has(name) ? [] : [input.value.trim()]);
+      else input.value = name;
+      this.#page.redraw();
+    });
+    return make("label", { class: "draw-numbers" }, [make("span", {}, [words.text("draw.name")]), input]);
+  }
+
+  /**
+   * Length and angle of a link of two points.
+   * @param {string} link
+   * @param {Words} words
+   */
+  #measures(link, words) {
+    const ends = () => {
+      const { points, links } = /** @type {Document} */ (this.#page.store.get().document);
+      const [first, second] = links.find(({ name }) => name === link)?.points ?? [];
+      const place = (/** @type {string} */ name) => points.find((one) => one.name === name)?.at;
+      const [from, to] = [place(first), place(second)];
+      return from && to ? [to[0] - from[0], to[1] - from[1]] : null;
+    };
+    const box = (/** @type {"length" | "angle"} */ what, /** @type {(value: number) => Edit} */ wanted, /** @type {(x: number, y: number) => number} */ measured) => {
+      const input = make("input", { id: `draw-${what}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${what}` });
+      const value = () => {
+        const off = ends();
+        return off ? measured(off[0], off[1]) : 0;
+      };
+      const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
+        edit(this.#page, wanted(number));
+        return value();
+      });
+      this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
+      return [make("span", {}, [words.text(`draw.${what}`)]), input];
+    };
+    if (!ends()) return make("div");
+    return make("div", { class: "draw-numbers" }, [
+      ...box("length", (length) => ({ edit: "stretch", link, length }), (x, y) => Math.hypot(x, y)),
+      ...box("angle", (angle) => ({ edit: "turn", link, angle_deg: angle }), (x, y) => (Math.atan2(y, x) * 180) / Math.PI),
+    ]);
+  }
+
+  /**
+   * The points with their coordinates.
+   * @param {Document} document
+   * @param {Words} words
+   */
+  #list({ points }, words) {
+    const names = points.map(({ name }) => name).join("\n");
+    if (!this.#seen.points.same(words, names)) this.#build(points, words);
+    this.#rows.forEach(({ name, label, boxes }, k) => {
+      boxes.forEach((box, axis) => box.show(points[k].at[axis], written(points[k].at[axis], words), false));
+      const selected = String(this.#selection.points.has(name));
+      if (label.dataset.selected !== selected) label.dataset.selected = selected;
+    });
+  }
+
+  /**
+   * @param {Document["points"]} points
+   * @param {Words} words
+   */
+  #build(points, words) {
+    const before = new Set(this.#rows.map(({ name }) => name));
+    const focused = document.activeElement?.id ?? "";
+    this.#last = points.findLast(({ name }) => !before.has(name))?.name ?? this.#last;
+    this.#rows = points.map(({ name }) => {
+      const label = make("b", {}, [name]);
+      const inputs = ["x", "y"].map((axis) => make("input", {
+        id: `draw-${axis}-${name}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
+        "aria-label": words.text(`field.points.${axis}`, { n: name }),
+      }));
+      const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#place(name, axis, value)));
+      return { name, label, inputs, boxes };
+    });
+    this.#points.replaceChildren(...this.#rows.flatMap(({ label, inputs }) => [label, ...inputs]));
+    if (focused.startsWith("draw-")) document.getElementById(focused)?.focus();
+  }
+
+  /**
+   * @param {string} name of a point
+   * @param {number} axis
+   * @param {number} value
+   * @returns {number} what the drawing holds then
+   */
+  #place(name, axis, value) {
+    const at = () => /** @type {Document} */ (this.#page.store.get().document).points.find((point) => point.name === name)?.at ?? [0, 0];
+    const [x, y] = at();
+    edit(this.#page, { edit: "place", point: name, at: axis === 0 ? [value, y] : [x, value] });
+    return at()[axis];
+  }
+}
+
+/**
+ * @param {number} value
+ * @param {Words} words
+ */
+function written(value, { numbers }) {
+  return { brief: numbers.short(value), full: numbers.exact(value) };
+}
+
+/**
+ * @param {Document} document
+ * @returns {string} what of it the acts on what is selected depend on
+ */
+function structure({ links, frame }) {
+  return JSON.stringify([frame, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
+}
+
+/** @param {string} code of a reason */
+function tone(code) {
+  if (code === "locked") return "draw-locked";
+  return code === "loose" || code === "underdriven" ? "draw-loose" : "";
+}
+
+/**
+ * @param {Mend} mend
+ * @returns {Edit}
+ */
+function mending(mend) {
+  if ("drive" in mend) return { edit: "drive", link: mend.drive };
+  if ("release" in mend) return { edit: "drive", link: mend.release };
+  if ("remove" in mend) return { edit: "remove", points: [], links: [mend.remove] };
+  return { edit: "fix", point: mend.fix };
+}
+
+/**
+ * @param {Mend} mend
+ * @param {Words} words
+ */
+function mendText(mend, words) {
+  const [[name, of]] = Object.entries(mend);
+  return words.text(`draw.mend.${name}`, { n: name === "fix" ? of : called(of, words) });
+}

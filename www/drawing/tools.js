@@ -1,0 +1,223 @@
+// The tools for drawing: what each does with a place that is pressed. A tool remembers what was pressed before.
+import { edit, refuse } from "assur/drawing/edit.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/types/edit.js").Edit} Edit
+ * @typedef {import("assur/types/edit.js").End} End
+ * @typedef {import("assur/types/edit.js").Outer} Outer
+ * @typedef {readonly [number, number]} Place in the model
+ * @typedef {{ point: string | null, link: string | null, at: Place }} Target what is pressed: a point, else a link, else paper
+ * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: number }>} Tool `key`: its letter with Alt; `prompts`: how many
+ * things it is told in turn
+ */
+
+/** A line that is so near to level or plumb is so. */
+const LEVEL = Math.tan(Math.PI / 24);
+
+/** The pairs of the five dyads: the outer ones and the one between. */
+export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
+
+/** @type {readonly Tool[]} */
+export const TOOLS = Object.freeze([
+  { name: "select", key: "V", icon: "M6 3l12 9-6 1 3 6-2.5 1-3-6L6 18z", prompts: 1 },
+  { name: "bars", key: "B", icon: "M5 19 12 7l7 9M5 19h.01M12 7h.01M19 16h.01", prompts: 2 },
+  { name: "plate", key: "C", icon: "M5 18 11 5l8 10z", prompts: 2 },
+  { name: "slide", key: "K", icon: "M3 17h18M8 9h8v6H8zM12 12h.01", prompts: 2 },
+  { name: "fix", key: "F", icon: "M12 5 7 15h10zM4 15h16M6 15l-2 4M11 15l-2 4M16 15l-2 4", prompts: 1 },
+  { name: "drive", key: "D", icon: "M5.5 13.5a7 7 0 1 1 2.6 5.2M12 12l4-5M4 9l1.5 4.5L10 12", prompts: 1 },
+  { name: "dyad", key: "Y", icon: "M4 18 12 6l8 12M4 18h.01M12 6h.01M20 18h.01M9 19h6", prompts: 2 },
+  { name: "triad", key: "3", icon: "M9 9h6l-3 6zM9 9 4 5M15 9l5-4M12 15v5", prompts: 3 },
+  { name: "wheel", key: "W", icon: "M12 5a7 7 0 1 0 .01 0zM12 12h.01M12 2v3M12 19v3M2 12h3M19 12h3", prompts: 1 },
+  { name: "mesh", key: "M", icon: "M7 7a5 5 0 1 0 .01 0zM17.5 9.5a3 3 0 1 0 .01 0z", prompts: 2 },
+  { name: "tracer", key: "T", icon: "M3 17C5 7 11 4 15 7s3 8-2 8M12 15h.01M18 15v6M15 18h6", prompts: 1 },
+  { name: "mass", key: "S", icon: "M12 4a8 8 0 1 0 .01 0zM12 4v16M4 12h16", prompts: 1 },
+  { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: 1 },
+]);
+
+/** What a tool is given to do its work. */
+export class Work {
+  #page;
+  /** The tool in hand. */
+  tool = "select";
+  /** The dyad that is added. */
+  dyad = DYADS[0];
+  /** Of wheels that come into mesh. */
+  teeth = /** @type {[number, number]} */ ([20, 40]);
+  internal = false;
+  /** @type {Target[]} what was pressed and is not used up */
+  pressed = [];
+  /** Whether the last point of the bars is one that they have made themselves, and which the frame has not. */
+  #loose = false;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.#page = page;
+  }
+
+  /** @param {string} tool taken up; what was begun with another one is left */
+  take(tool) {
+    this.tool = tool;
+    this.rest();
+  }
+
+  /** Begins anew. */
+  rest() {
+    this.pressed = [];
+    this.#loose = false;
+  }
+
+  /** @param {Target} target that is pressed */
+  press(target) {
+    const act = ACTS[this.tool];
+    if (act) act(this, target);
+  }
+
+  /**
+   * @param {Edit} wanted
+   * @returns {import("assur/drawing/edit.js").Drawn | null}
+   */
+  do(wanted) {
+    return edit(this.#page, wanted);
+  }
+
+  /** @param {string} code of what is wrong with what was pressed */
+  refuse(code) {
+    refuse(this.#page, code);
+  }
+
+  /**
+   * Takes what was pressed until there is enough.
+   * @param {Target} target
+   * @param {number} count
+   * @returns {readonly Target[] | null}
+   */
+  gather(target, count) {
+    this.pressed.push(target);
+    if (this.pressed.length < count) return null;
+    const all = this.pressed;
+    this.pressed = [];
+    return all;
+  }
+
+  /**
+   * One bar after the other. On paper the first end is on the frame; the last one becomes so where it is pressed twice.
+   * @param {Target} target
+   */
+  bars(target) {
+    const [from] = this.pressed;
+    if (!from) {
+      this.#begin(target);
+      return;
+    }
+    if (target.point === from.point && from.point) {
+      if (this.#loose) this.do({ edit: "fix", point: from.point });
+      this.rest();
+      return;
+    }
+    const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
+    if (!made) return;
+    // Where something is, the bars are joined to it and end.
+    this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null }];
+    this.#loose = !target.point && !target.link;
+  }
+
+  /** @param {Target} target */
+  #begin(target) {
+    this.#loose = false;
+    if (target.point) {
+      this.pressed = [target];
+      return;
+    }
+    const { link, at } = target;
+    const made = this.do(link ? { edit: "corner", link, end: { at: [...at] } } : { edit: "point", at: [...at], fixed: true });
+    if (made?.point) this.pressed = [{ ...target, point: made.point, link: null }];
+  }
+}
+
+/** @type {Readonly<Record<string, (work: Work, target: Target) => void>>} */
+const ACTS = Object.freeze({
+  bars: (work, target) => work.bars(target),
+  plate: (work, target) => {
+    const [first] = work.pressed;
+    if (!first && !target.link) work.refuse("press_link");
+    else {
+      const both = work.gather(target, 2);
+      if (both?.[0].link) work.do({ edit: "corner", link: both[0].link, end: both[1].point ? { point: both[1].point } : { at: [...both[1].at] } });
+    }
+  },
+  slide: (work, target) => {
+    const both = work.gather(target, 2);
+    if (!both) return;
+    const [first, second] = both;
+    const along = second.link && !second.point ? { link: second.link } : { toward: level(first.at, second.at) };
+    if (!first.point && first.link) work.do({ edit: "slide", link: first.link, along });
+    else work.do({ edit: "block", end: end(first), along });
+  },
+  fix: (work, { point, at }) => work.do(point ? { edit: "fix", point } : { edit: "point", at: [...at], fixed: true }),
+  drive: (work, { link }) => {
+    if (link) work.do({ edit: "drive", link });
+    else work.refuse("press_link");
+  },
+  dyad: (work, target) => {
+    const both = work.gather(target, 2);
+    if (!both) return;
+    const [first, inner, last] = work.dyad;
+    const outer = /** @type {[Outer, Outer]} */ ([outerPair(first, both[0]), outerPair(last, both[1])]);
+    work.do({ edit: "dyad", outer, inner: inner === "R" ? "hinge" : "slide" });
+  },
+  triad: (work, target) => {
+    const three = work.gather(target, 3);
+    if (three) work.do({ edit: "triad", ends: /** @type {[End, End, End]} */ (three.map(end)) });
+  },
+  wheel: (work, target) => work.do({ edit: "wheel", end: end(target) }),
+  mesh: (work, target) => {
+    if (!target.link) work.refuse("press_link");
+    else {
+      const both = work.gather(target, 2);
+      if (both?.[0].link && both[1].link) work.do({ edit: "mesh", links: [both[0].link, both[1].link], teeth: [...work.teeth], internal: work.internal });
+    }
+  },
+  tracer: (work, { link, at }) => {
+    if (link) work.do({ edit: "trace", link, at: [...at] });
+    else work.refuse("press_link");
+  },
+  mass: (work, { link, at }) => {
+    if (link) work.do({ edit: "mass", link, at: [...at] });
+    else work.refuse("press_link");
+  },
+  remove: (work, { point, link }) => {
+    if (point) work.do({ edit: "remove", points: [point], links: [] });
+    else if (link) work.do({ edit: "remove", points: [], links: [link] });
+  },
+});
+
+/**
+ * @param {Target} target
+ * @returns {End}
+ */
+function end({ point, link, at }) {
+  if (point) return { point };
+  return link ? { on: [link, [...at]] } : { at: [...at] };
+}
+
+/**
+ * @param {string} letter of the pair: R or P
+ * @param {Target} target
+ * @returns {Outer}
+ */
+function outerPair(letter, target) {
+  if (letter === "R") return { hinge: end(target) };
+  return target.link ? { slide: [target.link, [...target.at]] } : { level: [...target.at] };
+}
+
+/**
+ * @param {Place} from
+ * @param {Place} to
+ * @returns {[number, number]} the same place, or one level with the first or plumb above it
+ */
+function level([x, y], [right, up]) {
+  const [dx, dy] = [right - x, up - y];
+  if (Math.abs(dy) <= LEVEL * Math.abs(dx)) return [right, y];
+  return Math.abs(dx) <= LEVEL * Math.abs(dy) ? [x, up] : [right, up];
+}

@@ -1,0 +1,22 @@
+// What is drawn and does not move yet: it is always shown with the tools for drawing.
+import { StatusLine } from "assur/controls/status.js";
+import { withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"drawing">} Snapshot
+ */
+
+/** @type {import("assur/app/views.js").Make} */
+export const views = ({ store }) => [
+  new StatusLine("drawing", [
+    {
+      name: "drawing-w", title: "status.mobility",
+      say: (/** @type {Snapshot} */ { summary: { mobility }, words: { numbers } }) => (mobility === null ? null : { text: numbers.exact(mobility), value: mobility }),
+    },
+    {
+      name: "drawing-drivers", title: "status.drivers",
+      say: (/** @type {Snapshot} */ { summary: { drivers }, words: { numbers } }) => ({ text: numbers.exact(drivers), value: drivers }),
+    },
+  ]),
+  { render: ({ state }) => state.view.drawing || store.update((now) => withView(now, { drawing: true })) },
+];
