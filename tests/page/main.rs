@@ -15,6 +15,8 @@ mod device;
 mod dice;
 mod differential_lesson;
 mod dimensions;
+mod draw;
+mod draw_more;
 mod drivers;
 mod equations;
 mod export;

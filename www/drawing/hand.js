@@ -192,7 +192,8 @@ export class Hand {
     const touch = event.pointerType === "touch";
     const joint = this.#joint(at, touch);
     if (joint) return { point: joint.name, link: this.#linkOf(joint.name), at: [joint.x, joint.y] };
-    return { point: null, link: this.#link(at, touch), at: this.#snapped(at, event.altKey) };
+    // With Alt neither the grid nor a link below holds the place.
+    return { point: null, link: event.altKey ? null : this.#link(at, touch), at: this.#snapped(at, event.altKey) };
   }
 
   /**

@@ -115,7 +115,9 @@ impl Sketch {
 
     fn place(&self, name: &str) -> Option<Point> {
         let mut points = self.draft.points.iter();
-        points.find(|point| point.name == name).map(|point| point.at)
+        points
+            .find(|point| point.name == name)
+            .map(|point| point.at)
     }
 
     /// The corners of a link, without its centre of mass.
@@ -127,14 +129,20 @@ impl Sketch {
 
     fn role(&self, name: &str) -> Role {
         let mut links = self.draft.links.iter().zip(&self.roles);
-        links.find(|(link, _)| link.name == name).map_or(Role::Secondary, |(_, role)| *role)
+        links
+            .find(|(link, _)| link.name == name)
+            .map_or(Role::Secondary, |(_, role)| *role)
     }
 
     /// Whether the frame has a point that is seen: not one that only gives a line.
     fn is_support(&self, name: &String) -> bool {
         let lines = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
         let of_line = lines.flat_map(|slide| &slide.line).any(|end| end == name);
-        let of_link = self.draft.links.iter().any(|link| link.points.contains(name));
+        let of_link = self
+            .draft
+            .links
+            .iter()
+            .any(|link| link.points.contains(name));
         self.draft.frame.contains(name) && (of_link || !of_line)
     }
 
@@ -187,8 +195,16 @@ impl Sketch {
             }
         }
         for link in &self.draft.links {
-            let slides = self.draft.slides.iter().any(|slide| slide.link == link.name);
-            let meshes = self.draft.gears.iter().any(|gear| gear.links.contains(&link.name));
+            let slides = self
+                .draft
+                .slides
+                .iter()
+                .any(|slide| slide.link == link.name);
+            let meshes = self
+                .draft
+                .gears
+                .iter()
+                .any(|gear| gear.links.contains(&link.name));
             if let ([_], false, false) = (&link.points[..], slides, meshes)
                 && let Some(at) = first(&link.name)
             {
@@ -220,13 +236,17 @@ impl Sketch {
             let along = (to - from).normalize();
             let across = Vector::new(-along.y, along.x);
             let middle = from + along * (at - from).dot(&along);
-            let half = [along * (BLOCK[0] * self.unit), across * (BLOCK[1] * self.unit)];
+            let half = [
+                along * (BLOCK[0] * self.unit),
+                across * (BLOCK[1] * self.unit),
+            ];
             let corners = parts::rectangle(middle, half);
             let role = self.role(&slide.link);
             if (at - middle).norm() > 0.1 * self.unit {
                 parts::bar(&mut self.list, role, at, middle, 0.9 * self.unit);
             }
-            self.list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
+            self.list
+                .polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
             self.list.polygons(role, Look::Pale, &[corners]);
         }
     }
@@ -234,16 +254,21 @@ impl Sketch {
     fn draw_points(&mut self) {
         let u = self.unit;
         for point in &self.draft.points {
-            let links: Vec<&DraftLink> =
-                (self.draft.links.iter()).filter(|link| link.points.contains(&point.name)).collect();
+            let links: Vec<&DraftLink> = (self.draft.links.iter())
+                .filter(|link| link.points.contains(&point.name))
+                .collect();
             let frame = self.draft.frame.contains(&point.name);
             if links.is_empty() && frame && !self.is_support(&point.name) {
                 // The end of a guide can be moved.
-                self.handles.push((point.name.clone(), Role::Secondary, point.at));
-                self.list.circle(Role::Secondary, Look::Solid, point.at, 0.5 * u);
+                self.handles
+                    .push((point.name.clone(), Role::Secondary, point.at));
+                self.list
+                    .circle(Role::Secondary, Look::Solid, point.at, 0.5 * u);
                 continue;
             }
-            let role = links.first().map_or(Role::Ink, |link| self.role(&link.name));
+            let role = links
+                .first()
+                .map_or(Role::Ink, |link| self.role(&link.name));
             let centre = |link: &&DraftLink| link.centre_of_mass.as_ref() == Some(&point.name);
             if links.iter().all(centre) && !links.is_empty() {
                 crate::overlays::mass(&mut self.list, point.at, u);
@@ -253,7 +278,9 @@ impl Sketch {
                 self.list.circle(role, Look::Hollow, point.at, 0.8 * u);
             }
             let others = links.iter().flat_map(|link| self.corners(link));
-            let away = others.map(|other| point.at - other).filter(|off| off.norm() > 0.0);
+            let away = others
+                .map(|other| point.at - other)
+                .filter(|off| off.norm() > 0.0);
             let away: Vector = away.map(|off| off.normalize()).sum();
             let off = if frame {
                 [-1.5, -0.2]
@@ -267,7 +294,9 @@ impl Sketch {
             self.handles.push((point.name.clone(), role, point.at));
         }
         for tracer in &self.draft.tracers {
-            let Some(at) = self.traced(&tracer.link, tracer.at) else { continue };
+            let Some(at) = self.traced(&tracer.link, tracer.at) else {
+                continue;
+            };
             let role = self.role(&tracer.link);
             parts::tracer(&mut self.list, role, at, u);
             self.list.name(Role::Ink, self.names.len(), at, [1.2, 0.9]);
@@ -290,7 +319,12 @@ impl Sketch {
 
 /// Of a driven link the crank's colour, else one after the other; of what is told in colour that.
 fn roles(draft: &Draft, view: &SketchView) -> Vec<Role> {
-    let driven = |name: &str| draft.drivers.iter().any(|driver| draft.driven(driver) == Some(name));
+    let driven = |name: &str| {
+        draft
+            .drivers
+            .iter()
+            .any(|driver| draft.driven(driver) == Some(name))
+    };
     let mut turn = ROLES.into_iter().cycle();
     let role = |link: &DraftLink| {
         let own = if driven(&link.name) {

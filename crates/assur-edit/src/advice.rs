@@ -8,6 +8,8 @@ use crate::{Edit, edited};
 
 /// No more edits than these are advised.
 const MOST: usize = 6;
+/// Of more edits than these no pairs are tried: that would take longer than a frame.
+const MOST_TRIED: usize = 16;
 
 /// What is said of a drawing that does not move.
 #[derive(Clone, Debug)]
@@ -86,23 +88,91 @@ impl Advice {
     }
 }
 
-/// The edits after which it moves, of those that a person would try.
+/// The edits after which it moves, of those that a person would try; where there are none, those after which one more
+/// lets it.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
+    let all = tried(document);
+    let once: Vec<Mend> = all
+        .iter()
+        .filter(|mend| moves(document, mend))
+        .take(MOST)
+        .cloned()
+        .collect();
+    if !once.is_empty() || all.len() > MOST_TRIED {
+        return once;
+    }
+    let twice = |mend: &&Mend| {
+        edited(document, &mend.edit()).is_ok_and(|after| {
+            tried(&after.document)
+                .iter()
+                .any(|next| moves(&after.document, next))
+        })
+    };
+    let adding = all
+        .iter()
+        .filter(|mend| matches!(mend, Mend::Drive(_) | Mend::Fix(_)));
+    // Points of the frame first: what is to be driven turns about one.
+    let (fixes, drives): (Vec<&Mend>, Vec<&Mend>) =
+        adding.partition(|mend| matches!(mend, Mend::Fix(_)));
+    fixes
+        .into_iter()
+        .chain(drives)
+        .filter(twice)
+        .take(MOST)
+        .cloned()
+        .collect()
+}
+
+/// Whether a drawing moves after an edit.
+fn moves(document: &LinkageDocument, mend: &Mend) -> bool {
+    let after = edited(document, &mend.edit());
+    after.is_ok_and(|after| Mechanism::new(&after.document.draft()).is_ok())
+}
+
+/// The edits that are tried.
+fn tried(document: &LinkageDocument) -> Vec<Mend> {
     let driven: Vec<&String> = (document.drivers.iter().filter_map(|one| one.crank.as_ref()))
-        .chain((document.drivers.iter()).filter_map(|one| Some(&document.slides.get(one.slide?)?.link)))
+        .chain(
+            (document.drivers.iter())
+                .filter_map(|one| Some(&document.slides.get(one.slide?)?.link)),
+        )
         .collect();
     let on_frame = |points: &[String]| points.iter().any(|point| document.frame.contains(point));
-    let slides = |link: &String| document.slides.iter().any(|one| one.link == *link && one.on == FRAME);
-    let drivable = document.links.iter().filter(|link| on_frame(&link.points) || slides(&link.name));
-    let drives = drivable.filter(|link| !driven.contains(&&link.name)).map(|link| Mend::Drive(link.name.clone()));
-    let releases = driven.iter().map(|link| Mend::Release((*link).clone()));
-    let ends = document.points.iter().filter(|point| !document.frame.contains(&point.name));
-    let fixes = ends.map(|point| Mend::Fix(point.name.clone()));
-    let removes = document.links.iter().map(|link| Mend::Remove(link.name.clone()));
-    let moves = |mend: &Mend| {
-        let after = edited(document, &mend.edit());
-        after.is_ok_and(|after| Mechanism::new(&after.document.draft()).is_ok())
+    let slides = |link: &String| {
+        document
+            .slides
+            .iter()
+            .any(|one| one.link == *link && one.on == FRAME)
     };
-    let tried = drives.chain(releases).chain(fixes).chain(removes);
-    tried.filter(moves).take(MOST).collect()
+    let drivable = document
+        .links
+        .iter()
+        .filter(|link| on_frame(&link.points) || slides(&link.name));
+    let drives = drivable
+        .filter(|link| !driven.contains(&&link.name))
+        .map(|link| Mend::Drive(link.name.clone()));
+    let releases = driven.iter().map(|link| Mend::Release((*link).clone()));
+    let links = |point: &String| {
+        document
+            .links
+            .iter()
+            .filter(|link| link.points.contains(point))
+            .count()
+    };
+    let free = document
+        .points
+        .iter()
+        .map(|point| &point.name)
+        .filter(|point| !document.frame.contains(point));
+    // The free end of a link is what a person would fix.
+    let (ends, hinges): (Vec<&String>, Vec<&String>) = free.partition(|point| links(point) == 1);
+    let fixes = ends
+        .into_iter()
+        .chain(hinges)
+        .map(|point| Mend::Fix(point.clone()));
+    let removes = document
+        .links
+        .iter()
+        .map(|link| Mend::Remove(link.name.clone()));
+    drives.chain(releases).chain(fixes).chain(removes).collect()
 }

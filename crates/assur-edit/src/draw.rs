@@ -98,7 +98,9 @@ impl Drawing {
     /// A link by its name.
     pub(crate) fn linked(&self, name: &str) -> Result<&LinkDocument, LinkageProblem> {
         let mut links = self.document.links.iter();
-        links.find(|link| link.name == name).ok_or_else(|| unknown(name))
+        links
+            .find(|link| link.name == name)
+            .ok_or_else(|| unknown(name))
     }
 
     /// Where a point is drawn.
@@ -117,7 +119,11 @@ impl Drawing {
             all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
         };
         let size = extent(0).hypot(extent(1));
-        if size.is_finite() { size.max(LEAST) } else { 1.0 }
+        if size.is_finite() {
+            size.max(LEAST)
+        } else {
+            1.0
+        }
     }
 
     /// A new point.
@@ -237,11 +243,7 @@ impl Drawing {
     }
 
     /// A line for what slides by a point: the link that has it, and two of its points.
-    fn line(
-        &mut self,
-        point: &str,
-        along: &Line,
-    ) -> Result<(String, [String; 2]), LinkageProblem> {
+    fn line(&mut self, point: &str, along: &Line) -> Result<(String, [String; 2]), LinkageProblem> {
         match along {
             Line::Toward(to) => {
                 let kept = self.point.clone();
@@ -272,18 +274,26 @@ impl Drawing {
             }
         }
         let link = link.to_owned();
-        nearest.map(|(_, side)| side).ok_or(LinkageProblem::NoLine { link })
+        nearest
+            .map(|(_, side)| side)
+            .ok_or(LinkageProblem::NoLine { link })
     }
 
     fn mesh(&mut self, links: &[String; 2], teeth: [f64; 2], internal: bool) -> Done {
         let [first, second] = links;
         let carrier = self.carrier(links)?;
-        self.document.gears.retain(|gear| !gear.links.contains(first) || !gear.links.contains(second));
+        self.document
+            .gears
+            .retain(|gear| !gear.links.contains(first) || !gear.links.contains(second));
         self.document.gears.push(GearDocument {
             links: links.clone(),
             carrier,
             teeth,
-            mesh: if internal { MeshDocument::Internal } else { MeshDocument::External },
+            mesh: if internal {
+                MeshDocument::Internal
+            } else {
+                MeshDocument::External
+            },
         });
         Ok(())
     }
@@ -292,7 +302,10 @@ impl Drawing {
     fn carrier(&self, links: &[String; 2]) -> Result<String, LinkageProblem> {
         let [first, second] = links;
         let own = [&self.linked(first)?.points, &self.linked(second)?.points];
-        let carries = |points: &[String]| own.iter().all(|own| own.iter().any(|one| points.contains(one)));
+        let carries = |points: &[String]| {
+            own.iter()
+                .all(|own| own.iter().any(|one| points.contains(one)))
+        };
         let mut others = self.document.links.iter();
         let carrier = others.find(|other| !links.contains(&other.name) && carries(&other.points));
         let frame = carries(&self.document.frame).then(|| FRAME.to_owned());
@@ -321,7 +334,10 @@ impl Drawing {
                 ..DriverDocument::default()
             }
         } else {
-            let base = if points.iter().any(|point| self.document.frame.contains(point)) {
+            let base = if points
+                .iter()
+                .any(|point| self.document.frame.contains(point))
+            {
                 None
             } else {
                 let shares = |other: &&LinkDocument| {
@@ -329,7 +345,11 @@ impl Drawing {
                 };
                 let base = self.document.links.iter().find(shares);
                 let links = || [link.to_owned(), FRAME.to_owned()];
-                Some(base.ok_or_else(|| LinkageProblem::NotHinged { links: links() })?.name.clone())
+                Some(
+                    base.ok_or_else(|| LinkageProblem::NotHinged { links: links() })?
+                        .name
+                        .clone(),
+                )
             };
             DriverDocument {
                 crank: Some(link.to_owned()),
@@ -337,7 +357,11 @@ impl Drawing {
                 ..DriverDocument::default()
             }
         };
-        let freedoms = self.document.draft().counts().map_or(1, |counts| counts.mobility);
+        let freedoms = self
+            .document
+            .draft()
+            .counts()
+            .map_or(1, |counts| counts.mobility);
         let drivers = &mut self.document.drivers;
         if !drivers.is_empty() && freedoms <= drivers.len() as isize {
             drivers.pop();
@@ -352,7 +376,11 @@ impl Drawing {
         let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];
         let length = (to - from).norm();
         let along = (to - from) / length;
-        let way = if along.x.is_finite() { (self.at(point)? - from).dot(&along) } else { 0.0 };
+        let way = if along.x.is_finite() {
+            (self.at(point)? - from).dot(&along)
+        } else {
+            0.0
+        };
         let half = 0.5 * if length > 0.0 { length } else { self.size() };
         Ok([way - half, way + half])
     }
@@ -418,7 +446,9 @@ impl Drawing {
     pub(crate) fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut places = points.iter().map(|point| self.at(point));
-        let bare = || LinkageProblem::Bare { link: link.to_owned() };
+        let bare = || LinkageProblem::Bare {
+            link: link.to_owned(),
+        };
         let first = places.next().ok_or_else(bare)??;
         let along = match places.next() {
             Some(second) => (second? - first).normalize(),

@@ -50,8 +50,15 @@ pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> D
             let base = guide.at + guide.direction * (at - guide.at).dot(&guide.direction);
             let across = Vector::new(-guide.direction.y, guide.direction.x);
             let off = (at - base).dot(&across);
-            let off = if off.abs() > 1e-6 * drawing.size() { off * BEYOND } else { OFF * drawing.size() };
-            let line = [drawing.put(base.into()), drawing.put((base + across * off).into())];
+            let off = if off.abs() > 1e-6 * drawing.size() {
+                off * BEYOND
+            } else {
+                OFF * drawing.size()
+            };
+            let line = [
+                drawing.put(base.into()),
+                drawing.put((base + across * off).into()),
+            ];
             let yoke = drawing.bar(&line)?;
             let [base, _] = line;
             let along = guide.along_from(drawing, &base)?;

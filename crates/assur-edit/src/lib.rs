@@ -44,7 +44,9 @@ pub struct Edited {
 pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Problem>> {
     let mut drawing = Drawing::new(document);
     let called = names::called_by_points(document);
-    drawing.apply(edit).map_err(|problem| vec![problem.into()])?;
+    drawing
+        .apply(edit)
+        .map_err(|problem| vec![problem.into()])?;
     let Drawing {
         mut document,
         point,
@@ -64,7 +66,11 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
     document.assembly = None;
     document.check()?;
     let far = |at: &f64| !(at.abs() <= FARTHEST);
-    if let Some(point) = document.points.iter().find(|point| point.at.iter().any(far)) {
+    if let Some(point) = document
+        .points
+        .iter()
+        .find(|point| point.at.iter().any(far))
+    {
         let name = point.name.clone();
         return Err(vec![LinkageProblem::NotFinite { name }.into()]);
     }

@@ -14,7 +14,9 @@ pub(crate) fn new_point(document: &LinkageDocument) -> String {
             _ => format!("{letter}{round}"),
         })
     };
-    let free = (0..).flat_map(letters).find(|name| !is_point(document, name));
+    let free = (0..)
+        .flat_map(letters)
+        .find(|name| !is_point(document, name));
     free.unwrap_or_default()
 }
 
@@ -35,12 +37,20 @@ pub(crate) fn is_link(document: &LinkageDocument, name: &str) -> bool {
 }
 
 /// A free name for a link: that of its points, as textbooks have it, or the wish where it is said.
-pub(crate) fn new_link(document: &LinkageDocument, points: &[String], wish: Option<&str>) -> String {
+pub(crate) fn new_link(
+    document: &LinkageDocument,
+    points: &[String],
+    wish: Option<&str>,
+) -> String {
     let name = wish.map_or_else(|| of_points(points), str::to_owned);
     if !is_link(document, &name) {
         return name;
     }
-    numbered(2, |name| !is_link(document, name), |k| format!("{name} {k}"))
+    numbered(
+        2,
+        |name| !is_link(document, name),
+        |k| format!("{name} {k}"),
+    )
 }
 
 /// A name as it is given, or with a number where that is taken.
@@ -60,11 +70,7 @@ fn of_points(points: &[String]) -> String {
     }
 }
 
-fn numbered(
-    first: usize,
-    free: impl Fn(&str) -> bool,
-    name: impl Fn(usize) -> String,
-) -> String {
+fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> String) -> String {
     let mut names = (first..).map(name);
     names.find(|name| free(name)).unwrap_or_default()
 }
@@ -113,7 +119,10 @@ pub(crate) fn rename_link(document: &mut LinkageDocument, from: &str, to: &str) 
         driver.crank.iter_mut().for_each(put);
         driver.base.iter_mut().for_each(put);
     }
-    document.tracers.iter_mut().for_each(|tracer| put(&mut tracer.link));
+    document
+        .tracers
+        .iter_mut()
+        .for_each(|tracer| put(&mut tracer.link));
     rename_plots(document, from, to, &["angle"]);
 }
 
@@ -124,8 +133,14 @@ pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str)
             to.clone_into(name);
         }
     };
-    document.points.iter_mut().for_each(|point| put(&mut point.name));
-    document.tracers.iter_mut().for_each(|tracer| put(&mut tracer.name));
+    document
+        .points
+        .iter_mut()
+        .for_each(|point| put(&mut point.name));
+    document
+        .tracers
+        .iter_mut()
+        .for_each(|tracer| put(&mut tracer.name));
     document.frame.iter_mut().for_each(put);
     for link in &mut document.links {
         link.points.iter_mut().for_each(put);
@@ -163,7 +178,9 @@ pub(crate) fn rename(
     if name == to {
         return Ok(());
     }
-    let taken = || LinkageProblem::Twice { name: to.to_owned() };
+    let taken = || LinkageProblem::Twice {
+        name: to.to_owned(),
+    };
     if is_point(document, name) {
         if is_point(document, to) {
             return Err(taken());

@@ -14,8 +14,12 @@ impl Drawing {
     /// Points and links go. A link of two points goes with one of them, a block with its hinge; points
     /// go with the last link that had them.
     pub(crate) fn remove(&mut self, points: &[String], links: &[String]) -> Done {
-        let mut unknown_names = points.iter().filter(|name| !names::is_point(&self.document, name));
-        let mut unknown_links = links.iter().filter(|name| *name == FRAME || !names::is_link(&self.document, name));
+        let mut unknown_names = points
+            .iter()
+            .filter(|name| !names::is_point(&self.document, name));
+        let mut unknown_links = links
+            .iter()
+            .filter(|name| *name == FRAME || !names::is_link(&self.document, name));
         if let Some(name) = unknown_names.next().or(unknown_links.next()) {
             return Err(unknown(name));
         }
@@ -41,23 +45,45 @@ impl Drawing {
             if link.fixed_to.as_ref().is_some_and(|to| gone.contains(to)) {
                 link.fixed_to = None;
             }
-            if link.centre_of_mass.as_ref().is_some_and(|centre| !link.points.contains(centre)) {
+            if link
+                .centre_of_mass
+                .as_ref()
+                .is_some_and(|centre| !link.points.contains(centre))
+            {
                 link.centre_of_mass = None;
             }
         }
-        document.tracers.retain(|tracer| !gone.contains(&tracer.link) && !points.contains(&tracer.name));
+        document
+            .tracers
+            .retain(|tracer| !gone.contains(&tracer.link) && !points.contains(&tracer.name));
         document.gears.retain(|gear| {
-            !gear.links.iter().chain([&gear.carrier]).any(|link| gone.contains(link))
+            !gear
+                .links
+                .iter()
+                .chain([&gear.carrier])
+                .any(|link| gone.contains(link))
         });
         document.drivers.retain(|driver| {
-            !driver.crank.iter().chain(&driver.base).any(|link| gone.contains(link))
+            !driver
+                .crank
+                .iter()
+                .chain(&driver.base)
+                .any(|link| gone.contains(link))
         });
-        self.drop_slides(|slide| {
-            let links = [&slide.link, &slide.on];
-            let used = slide.line.iter().chain([&slide.point]);
-            links.into_iter().any(|link| gone.contains(link)) || used.into_iter().any(|point| points.contains(point))
-        }, &mut bared);
-        let lost: BTreeSet<String> = points.iter().cloned().chain(bared.into_iter().filter(|point| self.is_bare(point))).collect();
+        self.drop_slides(
+            |slide| {
+                let links = [&slide.link, &slide.on];
+                let used = slide.line.iter().chain([&slide.point]);
+                links.into_iter().any(|link| gone.contains(link))
+                    || used.into_iter().any(|point| points.contains(point))
+            },
+            &mut bared,
+        );
+        let lost: BTreeSet<String> = points
+            .iter()
+            .cloned()
+            .chain(bared.into_iter().filter(|point| self.is_bare(point)))
+            .collect();
         let document = &mut self.document;
         document.points.retain(|point| !lost.contains(&point.name));
         document.frame.retain(|point| !lost.contains(point));
@@ -75,7 +101,9 @@ impl Drawing {
             }
         }
         document.drivers.retain_mut(|driver| {
-            let Some(slide) = driver.slide else { return true };
+            let Some(slide) = driver.slide else {
+                return true;
+            };
             driver.slide = Some(kept.iter().take(slide).filter(|kept| **kept).count());
             kept.get(slide) == Some(&true)
         });
@@ -88,7 +116,10 @@ impl Drawing {
         let document = &self.document;
         let has = |points: &[String]| points.iter().any(|one| one == point);
         !document.links.iter().any(|link| has(&link.points))
-            && !document.slides.iter().any(|slide| has(&slide.line) || slide.point == point)
+            && !document
+                .slides
+                .iter()
+                .any(|slide| has(&slide.line) || slide.point == point)
     }
 
     /// Nothing is plotted or traced of what is not there.
@@ -138,7 +169,9 @@ impl Drawing {
         names::rename_point(document, from, to);
         names::call_by_points(document, &called);
         let mut seen = BTreeSet::new();
-        self.document.traces.retain(|name| seen.insert(name.clone()));
+        self.document
+            .traces
+            .retain(|name| seen.insert(name.clone()));
         let mut seen = BTreeSet::new();
         self.document.plots.retain(|name| seen.insert(name.clone()));
         self.point = Some(to.clone());
@@ -149,7 +182,11 @@ impl Drawing {
     pub(crate) fn part(&mut self, point: &str) -> Done {
         let at = self.at(point)?;
         let on_frame = self.document.frame.iter().any(|one| one == point);
-        let has = self.document.links.iter().filter(|link| link.points.iter().any(|one| one == point));
+        let has = self
+            .document
+            .links
+            .iter()
+            .filter(|link| link.points.iter().any(|one| one == point));
         let links: Vec<String> = has.map(|link| link.name.clone()).collect();
         for link in links.into_iter().skip(usize::from(!on_frame)) {
             let own = self.put(at.into());

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use assur::{Point, Vector};
 use assur::mechanism::FRAME;
+use assur::{Point, Vector};
 use assur_file::{LinkDocument, LinkageProblem};
 
 use crate::draw::Drawing;
@@ -53,7 +53,10 @@ impl Drawing {
         let along = along.ok_or(LinkageProblem::OnePlace { points })?;
         if !(length > 0.0 && length.is_finite()) {
             let path = format!("{link}.length");
-            return Err(LinkageProblem::BadLength { path, value: length });
+            return Err(LinkageProblem::BadLength {
+                path,
+                value: length,
+            });
         }
         self.place(&second, (from + along * length).into())
     }
@@ -66,7 +69,10 @@ impl Drawing {
         let wanted = angle_deg.to_radians();
         let turned = |angle: f64, off: Vector| {
             let (sin, cos) = angle.sin_cos();
-            [from.x + cos * off.x - sin * off.y, from.y + sin * off.x + cos * off.y]
+            [
+                from.x + cos * off.x - sin * off.y,
+                from.y + sin * off.x + cos * off.y,
+            ]
         };
         for point in self.linked(link)?.points.clone() {
             if point == first {
@@ -119,7 +125,11 @@ impl Drawing {
             places.for_each(|[_, y]| *y = -*y);
         }
         for tracer in &mut document.tracers {
-            if document.links.iter().any(|link| link.name == tracer.link && whole(link)) {
+            if document
+                .links
+                .iter()
+                .any(|link| link.name == tracer.link && whole(link))
+            {
                 tracer.at[1] = -tracer.at[1];
             }
         }
@@ -131,7 +141,13 @@ impl Drawing {
         let mut all: BTreeSet<String> = points.iter().cloned().collect();
         let slides = &self.document.slides;
         for slide in slides {
-            let own = |end: &String| slides.iter().filter(|other| other.line.contains(end)).count() == 1;
+            let own = |end: &String| {
+                slides
+                    .iter()
+                    .filter(|other| other.line.contains(end))
+                    .count()
+                    == 1
+            };
             if slide.on == FRAME && points.contains(&slide.point) && slide.line.iter().all(own) {
                 let ends = slide.line.iter().filter(|end| !self.is_hinge(end));
                 all.extend(ends.cloned());
@@ -149,6 +165,10 @@ impl Drawing {
 
 /// Whether some of a link's points move, and others do not.
 fn partly(link: &LinkDocument, points: &BTreeSet<String>) -> bool {
-    let moved = link.points.iter().filter(|point| points.contains(*point)).count();
+    let moved = link
+        .points
+        .iter()
+        .filter(|point| points.contains(*point))
+        .count();
     moved > 0 && moved < link.points.len()
 }

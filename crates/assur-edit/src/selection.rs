@@ -10,12 +10,23 @@ use crate::names;
 
 /// The part of a drawing with these links, their points, and what joins them: for [`crate::Edit::Paste`].
 /// Points alone are taken along.
-pub fn selected(document: &LinkageDocument, points: &[String], links: &[String]) -> LinkageDocument {
+pub fn selected(
+    document: &LinkageDocument,
+    points: &[String],
+    links: &[String],
+) -> LinkageDocument {
     let link = |name: &String| links.contains(name);
-    let kept: Vec<_> = document.links.iter().filter(|one| link(&one.name)).cloned().collect();
+    let kept: Vec<_> = document
+        .links
+        .iter()
+        .filter(|one| link(&one.name))
+        .cloned()
+        .collect();
     let on_frame = |name: &String| name == FRAME || link(name);
     let slides = document.slides.iter().enumerate();
-    let slides: Vec<_> = slides.filter(|(_, slide)| link(&slide.link) && on_frame(&slide.on)).collect();
+    let slides: Vec<_> = slides
+        .filter(|(_, slide)| link(&slide.link) && on_frame(&slide.on))
+        .collect();
     let lines = slides.iter().flat_map(|(_, slide)| &slide.line);
     let of_links = kept.iter().flat_map(|one| &one.points);
     let names: Vec<&String> = of_links.chain(lines).chain(points).collect();
@@ -25,15 +36,40 @@ pub fn selected(document: &LinkageDocument, points: &[String], links: &[String])
             driver.slide = Some(slides.iter().position(|(index, _)| *index == slide)?);
             return Some(driver);
         }
-        driver.crank.iter().chain(&driver.base).all(link).then_some(driver)
+        driver
+            .crank
+            .iter()
+            .chain(&driver.base)
+            .all(link)
+            .then_some(driver)
     });
     LinkageDocument {
         unit: document.unit,
-        points: document.points.iter().filter(|one| names.contains(&&one.name)).cloned().collect(),
-        frame: document.frame.iter().filter(|one| names.contains(one)).cloned().collect(),
+        points: document
+            .points
+            .iter()
+            .filter(|one| names.contains(&&one.name))
+            .cloned()
+            .collect(),
+        frame: document
+            .frame
+            .iter()
+            .filter(|one| names.contains(one))
+            .cloned()
+            .collect(),
         drivers: drivers.collect(),
-        gears: document.gears.iter().filter(|gear| gear.links.iter().all(link) && on_frame(&gear.carrier)).cloned().collect(),
-        tracers: document.tracers.iter().filter(|tracer| link(&tracer.link)).cloned().collect(),
+        gears: document
+            .gears
+            .iter()
+            .filter(|gear| gear.links.iter().all(link) && on_frame(&gear.carrier))
+            .cloned()
+            .collect(),
+        tracers: document
+            .tracers
+            .iter()
+            .filter(|tracer| link(&tracer.link))
+            .cloned()
+            .collect(),
         slides: slides.into_iter().map(|(_, slide)| slide.clone()).collect(),
         links: kept
             .into_iter()

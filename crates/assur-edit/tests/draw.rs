@@ -21,7 +21,9 @@ fn text(name: &str) -> String {
 fn done(document: &LinkageDocument, edits: &[Edit]) -> LinkageDocument {
     edits.iter().fold(document.clone(), |document, edit| {
         let after = edited(&document, edit);
-        after.unwrap_or_else(|problems| panic!("{edit:?}: {problems:?}")).document
+        after
+            .unwrap_or_else(|problems| panic!("{edit:?}: {problems:?}"))
+            .document
     })
 }
 
@@ -30,10 +32,19 @@ fn four_bar() -> LinkageDocument {
     done(
         &LinkageDocument::default(),
         &[
-            Edit::Point { at: [0.0, 0.0], fixed: true },
-            Edit::Bar { ends: [point("A"), at(0.0, 1.0)] },
-            Edit::Bar { ends: [point("B"), at(3.0, 2.5)] },
-            Edit::Bar { ends: [point("C"), at(4.0, 0.0)] },
+            Edit::Point {
+                at: [0.0, 0.0],
+                fixed: true,
+            },
+            Edit::Bar {
+                ends: [point("A"), at(0.0, 1.0)],
+            },
+            Edit::Bar {
+                ends: [point("B"), at(3.0, 2.5)],
+            },
+            Edit::Bar {
+                ends: [point("C"), at(4.0, 0.0)],
+            },
             Edit::Fix { point: text("D") },
         ],
     )
@@ -59,7 +70,10 @@ fn a_four_bar_moves_as_soon_as_it_is_driven() {
     let drawn = four_bar();
     let advice = Advice::of(&drawn).unwrap().unwrap();
     assert_eq!(advice.mobility, Some(1));
-    assert_eq!(advice.mends[..2], [Mend::Drive(text("AB")), Mend::Drive(text("CD"))]);
+    assert_eq!(
+        advice.mends[..2],
+        [Mend::Drive(text("AB")), Mend::Drive(text("CD"))]
+    );
     let driven = done(&drawn, &[advice.mends[0].edit()]);
     assert!(Advice::of(&driven).unwrap().is_none());
     assert_eq!(formula(&driven), "I(frame,AB) → II₂(BC,CD)");
@@ -72,15 +86,56 @@ fn a_four_bar_moves_as_soon_as_it_is_driven() {
 }
 
 #[test]
+fn what_needs_two_edits_is_told_the_first() {
+    let free = done(&four_bar(), &[Edit::Fix { point: text("D") }]);
+    let advice = Advice::of(&free).unwrap().unwrap();
+    assert_eq!(advice.mobility, Some(3));
+    let mend = Mend::Fix(text("D"));
+    assert_eq!(advice.mends[0], mend);
+    let next = Advice::of(&done(&free, &[mend.edit()])).unwrap().unwrap();
+    assert_eq!(next.mends[0], Mend::Drive(text("AB")));
+}
+
+#[test]
 fn links_are_called_by_their_points() {
-    let plate = done(&four_bar(), &[Edit::Corner { link: text("BC"), end: at(2.0, 3.0) }]);
+    let plate = done(
+        &four_bar(),
+        &[Edit::Corner {
+            link: text("BC"),
+            end: at(2.0, 3.0),
+        }],
+    );
     assert_eq!(plate.links[1].name, "BCE");
-    let called = done(&plate, &[Edit::Rename { name: text("E"), to: text("M") }]);
+    let called = done(
+        &plate,
+        &[Edit::Rename {
+            name: text("E"),
+            to: text("M"),
+        }],
+    );
     assert_eq!(called.links[1].name, "BCM");
-    let own = done(&called, &[Edit::Rename { name: text("BCM"), to: text("coupler") }]);
-    let renamed = done(&own, &[Edit::Rename { name: text("M"), to: text("K") }]);
+    let own = done(
+        &called,
+        &[Edit::Rename {
+            name: text("BCM"),
+            to: text("coupler"),
+        }],
+    );
+    let renamed = done(
+        &own,
+        &[Edit::Rename {
+            name: text("M"),
+            to: text("K"),
+        }],
+    );
     assert_eq!(renamed.links[1].name, "coupler");
-    let taken = refused(&renamed, &Edit::Rename { name: text("K"), to: text("A") });
+    let taken = refused(
+        &renamed,
+        &Edit::Rename {
+            name: text("K"),
+            to: text("A"),
+        },
+    );
     assert_eq!(taken, LinkageProblem::Twice { name: text("A") });
 }
 
@@ -89,9 +144,17 @@ fn all_five_dyads_make_groups() {
     let crank = done(
         &LinkageDocument::default(),
         &[
-            Edit::Point { at: [0.0, 0.0], fixed: true },
-            Edit::Bar { ends: [point("A"), at(0.4, 1.0)] },
-            Edit::Point { at: [4.0, 0.5], fixed: true },
+            Edit::Point {
+                at: [0.0, 0.0],
+                fixed: true,
+            },
+            Edit::Bar {
+                ends: [point("A"), at(0.4, 1.0)],
+            },
+            Edit::Point {
+                at: [4.0, 0.5],
+                fixed: true,
+            },
             Edit::Drive { link: text("AB") },
         ],
     );
@@ -101,20 +164,36 @@ fn all_five_dyads_make_groups() {
         ([hinge("B"), hinge("C")], Inner::Hinge),
         ([hinge("B"), level(4.0, -0.3)], Inner::Hinge),
         ([hinge("B"), hinge("C")], Inner::Slide),
-        ([Outer::Slide(text("AB"), [0.2, 0.5]), level(4.0, 0.7)], Inner::Hinge),
+        (
+            [Outer::Slide(text("AB"), [0.2, 0.5]), level(4.0, 0.7)],
+            Inner::Hinge,
+        ),
         ([level(0.0, 3.0), hinge("B")], Inner::Slide),
     ];
     for (outer, inner) in all {
-        let drawn = done(&crank, &[Edit::Dyad { outer: outer.clone(), inner }]);
+        let drawn = done(
+            &crank,
+            &[Edit::Dyad {
+                outer: outer.clone(),
+                inner,
+            }],
+        );
         let formula = formula(&drawn);
-        let [from, to] = drawn.links[1..].iter().map(|link| link.name.as_str()).collect::<Vec<_>>()[..] else {
+        let [from, to] = drawn.links[1..]
+            .iter()
+            .map(|link| link.name.as_str())
+            .collect::<Vec<_>>()[..]
+        else {
             panic!("{formula}")
         };
         let either = [[from, to], [to, from]].map(|[a, b]| format!("I(frame,AB) → II₂({a},{b})"));
         assert!(either.contains(&formula), "{outer:?} {inner:?}: {formula}");
     }
     let three = [level(0.0, 1.0), Outer::Slide(text("AB"), [0.0, 0.5])];
-    let none = Edit::Dyad { outer: three, inner: Inner::Slide };
+    let none = Edit::Dyad {
+        outer: three,
+        inner: Inner::Slide,
+    };
     assert_eq!(refused(&crank, &none), LinkageProblem::NoSuchDyad);
 }
 
@@ -123,12 +202,25 @@ fn a_triad_is_of_class_three() {
     let base = done(
         &LinkageDocument::default(),
         &[
-            Edit::Point { at: [0.0, 0.0], fixed: true },
-            Edit::Bar { ends: [point("A"), at(0.4, 1.0)] },
-            Edit::Point { at: [4.0, 0.5], fixed: true },
-            Edit::Point { at: [3.0, 4.0], fixed: true },
+            Edit::Point {
+                at: [0.0, 0.0],
+                fixed: true,
+            },
+            Edit::Bar {
+                ends: [point("A"), at(0.4, 1.0)],
+            },
+            Edit::Point {
+                at: [4.0, 0.5],
+                fixed: true,
+            },
+            Edit::Point {
+                at: [3.0, 4.0],
+                fixed: true,
+            },
             Edit::Drive { link: text("AB") },
-            Edit::Triad { ends: [point("B"), point("C"), point("D")] },
+            Edit::Triad {
+                ends: [point("B"), point("C"), point("D")],
+            },
         ],
     );
     assert_eq!(formula(&base), "I(frame,AB) → III₃(BE,CF,DG,EFG)");
@@ -137,17 +229,54 @@ fn a_triad_is_of_class_three() {
 #[test]
 fn what_cannot_be_is_refused_by_name() {
     let drawn = four_bar();
-    let one_place = refused(&drawn, &Edit::Bar { ends: [point("A"), at(0.0, 0.0)] });
-    assert_eq!(one_place, LinkageProblem::OnePlace { points: [text("A"), text("E")] });
-    let same = refused(&drawn, &Edit::Bar { ends: [point("A"), point("A")] });
-    assert_eq!(same, LinkageProblem::OnePlace { points: [text("A"), text("A")] });
-    let joined = refused(&drawn, &Edit::Join { points: [text("B"), text("C")] });
+    let one_place = refused(
+        &drawn,
+        &Edit::Bar {
+            ends: [point("A"), at(0.0, 0.0)],
+        },
+    );
+    assert_eq!(
+        one_place,
+        LinkageProblem::OnePlace {
+            points: [text("A"), text("E")]
+        }
+    );
+    let same = refused(
+        &drawn,
+        &Edit::Bar {
+            ends: [point("A"), point("A")],
+        },
+    );
+    assert_eq!(
+        same,
+        LinkageProblem::OnePlace {
+            points: [text("A"), text("A")]
+        }
+    );
+    let joined = refused(
+        &drawn,
+        &Edit::Join {
+            points: [text("B"), text("C")],
+        },
+    );
     let points = [text("B"), text("C")];
-    assert_eq!(joined, LinkageProblem::OneLink { link: text("BC"), points });
+    assert_eq!(
+        joined,
+        LinkageProblem::OneLink {
+            link: text("BC"),
+            points
+        }
+    );
     let unknown = refused(&drawn, &Edit::Fix { point: text("Z") });
     assert_eq!(unknown, LinkageProblem::UnknownName { name: text("Z") });
     for no in [f64::NAN, f64::INFINITY, -1e10] {
-        let far = refused(&drawn, &Edit::Place { point: text("B"), at: [no, 0.0] });
+        let far = refused(
+            &drawn,
+            &Edit::Place {
+                point: text("B"),
+                at: [no, 0.0],
+            },
+        );
         assert_eq!(far, LinkageProblem::NotFinite { name: text("B") });
     }
 }
@@ -156,11 +285,28 @@ fn what_cannot_be_is_refused_by_name() {
 fn a_hinge_cannot_be_joined_with_the_line_it_slides_along() {
     let drawn = done(
         &four_bar(),
-        &[Edit::Block { end: at(1.0, -1.0), along: Line::Toward([3.0, -1.0]) }],
+        &[Edit::Block {
+            end: at(1.0, -1.0),
+            along: Line::Toward([3.0, -1.0]),
+        }],
     );
-    let [hinge, end] = [drawn.slides[0].point.clone(), drawn.slides[0].line[1].clone()];
-    let joined = refused(&drawn, &Edit::Join { points: [hinge.clone(), end] });
-    assert_eq!(joined, LinkageProblem::OnItsLine { link: text("block"), point: hinge });
+    let [hinge, end] = [
+        drawn.slides[0].point.clone(),
+        drawn.slides[0].line[1].clone(),
+    ];
+    let joined = refused(
+        &drawn,
+        &Edit::Join {
+            points: [hinge.clone(), end],
+        },
+    );
+    assert_eq!(
+        joined,
+        LinkageProblem::OnItsLine {
+            link: text("block"),
+            point: hinge
+        }
+    );
 }
 
 #[test]
@@ -168,19 +314,47 @@ fn what_goes_takes_along_what_cannot_be_without_it() {
     let shaper = done(
         &four_bar(),
         &[
-            Edit::Block { end: point("C"), along: Line::Toward([8.0, 2.5]) },
-            Edit::Drive { link: text("block") },
-            Edit::Trace { link: text("BC"), at: [1.0, 3.0] },
+            Edit::Block {
+                end: point("C"),
+                along: Line::Toward([8.0, 2.5]),
+            },
+            Edit::Drive {
+                link: text("block"),
+            },
+            Edit::Trace {
+                link: text("BC"),
+                at: [1.0, 3.0],
+            },
         ],
     );
     assert_eq!(shaper.drivers[0].slide, Some(0));
-    let without = done(&shaper, &[Edit::Remove { points: vec![text("C")], links: vec![] }]);
-    let left: Vec<&str> = without.links.iter().map(|link| link.name.as_str()).collect();
+    let without = done(
+        &shaper,
+        &[Edit::Remove {
+            points: vec![text("C")],
+            links: vec![],
+        }],
+    );
+    let left: Vec<&str> = without
+        .links
+        .iter()
+        .map(|link| link.name.as_str())
+        .collect();
     assert_eq!(left, ["AB"]);
     assert!(without.slides.is_empty() && without.drivers.is_empty() && without.tracers.is_empty());
-    let points: Vec<&str> = without.points.iter().map(|point| point.name.as_str()).collect();
+    let points: Vec<&str> = without
+        .points
+        .iter()
+        .map(|point| point.name.as_str())
+        .collect();
     assert_eq!(points, ["A", "B"], "the ends of the guide go with it");
-    let nothing = done(&without, &[Edit::Remove { points: vec![], links: vec![text("AB")] }]);
+    let nothing = done(
+        &without,
+        &[Edit::Remove {
+            points: vec![],
+            links: vec![text("AB")],
+        }],
+    );
     assert_eq!(nothing, LinkageDocument::default());
 }
 
@@ -192,7 +366,12 @@ fn hinges_part_and_join_again() {
     let advice = Advice::of(&parted).unwrap().unwrap();
     assert_eq!(advice.mobility, Some(3));
     assert_eq!(advice.loose, ["BC", "ED"]);
-    let joined = done(&parted, &[Edit::Join { points: [text("E"), text("C")] }]);
+    let joined = done(
+        &parted,
+        &[Edit::Join {
+            points: [text("E"), text("C")],
+        }],
+    );
     assert_eq!(formula(&joined), formula(&driven));
 }
 
@@ -202,7 +381,13 @@ fn what_is_pasted_moves_alike() {
     let links: Vec<String> = driven.links.iter().map(|link| link.name.clone()).collect();
     let copy = selected(&driven, &[], &links);
     assert_eq!(copy.points, driven.points);
-    let both = done(&driven, &[Edit::Paste { drawing: Box::new(copy.clone()), by: [6.0, 0.0] }]);
+    let both = done(
+        &driven,
+        &[Edit::Paste {
+            drawing: Box::new(copy.clone()),
+            by: [6.0, 0.0],
+        }],
+    );
     let names: Vec<&str> = both.links.iter().map(|link| link.name.as_str()).collect();
     assert_eq!(names, ["AB", "BC", "CD", "EF", "FG", "GH"]);
     let motion = Motion::new(Mechanism::new(&both.draft()).unwrap());
@@ -210,11 +395,21 @@ fn what_is_pasted_moves_alike() {
     for k in 0..36 {
         let input = motion.home() + f64::from(k) * 0.17;
         let pose = motion.pose::<1>(input).unwrap();
-        let [c, g] = ["C", "G"].map(|name| mechanism.place(&pose, mechanism.point(name).unwrap()).place());
+        let [c, g] = ["C", "G"].map(|name| {
+            mechanism
+                .place(&pose, mechanism.point(name).unwrap())
+                .place()
+        });
         assert!((g.x - c.x - 6.0).abs() < 1e-12 && (g.y - c.y).abs() < 1e-12);
     }
     // Into an empty sheet it comes as it was.
-    let empty = done(&LinkageDocument::default(), &[Edit::Paste { drawing: Box::new(copy), by: [0.0, 0.0] }]);
+    let empty = done(
+        &LinkageDocument::default(),
+        &[Edit::Paste {
+            drawing: Box::new(copy),
+            by: [0.0, 0.0],
+        }],
+    );
     assert_eq!(empty.points, driven.points);
     assert_eq!(empty.links, driven.links);
 }
@@ -224,13 +419,37 @@ fn what_stands_elsewhere_is_as_drawn_and_the_rest_keeps_its_lengths() {
     let mut driven = done(&four_bar(), &[Edit::Drive { link: text("AB") }]);
     driven.links[0].length = Some(1.0);
     driven.links[2].length = Some(7.25_f64.sqrt());
-    let moved = done(&driven, &[Edit::Place { point: text("B"), at: [0.2, 1.3] }]);
+    let moved = done(
+        &driven,
+        &[Edit::Place {
+            point: text("B"),
+            at: [0.2, 1.3],
+        }],
+    );
     assert_eq!(moved.points[1].at, [0.2, 1.3]);
-    assert_eq!([moved.links[0].length, moved.links[2].length], [None, Some(7.25_f64.sqrt())]);
-    let all: Vec<String> = driven.points.iter().map(|point| point.name.clone()).collect();
-    let shifted = done(&driven, &[Edit::Move { points: all.clone(), by: [2.0, 0.0] }]);
+    assert_eq!(
+        [moved.links[0].length, moved.links[2].length],
+        [None, Some(7.25_f64.sqrt())]
+    );
+    let all: Vec<String> = driven
+        .points
+        .iter()
+        .map(|point| point.name.clone())
+        .collect();
+    let shifted = done(
+        &driven,
+        &[Edit::Move {
+            points: all.clone(),
+            by: [2.0, 0.0],
+        }],
+    );
     assert_eq!(shifted.links, driven.links);
-    let once = done(&driven, &[Edit::Mirror { points: all.clone() }]);
+    let once = done(
+        &driven,
+        &[Edit::Mirror {
+            points: all.clone(),
+        }],
+    );
     let back = done(&once, &[Edit::Mirror { points: all }]);
     assert_eq!(back, driven);
 }
@@ -240,8 +459,14 @@ fn a_guide_goes_with_its_block() {
     let drawn = done(
         &four_bar(),
         &[
-            Edit::Block { end: point("C"), along: Line::Toward([8.0, 2.5]) },
-            Edit::Move { points: vec![text("C")], by: [0.0, 1.0] },
+            Edit::Block {
+                end: point("C"),
+                along: Line::Toward([8.0, 2.5]),
+            },
+            Edit::Move {
+                points: vec![text("C")],
+                by: [0.0, 1.0],
+            },
         ],
     );
     let [from, to] = [&drawn.points[4], &drawn.points[5]].map(|point| point.at);
@@ -253,32 +478,87 @@ fn numbers_are_set() {
     let drawn = done(
         &four_bar(),
         &[
-            Edit::Corner { link: text("AB"), end: at(-1.0, 1.0) },
-            Edit::Trace { link: text("BC"), at: [1.0, 3.0] },
-            Edit::Turn { link: text("ABE"), angle_deg: 0.0 },
-            Edit::Stretch { link: text("ABE"), length: 2.0 },
-            Edit::Place { point: text("P1"), at: [1.0, 1.0] },
+            Edit::Corner {
+                link: text("AB"),
+                end: at(-1.0, 1.0),
+            },
+            Edit::Trace {
+                link: text("BC"),
+                at: [1.0, 3.0],
+            },
+            Edit::Turn {
+                link: text("ABE"),
+                angle_deg: 0.0,
+            },
+            Edit::Stretch {
+                link: text("ABE"),
+                length: 2.0,
+            },
+            Edit::Place {
+                point: text("P1"),
+                at: [1.0, 1.0],
+            },
         ],
     );
-    let place = |name: &str| drawn.points.iter().find(|point| point.name == name).unwrap().at;
+    let place = |name: &str| {
+        drawn
+            .points
+            .iter()
+            .find(|point| point.name == name)
+            .unwrap()
+            .at
+    };
     assert_eq!(place("B"), [2.0, 0.0]);
     let [x, y] = place("E");
     assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
-    let mechanism = Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).draft()).unwrap();
+    let mechanism =
+        Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).draft()).unwrap();
     let motion = Motion::new(mechanism);
     let pose = motion.pose::<1>(motion.home()).unwrap();
     let traced = motion.mechanism().point("P1").unwrap();
     let at = motion.mechanism().place(&pose, traced).place();
     assert!((at.x - 1.0).abs() < 1e-14 && (at.y - 1.0).abs() < 1e-14);
-    let none = refused(&drawn, &Edit::Stretch { link: text("BC"), length: -1.0 });
-    assert_eq!(none, LinkageProblem::BadLength { path: text("BC.length"), value: -1.0 });
+    let none = refused(
+        &drawn,
+        &Edit::Stretch {
+            link: text("BC"),
+            length: -1.0,
+        },
+    );
+    assert_eq!(
+        none,
+        LinkageProblem::BadLength {
+            path: text("BC.length"),
+            value: -1.0
+        }
+    );
 }
 
 /// The last edit is known by what it has made.
 #[test]
 fn what_is_made_is_told() {
-    let Edited { point: made, link, .. } =
-        edited(&four_bar(), &Edit::Bar { ends: [End::On(text("BC"), [2.0, 3.0]), at(5.0, 5.0)] }).unwrap();
+    let Edited {
+        point: made, link, ..
+    } = edited(
+        &four_bar(),
+        &Edit::Bar {
+            ends: [End::On(text("BC"), [2.0, 3.0]), at(5.0, 5.0)],
+        },
+    )
+    .unwrap();
     assert_eq!(made.as_deref(), Some("F"));
     assert_eq!(link.as_deref(), Some("EF"));
+}
+
+#[test]
+fn what_is_driven_is_not_loose() {
+    let free = done(
+        &four_bar(),
+        &[
+            Edit::Fix { point: text("D") },
+            Edit::Drive { link: text("AB") },
+        ],
+    );
+    let advice = Advice::of(&free).unwrap().unwrap();
+    assert_eq!(advice.loose, ["BC", "CD"]);
 }

@@ -198,7 +198,10 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
         let other = match document {
             Document::Scheme(_) => Some(Group::Schemes),
             Document::GearTrain(_) => Some(Group::Geared),
-            Document::Drawing(_) | Document::Linkage(_) | Document::Mixer(_) | Document::Synthesis(_) => None,
+            Document::Drawing(_)
+            | Document::Linkage(_)
+            | Document::Mixer(_)
+            | Document::Synthesis(_) => None,
         };
         if let Some(group) = other {
             let class = None;

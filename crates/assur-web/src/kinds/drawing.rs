@@ -38,7 +38,10 @@ pub(crate) struct DrawingSummary<'a> {
     mobility: Option<isize>,
     drivers: usize,
     /// Every reason why it does not move.
-    #[cfg_attr(test, ts(type = "readonly import(\"assur/core/problem.js\").Problem[]"))]
+    #[cfg_attr(
+        test,
+        ts(type = "readonly import(\"assur/core/problem.js\").Problem[]")
+    )]
     reasons: &'a [Problem],
     loose: &'a [String],
     locked: &'a [String],
@@ -78,19 +81,26 @@ impl Drawing {
 
 impl Capabilities for Drawing {
     fn summary(&self) -> JsValue {
-        let Self { document, sketch, .. } = self;
+        let Self {
+            document, sketch, ..
+        } = self;
         let advice = self.advice.as_ref();
         let roles = document.links.iter().zip(sketch.roles());
-        let handles = sketch.handles().iter().map(|(name, role, _)| HandleSummary {
-            name,
-            role: role.name(),
-            pressed: false,
-        });
+        let handles = sketch
+            .handles()
+            .iter()
+            .map(|(name, role, _)| HandleSummary {
+                name,
+                role: role.name(),
+                pressed: false,
+            });
         to_js(&DrawingSummary {
             moves: None,
             bounds: sketch.bounds(),
             handles: handles.collect(),
-            roles: roles.map(|(link, role)| (link.name.as_str(), role.name())).collect(),
+            roles: roles
+                .map(|(link, role)| (link.name.as_str(), role.name()))
+                .collect(),
             mobility: advice.and_then(|advice| advice.mobility),
             drivers: document.drivers.len(),
             reasons: advice.map_or(&[], |advice| &advice.problems),

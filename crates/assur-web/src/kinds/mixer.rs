@@ -220,8 +220,9 @@ impl Edited for Mixer {
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {
         let pose = self.moving.pose(input)?;
         let link = self.moving.figure().link_at(&pose, at);
-        let carrier = link
-            .and_then(|(link, _)| MixerTracerDocument::carrier(self.moving.mechanism().link_name(link)));
+        let carrier = link.and_then(|(link, _)| {
+            MixerTracerDocument::carrier(self.moving.mechanism().link_name(link))
+        });
         let carrier = carrier.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = self.parameters.tracers().to_vec();
         tracers.push(self.parameters.tracer_at(&self.pose(input)?, carrier, at));

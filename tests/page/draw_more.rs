@@ -1,0 +1,415 @@
+//! Edits of a drawing: dragged, joined, copied, undone; what cannot be done is said and loses nothing.
+
+use std::time::Duration;
+
+use assur_file::{Document, DrawingDocument, LinkageDocument, State};
+use serde_json::{Map, Value};
+use thirtyfour::Key;
+
+use crate::access;
+use crate::browser::Page;
+use crate::draw::Sheet;
+
+/// The linkage that is drawn, whether it moves or not.
+async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
+    match sheet.saved().await.document {
+        Document::Drawing(DrawingDocument(document)) | Document::Linkage(document) => document,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A four-bar that does not move yet, with its last bar of it free of the frame.
+async fn four_bar<'a>(page: &'a Page) -> Sheet<'a> {
+    let mut sheet = Sheet::new(page).await;
+    sheet
+        .line(&[[-3.0, -1.0], [-3.0, 0.0], [0.6, 1.8], [1.0, -1.0]])
+        .await;
+    sheet.end().await;
+    sheet
+}
+
+/// Along a straight way on the canvas.
+fn way(sheet: &Sheet<'_>, from: [f64; 2], to: [f64; 2]) -> [(f64, f64); 3] {
+    let between = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
+    [from, between, to].map(|place| sheet.at(place))
+}
+
+#[tokio::test]
+async fn what_does_not_move_yet_is_kept_shared_and_mended() {
+    let page = Page::open().await;
+    let mut sheet = four_bar(&page).await;
+    // The chain hangs free: which links, and what would let it move.
+    assert!(page.text("draw-reasons").await.contains("No driver"));
+    // Driven it is still loose, in words and by name; the end on the frame lets it move.
+    sheet.tool("drive").await;
+    sheet.press(-3.0, -0.5).await;
+    let before = drawn(&sheet).await;
+    page.reload().await;
+    page.until("the tools", async || {
+        page.count("#draw-tools:not([hidden])").await == 1
+    })
+    .await;
+    assert_eq!(drawn(&sheet).await, before);
+    let address = page.address().await;
+    page.goto(&address).await;
+    page.until("the tools", async || {
+        page.count("#draw-tools:not([hidden])").await == 1
+    })
+    .await;
+    assert_eq!(drawn(&sheet).await, before);
+    let said = page.text("draw-reasons").await;
+    assert!(said.ends_with("stay free: BC, CD."), "{said}");
+    assert_eq!(page.count("#draw-reasons [data-code=underdriven]").await, 1);
+    let mends = page.text("draw-mends").await;
+    assert!(mends.contains("Fix D"), "{mends}");
+    page.ask(access::AXE).await;
+    access::check(&page, "a drawing that does not move").await;
+    let fix = "const all = [...document.querySelectorAll('#draw-mends button')]; all.find((one) => one.textContent === 'Fix D to the frame').click()";
+    page.ask(fix).await;
+    page.settle().await;
+    assert_eq!(
+        page.text("draw-reasons").await,
+        "It moves: there are as many drivers as degrees of freedom."
+    );
+    assert_eq!(
+        page.attribute("charts", "id").await.as_deref(),
+        Some("charts")
+    );
+    access::check(&page, "a drawing that moves").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn points_are_dragged_joined_and_parted() {
+    let page = Page::open().await;
+    let mut sheet = four_bar(&page).await;
+    sheet.line(&[[3.0, -1.0], [3.0, 1.0]]).await;
+    sheet.end().await;
+    sheet.tool("select").await;
+    page.drag_along("mechanism", &way(&sheet, [-3.0, 0.0], [-2.0, 0.8]))
+        .await;
+    assert_eq!(drawn(&sheet).await.points[1].at, [-2.0, 0.8]);
+    // The free end of the chain dropped onto the new bar's end is one hinge with it: one step.
+    page.drag_along("mechanism", &way(&sheet, [1.0, -1.0], [3.0, 1.0]))
+        .await;
+    let joined = drawn(&sheet).await;
+    assert_eq!(joined.points.len(), 5);
+    assert_eq!(
+        joined
+            .links
+            .iter()
+            .map(|link| link.name.as_str())
+            .collect::<Vec<_>>(),
+        ["AB", "BC", "CF", "EF"]
+    );
+    page.chord(&[Key::Control], 'z').await;
+    assert_eq!(drawn(&sheet).await.points.len(), 6);
+    page.chord(&[Key::Control, Key::Shift], 'z').await;
+    assert_eq!(drawn(&sheet).await, joined);
+    // Selected by a press, and parted again.
+    sheet.press(3.0, 1.0).await;
+    page.click("draw-act-part").await;
+    assert_eq!(drawn(&sheet).await.points.len(), 6);
+    // Ends of one link cannot be one hinge: a sentence, nothing lost.
+    let before = drawn(&sheet).await;
+    page.drag_along("mechanism", &way(&sheet, [0.6, 1.8], [-2.0, 0.8]))
+        .await;
+    assert!(page.text("problem").await.contains("points of one link"));
+    assert_eq!(drawn(&sheet).await.links, before.links);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_hinge_is_not_dragged_onto_its_own_slide() {
+    let page = Page::open().await;
+    let mut sheet = four_bar(&page).await;
+    sheet.tool("slide").await;
+    sheet.line(&[[1.0, -1.0], [4.0, -1.0]]).await;
+    let before = drawn(&sheet).await;
+    assert_eq!(before.slides.len(), 1);
+    sheet.tool("select").await;
+    // The end of the guide is dragged onto the hinge of its block.
+    page.drag_along(
+        "mechanism",
+        &[
+            sheet.at([4.0, -1.0]),
+            sheet.at([3.0, -0.6]),
+            sheet.at([1.0, -1.0]),
+        ],
+    )
+    .await;
+    assert!(
+        page.text("problem")
+            .await
+            .contains("cannot be joined with the line"),
+        "{}",
+        page.text("problem").await
+    );
+    let after = drawn(&sheet).await;
+    assert_eq!(after.slides, before.slides);
+    assert_eq!(after.points.len(), before.points.len());
+    page.close().await;
+}
+
+#[tokio::test]
+async fn what_cannot_be_drawn_is_said() {
+    let page = Page::open().await;
+    let mut sheet = four_bar(&page).await;
+    let before = drawn(&sheet).await;
+    sheet.tool("drive").await;
+    sheet.press(4.0, 3.0).await;
+    assert_eq!(
+        page.text("problem").await,
+        "Press a link here, not the paper."
+    );
+    assert_eq!(drawn(&sheet).await, before);
+    // Two points in one place, by numbers.
+    page.write("draw-x-B", "-3").await;
+    page.write("draw-y-B", "-1").await;
+    let said = page.text("draw-reasons").await;
+    assert!(said.contains("given at one place"), "{said}");
+    page.write("draw-y-B", "1e12").await;
+    assert!(
+        page.text("problem").await.contains("B"),
+        "{}",
+        page.text("problem").await
+    );
+    page.write("draw-y-B", "0").await;
+    assert_eq!(page.text("problem").await, "");
+    assert_eq!(drawn(&sheet).await, before);
+    // A bar of one point is none: what was begun is left.
+    sheet.tool("bars").await;
+    sheet.press(-3.0, 0.0).await;
+    sheet.end().await;
+    assert_eq!(drawn(&sheet).await, before);
+    // A name that is taken.
+    sheet.tool("select").await;
+    sheet.press(-3.0, 0.0).await;
+    page.write("draw-name", "C").await;
+    page.press("draw-name", Key::Enter).await;
+    page.settle().await;
+    assert!(
+        page.text("problem").await.contains("C"),
+        "{}",
+        page.text("problem").await
+    );
+    assert_eq!(drawn(&sheet).await, before);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn parts_are_copied_and_pasted() {
+    let page = Page::open().await;
+    let mut sheet = four_bar(&page).await;
+    // What is missing is told in turn: first the end on the frame, then a driver.
+    assert!(page.text("draw-mends").await.contains("Fix D"));
+    sheet.mend().await;
+    sheet.mend().await;
+    sheet.tool("select").await;
+    page.chord(&[Key::Control], 'a').await;
+    page.chord(&[Key::Control], 'd').await;
+    let twice = drawn(&sheet).await;
+    assert_eq!(
+        twice
+            .links
+            .iter()
+            .map(|link| link.name.as_str())
+            .collect::<Vec<_>>(),
+        ["AB", "BC", "CD", "EF", "FG", "GH"]
+    );
+    page.keys(Key::Delete).await;
+    page.settle().await;
+    assert_eq!(drawn(&sheet).await.links.len(), 3);
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_mechanism_of_the_catalogue_is_drawn_on() {
+    let page = Page::open().await;
+    let address = page.address().await;
+    let base = address.split('#').next().unwrap();
+    page.goto(&format!("{base}#crank-rocker&v.playing=false"))
+        .await;
+    page.click("draw").await;
+    page.until("the tools", async || {
+        page.count("#draw-tools:not([hidden])").await == 1
+    })
+    .await;
+    page.settle().await;
+    assert_eq!(
+        page.text("draw-reasons").await,
+        "It moves: there are as many drivers as degrees of freedom."
+    );
+    page.chord(&[Key::Control], 'a').await;
+    page.keys(Key::Delete).await;
+    page.settle().await;
+    assert_eq!(page.count("#draw-points input").await, 0);
+    page.click("undo").await;
+    page.click("draw").await;
+    assert_eq!(page.count("#draw-tools:not([hidden])").await, 0);
+    // The mixer becomes a linkage when it is drawn on.
+    page.goto(&format!("{base}#mixer-a&v.playing=false")).await;
+    page.click("draw").await;
+    page.until("a linkage", async || {
+        page.attribute("app", "id").await.is_some() && page.count("#draw-points input").await > 0
+    })
+    .await;
+    page.close().await;
+}
+
+/// What follows the # of an address, as a state.
+fn addressed(hash: &str) -> State {
+    let mut state = Map::new();
+    let [mut document, mut view] = [Map::new(), Map::new()];
+    for pair in hash.trim_start_matches('#').split('&').skip(1) {
+        let (key, value) = pair.split_once('=').unwrap();
+        let text = percent_encoding::percent_decode_str(value)
+            .decode_utf8()
+            .unwrap();
+        let value = serde_json::from_str(&text).unwrap_or_else(|_| Value::from(text.as_ref()));
+        match key.split_once('.') {
+            Some(("d", key)) => document.insert(key.to_owned(), value),
+            Some(("v", key)) => view.insert(key.to_owned(), value),
+            _ => state.insert(key.to_owned(), value),
+        };
+    }
+    state.insert("format".to_owned(), Value::from(2));
+    state.insert("document".to_owned(), document.into());
+    state.insert("view".to_owned(), view.into());
+    State::read(&state.into()).unwrap()
+}
+
+/// More than a thousand edits by chance: some are one step with the one before.
+const THOUSAND: &str = r"
+    const canvas = document.getElementById('mechanism');
+    canvas.setPointerCapture = () => {};
+    const frame = () => new Promise((then) => requestAnimationFrame(then));
+    const later = (wait) => new Promise((then) => setTimeout(then, wait));
+    let seed = 20261123;
+    const below = (limit) => {
+      seed ^= seed << 13; seed ^= seed >>> 17; seed ^= seed << 5;
+      return (seed >>> 0) % limit;
+    };
+    const undo = document.getElementById('undo');
+    const redo = document.getElementById('redo');
+    const pointer = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {
+      clientX: x, clientY: y, button: 0, pointerId: 7, pointerType: 'mouse', bubbles: true, cancelable: true,
+    }));
+    const errors = [];
+    addEventListener('error', ({ message }) => errors.push(message));
+    const fields = () => [...document.querySelectorAll('#draw-points input')];
+    const shown = () => fields().map(({ id, value }) => id + value).join() + document.getElementById('draw-reasons').textContent;
+    const tools = ['bars', 'bars', 'plate', 'slide', 'fix', 'fix', 'drive', 'dyad', 'triad', 'wheel', 'mesh', 'tracer', 'mass'];
+    const place = () => {
+      const box = canvas.getBoundingClientRect();
+      return [box.x + 60 + below(box.width - 120), box.y + 130 + below(Math.max(box.height - 200, 1))];
+    };
+    const press = () => {
+      const [x, y] = place();
+      pointer('pointerdown', x, y);
+      pointer('pointerup', x, y);
+    };
+    const type = () => {
+      const all = fields();
+      if (all.length === 0) return;
+      const field = all[below(all.length)];
+      field.focus();
+      field.value = String((below(2000) - 1000) / 100);
+      field.dispatchEvent(new Event('input', { bubbles: true }));
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+      field.blur();
+    };
+    const remove = () => {
+      document.getElementById('draw-select').click();
+      const [from, to] = [place(), place()];
+      pointer('pointerdown', ...from);
+      pointer('pointermove', (from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
+      pointer('pointermove', ...to);
+      pointer('pointerup', ...to);
+      document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'Delete', bubbles: true, cancelable: true }));
+    };
+    let [edits, tries, before] = [0, 0, shown()];
+    while (edits < 1100 && tries < 4400) {
+      tries += 1;
+      const what = below(10);
+      if (fields().length > 44) remove();
+      else if (what < 4) type();
+      else {
+        if (what < 8) document.getElementById('draw-' + tools[below(tools.length)]).click();
+        press();
+      }
+      await frame();
+      const now = shown();
+      if (now !== before) edits += 1;
+      before = now;
+    }
+    window.last = () => { dispatchEvent(new Event('pagehide')); return location.hash; };
+    window.errors = errors;
+    done({ edits, end: window.last() });";
+
+/// As many steps back as a browser takes addresses in a minute, and where each led.
+const BACK: &str = r"
+    const undo = document.getElementById('undo');
+    const hashes = [];
+    while (!undo.disabled && hashes.length < 1000) {
+      undo.click();
+      await new Promise((then) => setTimeout(then, 52));
+      hashes.push(window.last());
+    }
+    done({ hashes, over: undo.disabled });";
+
+/// All steps forth.
+const FORTH: &str = r"
+    const redo = document.getElementById('redo');
+    while (!redo.disabled) {
+      redo.click();
+      await new Promise((then) => requestAnimationFrame(then));
+    }
+    await new Promise((then) => setTimeout(then, 1000));
+    done({ end: window.last(), errors: window.errors });";
+
+#[tokio::test]
+async fn a_thousand_edits_are_undone_and_redone() {
+    let page = Page::open().await;
+    let _sheet = Sheet::new(&page).await;
+    page.driver
+        .set_script_timeout(Duration::from_secs(300))
+        .await
+        .unwrap();
+    let asked = async |script: &str| {
+        let script = format!(
+            "const done = arguments[arguments.length - 1]; (async () => {{ {script} }})();"
+        );
+        page.ask_later(&script, vec![]).await
+    };
+    let told = asked(THOUSAND).await;
+    assert_eq!(told["edits"], 1100);
+    let mut hashes = Vec::new();
+    loop {
+        let back = asked(BACK).await;
+        hashes.extend(back["hashes"].as_array().unwrap().clone());
+        if back["over"] == true {
+            break;
+        }
+    }
+    assert!(hashes.len() >= 1000, "{} steps", hashes.len());
+    for hash in &hashes {
+        let state = addressed(hash.as_str().unwrap());
+        match state.document {
+            Document::Drawing(DrawingDocument(document)) => document.check().unwrap(),
+            Document::Linkage(document) => drop(document.mechanism().unwrap()),
+            _ => {}
+        }
+    }
+    // The last step back is the mechanism that was there before the sheet.
+    let empty = addressed(hashes[hashes.len() - 2].as_str().unwrap());
+    assert_eq!(
+        empty.document,
+        Document::Drawing(DrawingDocument::default())
+    );
+    let forth = asked(FORTH).await;
+    assert_eq!(forth["end"], told["end"]);
+    assert_eq!(forth["errors"], Value::Array(vec![]));
+    assert_eq!(page.said().await, [""; 0]);
+    page.close().await;
+}
