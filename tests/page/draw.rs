@@ -32,14 +32,17 @@ impl<'a> Sheet<'a> {
         .await;
         page.settle().await;
         let area = page.element("mechanism").await.rect().await.unwrap();
+        // The tools stand on its top.
+        let tools = "const row = document.querySelector('.draw-buttons'); return row.offsetTop + row.offsetHeight";
+        let inset = page.ask(tools).await.as_f64().unwrap();
         let [left, bottom, right, top] = SHEET;
         let scale = ((area.width - 2.0 * MARGIN) / (right - left))
-            .min((area.height - 2.0 * MARGIN) / (top - bottom));
+            .min((area.height - inset - 2.0 * MARGIN) / (top - bottom));
         Self {
             page,
             presses: 2,
             scale,
-            middle: (area.width / 2.0, area.height / 2.0),
+            middle: (area.width / 2.0, inset + (area.height - inset) / 2.0),
         }
     }
 

@@ -77,7 +77,7 @@ export class Drawing {
     this.#work.rest();
     unsay(this.#page);
     pointer.lend(on ? this.#hand : null);
-    mechanism.keep(on);
+    mechanism.keep(on, on ? this.#palette.height : 0);
     if (on) this.#palette.take("select");
   }
 

@@ -16,6 +16,7 @@ export class Palette {
   }));
   #internal = make("input", { id: "draw-internal", type: "checkbox" });
   #wheels;
+  #row;
   #shown = new Seen();
 
   /**
@@ -63,12 +64,18 @@ export class Palette {
     this.#wheels = make("span", { class: "draw-wheels" }, [
       ...this.#teeth, make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
     ]);
+    this.#row = make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons);
     this.element = make("div", { id: "draw-tools", class: "draw-tools" }, [
-      make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons),
+      this.#row,
       make("div", { class: "draw-options" }, [this.#dyads, this.#wheels, this.#prompt]),
     ]);
     byId("mechanism", HTMLCanvasElement).after(this.element);
     page.words.fill(this.element);
+  }
+
+  /** How much of the top of the drawing it takes, in pixels. */
+  get height() {
+    return this.#row.offsetTop + this.#row.offsetHeight;
   }
 
   /** @param {string} name of the tool that is taken up */

@@ -27,6 +27,8 @@ export class DrawingRail {
   /** @type {(() => void)[]} write anew what stands of the link that is selected */
   #numbers = [];
   #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
+  /** @type {ReadonlyMap<string, readonly [number, number]>} where the points are now */
+  #places = new Map();
   /** The point that numbers are typed for. */
   #last = "";
 
@@ -74,8 +76,24 @@ export class DrawingRail {
     if (!this.#seen.told.same(words, summary)) this.#tell(snapshot);
     const chosen = [...this.#selection.points, "/", ...this.#selection.links].join("\n");
     if (!this.#seen.chosen.same(words, chosen, structure(document))) this.#choose(document, words);
+    this.#places = this.#placesOf(snapshot, document);
     this.#numbers.forEach((show) => show());
     this.#list(document, words);
+  }
+
+  /**
+   * Where it is drawn the points are as they were given, elsewhere where the motion has them.
+   * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
+   * @param {Document} document
+   * @returns {Map<string, readonly [number, number]>}
+   */
+  #placesOf({ summary, frameInput }, { points }) {
+    /** @type {Map<string, readonly [number, number]>} */
+    const places = new Map(points.map(({ name, at }) => [name, at]));
+    if (summary.moves && frameInput !== summary.home) {
+      for (const { name, x, y } of this.#page.mechanism.joints()) if (places.has(name)) places.set(name, [x, y]);
+    }
+    return places;
   }
 
   /** @param {Snapshot} snapshot */
@@ -169,10 +187,8 @@ export class DrawingRail {
    */
   #measures(link, words) {
     const ends = () => {
-      const { points, links } = /** @type {Document} */ (this.#page.store.get().document);
-      const [first, second] = links.find(({ name }) => name === link)?.points ?? [];
-      const place = (/** @type {string} */ name) => points.find((one) => one.name === name)?.at;
-      const [from, to] = [place(first), place(second)];
+      const { links } = /** @type {Document} */ (this.#page.store.get().document);
+      const [from, to] = (links.find(({ name }) => name === link)?.points ?? []).map((name) => this.#places.get(name));
       return from && to ? [to[0] - from[0], to[1] - from[1]] : null;
     };
     const box = (/** @type {"length" | "angle"} */ what, /** @type {(value: number) => Edit} */ wanted, /** @type {(x: number, y: number) => number} */ measured) => {
@@ -183,6 +199,7 @@ export class DrawingRail {
       };
       const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
         edit(this.#page, wanted(number));
+        this.#keep();
         return value();
       });
       this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
@@ -204,7 +221,8 @@ export class DrawingRail {
     const names = points.map(({ name }) => name).join("\n");
     if (!this.#seen.points.same(words, names)) this.#build(points, words);
     this.#rows.forEach(({ name, label, boxes }, k) => {
-      boxes.forEach((box, axis) => box.show(points[k].at[axis], written(points[k].at[axis], words), false));
+      const place = this.#places.get(name) ?? points[k].at;
+      boxes.forEach((box, axis) => box.show(place[axis], written(place[axis], words), false));
       const selected = String(this.#selection.points.has(name));
       if (label.dataset.selected !== selected) label.dataset.selected = selected;
     });
@@ -238,10 +256,16 @@ export class DrawingRail {
    * @returns {number} what the drawing holds then
    */
   #place(name, axis, value) {
-    const at = () => /** @type {Document} */ (this.#page.store.get().document).points.find((point) => point.name === name)?.at ?? [0, 0];
-    const [x, y] = at();
+    const [x, y] = this.#places.get(name) ?? [0, 0];
     edit(this.#page, { edit: "place", point: name, at: axis === 0 ? [value, y] : [x, value] });
-    return at()[axis];
+    this.#keep();
+    return this.#places.get(name)?.[axis] ?? value;
+  }
+
+  /** After an edit it is drawn where it is. */
+  #keep() {
+    const { points } = /** @type {Document} */ (this.#page.store.get().document);
+    this.#places = new Map(points.map((point) => [point.name, point.at]));
   }
 }
 

@@ -41,6 +41,7 @@ export class MechanismView {
   /** Whether the view stays though what is shown becomes larger, and the size of the canvas that it stays for. */
   #kept = false;
   #keptSize = "";
+  #inset = 0;
   /** @type {string} the joint with a ring around it */
   #ringed = "";
   /** @type {Laid[]} */
@@ -150,10 +151,15 @@ export class MechanismView {
     this.#shown();
   }
 
-  /** @param {boolean} on whether the view stays where it is while something is drawn */
-  keep(on) {
+  /**
+   * @param {boolean} on whether the view stays where it is while something is drawn
+   * @param {number} inset pixels at the top of the canvas on which tools stand
+   */
+  keep(on, inset) {
     if (on === this.#kept) return;
     this.#kept = on;
+    this.#inset = inset;
+    this.#held = null;
     if (!on) this.release();
   }
 
@@ -203,7 +209,7 @@ export class MechanismView {
   #fit() {
     const { width, height } = this.#surface;
     const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
-    return Transform.fit(bounds, width, height, this.#margin);
+    return Transform.fit(bounds, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
   /** @returns {Edges} */
