@@ -24,7 +24,10 @@ pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportPr
         short::plan(&query)?
     };
     let source = match host {
-        Some(host) => format!("PMKS+, {}", host.chars().take(100).collect::<String>()),
+        Some(host) => {
+            let plain = host.chars().filter(|c| !c.is_control());
+            format!("PMKS+, {}", plain.take(100).collect::<String>())
+        }
         None => "PMKS+".to_owned(),
     };
     plan.sketch(source)?.imported()

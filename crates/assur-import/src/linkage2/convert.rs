@@ -288,7 +288,7 @@ impl Conversion<'_> {
                 bar: crank,
                 base: Body::Frame,
             };
-            self.drive(moves, -connector.rpm * TAU / 60.0, connector.by_hand, point);
+            self.drive(moves, -connector.rpm * TAU / 60.0, connector.by_hand, link);
         }
     }
 
@@ -335,7 +335,9 @@ impl Conversion<'_> {
         }
         if self.sketch.drivers.len() > 1 {
             let cylinders = self.sketch.drivers.iter();
-            let cylinders = cylinders.filter(|driver| matches!(driver.moves, Moves::Slide { .. }));
+            let cylinders = cylinders.filter(|driver| {
+                driver.speed != 0.0 && matches!(driver.moves, Moves::Slide { .. })
+            });
             let told = cylinders.map(|driver| LeftOut::OneWay {
                 link: driver.called.clone(),
             });
@@ -358,7 +360,7 @@ impl Conversion<'_> {
         self.sketch.drivers.push(Driver {
             moves,
             speed,
-            point,
+            called,
         });
     }
 

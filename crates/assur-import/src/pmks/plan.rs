@@ -169,6 +169,10 @@ impl Plan {
                     joints.push(joint);
                 }
             }
+            if joints.is_empty() {
+                let part = member.id.clone();
+                return Err(ImportProblem::LinkPart { part });
+            }
             bars.push((sketch.bar(member.name.clone(), joints), member));
         }
         Ok(bars)
@@ -189,13 +193,13 @@ impl Plan {
                 let carries =
                     |member: &Member| member.id == *carrier || member.parts.contains(carrier);
                 let found = bars.iter().find(|(_, member)| carries(member));
+                let line = [self.pin(from)?, self.pin(to)?];
+                let has = |bar: usize| line.iter().all(|end| sketch.bars[bar].joints.contains(end));
+                let carrier = found.map(|(bar, _)| *bar).filter(|bar| has(*bar));
                 let part = || ImportProblem::LinkPart {
-                    part: carrier.clone(),
+                    part: told.id.clone(),
                 };
-                (
-                    Body::Bar(found.ok_or_else(part)?.0),
-                    [self.pin(from)?, self.pin(to)?],
-                )
+                (Body::Bar(carrier.ok_or_else(part)?), line)
             }
             None => (Body::Frame, self.ground(sketch, told, size)),
         };
@@ -203,7 +207,10 @@ impl Plan {
         let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
         // Where parts of one link are welded together, older links mean no more than that.
         let id = &self.pins[pin].id;
-        let meet = self.members.iter().filter(|member| !member.root && member.joints.contains(id));
+        let meet = self
+            .members
+            .iter()
+            .filter(|member| !member.root && member.joints.contains(id));
         let welded = self.pins[pin].welded && meet.count() < 2;
         let rider = riders.find(rides).filter(|_| welded);
         Ok(match rider {
