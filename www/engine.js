@@ -166,7 +166,7 @@ export class Engine {
 
   /**
    * @param {string} text of another program
-   * @returns {Pick<State, "kind" | "document"> & { left_out: readonly Problem[] }} what it says, and codes of what could not be taken over as it was
+   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} what it says, and codes of what could not be taken over as it was
    */
   readForeign(text) {
     return this.ask(() => module.readImport(text));

@@ -38,7 +38,11 @@ async fn paste(page: &Page, text: &str, into: &str) -> bool {
 /// Drops a file, or a text where it has no name, on the drawing.
 async fn drop_on(page: &Page, name: Option<&str>, text: &str) {
     let add = match name {
-        Some(name) => format!("data.items.add(new File([{}], {}))", json!(text), json!(name)),
+        Some(name) => format!(
+            "data.items.add(new File([{}], {}))",
+            json!(text),
+            json!(name)
+        ),
         None => format!("data.setData('text/plain', {})", json!(text)),
     };
     let script = format!(
@@ -52,15 +56,21 @@ async fn drop_on(page: &Page, name: Option<&str>, text: &str) {
 }
 
 async fn told(page: &Page, part: &str) -> String {
-    page.until(part, async || page.text("notice-text").await.contains(part)).await;
+    page.until(part, async || page.text("notice-text").await.contains(part))
+        .await;
     page.text("notice-text").await
 }
 
-/// The document that is open, as it is kept.
-async fn document(page: &Page) -> serde_json::Value {
+/// What is open, as it is kept.
+async fn kept(page: &Page) -> serde_json::Value {
     page.settle().await;
-    let kept = page.ask("return JSON.parse(localStorage.getItem('assur.state'))").await;
-    kept["document"].clone()
+    let script = "return JSON.parse(localStorage.getItem('assur.state'))";
+    page.ask(script).await
+}
+
+/// The document that is open.
+async fn document(page: &Page) -> serde_json::Value {
+    kept(page).await["document"].clone()
 }
 
 #[tokio::test]
@@ -69,18 +79,34 @@ async fn a_link_of_pmks_is_pasted() {
     let before = page.text("mechanism-name").await;
     assert!(paste(&page, LINK, "body").await);
     let said = told(&page, "PMKS+").await;
-    for part in ["PMKS+, app.pmksplus.com was opened", "Forces are left out: F1.", "Crank was driven at −20 rpm"] {
+    for part in [
+        "PMKS+, app.pmksplus.com was opened",
+        "Forces are left out: F1.",
+        "Crank was driven at −20 rpm",
+    ] {
         assert!(said.contains(part), "{said}");
     }
-    page.until("the mechanism", async || document(&page).await["links"].is_array()).await;
+    page.until("the mechanism", async || {
+        document(&page).await["links"].is_array()
+    })
+    .await;
     let links = document(&page).await["links"].clone();
-    let names: Vec<_> = links.as_array().unwrap().iter().map(|link| link["name"].as_str().unwrap()).collect();
+    let names: Vec<_> = links
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|link| link["name"].as_str().unwrap())
+        .collect();
     assert_eq!(names, ["Crank", "Connecting rod", "C"]);
     // What is told follows the language.
     page.choose("lang", "ru").await;
     told(&page, "Силы опущены: F1.").await;
+    page.choose("lang", "en").await;
     page.click("undo").await;
-    page.until("the one before", async || page.text("mechanism-name").await == before).await;
+    page.until("the one before", async || {
+        page.text("mechanism-name").await == before
+    })
+    .await;
     page.close().await;
 }
 
@@ -90,7 +116,10 @@ async fn a_link_of_the_first_form_is_dropped() {
     drop_on(&page, None, FIRST).await;
     let said = told(&page, "pmksplus.mech.website").await;
     assert!(said.contains("AB was driven at 10 rpm"), "{said}");
-    page.until("the mechanism", async || document(&page).await["unit"] == "cm").await;
+    page.until("the mechanism", async || {
+        document(&page).await["unit"] == "cm"
+    })
+    .await;
     page.close().await;
 }
 
@@ -101,18 +130,30 @@ async fn files_of_linkage_are_chosen_and_dropped() {
     fs::write(&path, of_linkage("jansen.linkage2")).unwrap();
     page.choose_file("file", &path).await;
     told(&page, "Jansen’s leg.linkage2 was opened").await;
-    page.until("its title", async || document(&page).await["title"] == "Jansen’s leg").await;
+    page.until("its title", async || {
+        document(&page).await["title"] == "Jansen’s leg"
+    })
+    .await;
     let document_of = document(&page).await;
     assert_eq!(document_of["source"], "Linkage (.linkage2)");
     assert_eq!(document_of["links"].as_array().unwrap().len(), 7);
 
-    drop_on(&page, Some("piston.linkage2"), &of_linkage("piston.linkage2")).await;
+    drop_on(
+        &page,
+        Some("piston.linkage2"),
+        &of_linkage("piston.linkage2"),
+    )
+    .await;
     let said = told(&page, "piston.linkage2").await;
     assert!(said.contains("only drawn: 6"), "{said}");
     // Our own files are dropped in the same way.
-    let own = json!({ "format": 2, "kind": "linkage", "document": document_of, "view": { "lang": "uk" } });
+    let mut own = kept(&page).await;
+    own["view"]["lang"] = json!("uk");
     drop_on(&page, Some("own.assur.json"), &own.to_string()).await;
-    page.until("our own", async || page.lang().await.as_deref() == Some("uk")).await;
+    page.until("our own", async || {
+        page.lang().await.as_deref() == Some("uk")
+    })
+    .await;
     assert_eq!(page.text("notice-text").await, "");
     page.close().await;
 }
@@ -125,15 +166,38 @@ async fn damaged_ones_change_nothing() {
     let cut = &LINK[..LINK.len() - 12];
     assert!(paste(&page, cut, "body").await);
     let said = told(&page, "check character").await;
-    assert!(said.starts_with("What was pasted could not be opened"), "{said}");
+    assert!(
+        said.starts_with("What was pasted could not be opened"),
+        "{said}"
+    );
     for (name, text, part) in [
         ("a.linkage2", jansen[..500].to_owned(), "Line 9"),
-        ("<img src=x>.linkage2", jansen.replace("352", "<img src=x>"), "<img src=x>.linkage2"),
-        ("b.linkage2", jansen.replace("\"352\"", "\"wide\""), "connector 1, x: wide is no number"),
-        ("c.linkage2", "<linkage2></linkage2>".to_owned(), "There are no links in it."),
-        ("d.pmks", "2P.Fe.K,0.1011.MA,A,0,0,0...N_9".to_owned(), "check character"),
+        (
+            "<img src=x>.linkage2",
+            jansen.replace("352", "<img src=x>"),
+            "<img src=x>.linkage2",
+        ),
+        (
+            "b.linkage2",
+            jansen.replace("\"352\"", "\"wide\""),
+            "connector 1, x: wide is no number",
+        ),
+        (
+            "c.linkage2",
+            "<linkage2></linkage2>".to_owned(),
+            "There are no links in it.",
+        ),
+        (
+            "d.pmks",
+            "2P.Fe.K,0.1011.MA,A,0,0,0...N_9".to_owned(),
+            "check character",
+        ),
         // What does not move is told by the names that it has there.
-        ("e.linkage2", jansen.replace(" input=\"true\"", ""), "No driver"),
+        (
+            "e.linkage2",
+            jansen.replace(" input=\"true\"", ""),
+            "No driver",
+        ),
     ] {
         drop_on(&page, Some(name), &text).await;
         told(&page, part).await;

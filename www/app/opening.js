@@ -89,7 +89,7 @@ export async function takeForeign(text, name, engine, habits) {
   let lost = [];
   let from = name ?? "";
   const unwrap = () => {
-    const { kind, document, left_out } = engine.readForeign(text);
+    const { read: { kind, document }, left_out } = engine.readForeign(text);
     lost = left_out;
     if ("source" in document) from ||= document.source ?? "";
     const title = name && { title: name.replace(EXTENSION, "").slice(0, LONGEST_TITLE) };

@@ -7,11 +7,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::convert::to_js;
 
-/// What was read: `{kind, document, left_out}`.
+/// What was read. (The document is no part of it by `flatten`, which would bring the code to write every kind once
+/// more.)
 #[derive(Serialize)]
 struct Read {
-    #[serde(flatten)]
-    document: Document,
+    read: Document,
     left_out: Vec<LeftOut>,
 }
 
@@ -21,8 +21,8 @@ pub fn is_import(text: &str) -> bool {
     assur_import::recognised(text)
 }
 
-/// Reads a link of PMKS+ or a file of Linkage: `{kind, document, left_out}`, the last with codes of what could not be
-/// taken over as it was. The document need not move.
+/// Reads a link of PMKS+ or a file of Linkage: `{read: {kind, document}, left_out}`, the last with codes of what could
+/// not be taken over as it was. The document need not move.
 ///
 /// # Errors
 /// What of it cannot be read.
@@ -30,6 +30,6 @@ pub fn is_import(text: &str) -> bool {
 pub fn read_import(text: &str) -> Result<JsValue, JsValue> {
     let read = assur_import::read(text).map_err(|problem| to_js(&[problem]))?;
     let Imported { document, left_out } = read;
-    let document = Document::Linkage(document);
-    Ok(to_js(&Read { document, left_out }))
+    let read = Document::Linkage(document);
+    Ok(to_js(&Read { read, left_out }))
 }
