@@ -18,6 +18,24 @@ pub use problem::ImportProblem;
 /// No longer text is read: the largest linkage that is taken is far shorter.
 const LONGEST: usize = 1 << 20;
 
+/// No more parts are read, many more than a linkage may have: what names and joins them takes time that grows faster
+/// than they do.
+const MOST_PARTS: usize = 1000;
+
+/// # Errors
+/// So many parts are more than are read.
+fn bounded(parts: usize) -> Result<(), ImportProblem> {
+    match parts {
+        0..=MOST_PARTS => Ok(()),
+        _ => Err(ImportProblem::ImportTooMany { max: MOST_PARTS }),
+    }
+}
+
+/// A number, by the reader of JSON: the page has that already, and the standard library's takes 20 kB.
+fn number(text: &str) -> Option<f64> {
+    serde_json::from_str(text.trim()).ok()
+}
+
 /// What was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {

@@ -14,6 +14,8 @@ pub enum ImportProblem {
     NotImported,
     /// The text is longer than this, in bytes.
     ImportTooLarge { max: usize },
+    /// There are more parts than this.
+    ImportTooMany { max: usize },
     /// A link whose check character does not fit its length.
     LinkCut,
     /// A part of a link that has not the form.

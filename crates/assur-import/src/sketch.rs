@@ -233,9 +233,11 @@ impl Sketch {
         let traced = traced.map(|(k, _)| called[k].clone());
         document.traces = traced.take(MOST_TRACES).collect();
         for (k, bar) in self.bars.iter().enumerate().filter(|(k, _)| stays(*k)) {
-            let mut joints = bar.joints.clone();
             // The angle of a link runs from its hinge on the frame.
-            joints.sort_by_key(|joint| !bar.wheel && !self.joints[*joint].fixed);
+            let begins = |joint: &&usize| bar.wheel || self.joints[**joint].fixed;
+            let (mut joints, others): (Vec<usize>, Vec<usize>) =
+                bar.joints.iter().partition(begins);
+            joints.extend(others);
             document.links.push(LinkDocument {
                 name: named[k].clone(),
                 points: joints.iter().map(|joint| called[*joint].clone()).collect(),

@@ -1,8 +1,6 @@
 //! Tags with attributes, as Linkage writes and reads them: texts stand in quotes as they are, without entities,
 //! and no blank need be between two attributes, so that a strict reader of XML refuses files that Linkage opens.
 
-use std::str::FromStr;
-
 use crate::ImportProblem;
 
 /// No file has tags so deep.
@@ -31,17 +29,39 @@ impl<'a> Tag<'a> {
     ///
     /// # Errors
     /// What stands there is no number.
-    pub(super) fn number<T: FromStr>(&self, name: &str) -> Result<Option<T>, ImportProblem> {
+    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, ImportProblem> {
+        self.value(name, crate::number)
+    }
+
+    /// A whole number; none where there is no such attribute.
+    ///
+    /// # Errors
+    /// What stands there is no such number.
+    pub(super) fn whole(&self, name: &str) -> Result<Option<i64>, ImportProblem> {
+        self.value(name, |text| text.parse().ok())
+    }
+
+    fn value<T>(
+        &self,
+        name: &str,
+        read: impl Fn(&str) -> Option<T>,
+    ) -> Result<Option<T>, ImportProblem> {
         let text = self.text(name).trim();
         if text.is_empty() {
             return Ok(None);
         }
-        let value = text.parse::<T>().ok();
-        let part = || format!("{} {}, {name}", self.name, self.text("id"));
-        value.map(Some).ok_or_else(|| ImportProblem::ImportNumber {
-            part: part(),
-            value: text.chars().take(40).collect(),
-        })
+        match read(text) {
+            None => Err(self.refused(name)),
+            value => Ok(value),
+        }
+    }
+
+    /// What stands in an attribute will not do.
+    pub(super) fn refused(&self, name: &str) -> ImportProblem {
+        ImportProblem::ImportNumber {
+            part: format!("{} {}, {name}", self.name, self.text("id")),
+            value: self.text(name).chars().take(40).collect(),
+        }
     }
 
     /// The tags of a name in it.
@@ -127,7 +147,7 @@ fn attributes(text: &str) -> Option<Tag<'_>> {
         !text.is_empty()
             && text
                 .chars()
-                .all(|c| c.is_alphanumeric() || "_-".contains(c))
+                .all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
     };
     let mut tag = Tag {
         name: plain(name).then_some(name)?,
@@ -162,8 +182,8 @@ mod tests {
             tag.tags.iter().map(|tag| tag.name).collect::<Vec<_>>(),
             ["d", "e"]
         );
-        assert_eq!(tag.tags[0].number::<i32>("id").unwrap(), Some(-2));
-        assert!(tag.number::<f64>("c").is_err());
+        assert_eq!(tag.tags[0].whole("id").unwrap(), Some(-2));
+        assert!(tag.number("c").is_err());
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::ImportProblem;
 use crate::sketch::FARTHEST;
 
 /// Layers of what moves; the others are for drawings.
-const MECHANISM: u32 = 0xFFFF_FFF0;
+const MECHANISM: i64 = 0xFFFF_FFF0;
 
 /// Units of a file to an inch.
 const TO_AN_INCH: f64 = 96.0;
@@ -73,12 +73,12 @@ pub(super) struct Parts {
 
 impl Parts {
     /// # Errors
-    /// Numbers that are none or out of any range; connectors of one number.
+    /// Numbers that are none or out of any range; connectors of one number; too many parts.
     pub(super) fn read(root: &Tag<'_>) -> Result<Self, ImportProblem> {
         let program = root.all("program").next();
         let inches =
             program.is_some_and(|program| program.text("units").eq_ignore_ascii_case("inches"));
-        let scale = program.map_or(Ok(None), |program| program.number::<f64>("scalefactor"))?;
+        let scale = program.map_or(Ok(None), |program| program.number("scalefactor"))?;
         let length = Length(if inches { 1.0 } else { MM_TO_AN_INCH } / TO_AN_INCH);
         let mut parts = Self {
             unit: Some(if inches {
@@ -89,6 +89,7 @@ impl Parts {
             scale: scale.unwrap_or(1.0),
             ..Self::default()
         };
+        crate::bounded(root.tags.len())?;
         for tag in root.all("connector") {
             if drawn(tag)? {
                 parts.drawn += 1;
@@ -134,12 +135,12 @@ impl Parts {
 }
 
 fn drawn(tag: &Tag<'_>) -> Result<bool, ImportProblem> {
-    let layer = tag.number::<u32>("layer")?.unwrap_or(0);
+    let layer = tag.whole("layer")?.unwrap_or(0);
     Ok((layer != 0 && layer & MECHANISM == 0) || tag.is("measurementelement"))
 }
 
 fn id(tag: &Tag<'_>, name: &str) -> Result<Option<i64>, ImportProblem> {
-    tag.number::<i64>(name)
+    tag.whole(name)
 }
 
 /// What a unit of the file measures.
@@ -244,21 +245,14 @@ fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
 
 /// A number that may be.
 fn finite(tag: &Tag<'_>, name: &str) -> Result<Option<f64>, ImportProblem> {
-    let value = tag.number::<f64>(name)?;
+    let value = tag.number(name)?;
     match value {
         // Written so that NaN is refused too.
-        Some(value) if !(value.abs() <= FARTHEST) => Err(refused(tag, name)),
+        Some(value) if !(value.abs() <= FARTHEST) => Err(tag.refused(name)),
         _ => Ok(value),
     }
 }
 
 fn required<T>(tag: &Tag<'_>, value: Option<T>, name: &str) -> Result<T, ImportProblem> {
-    value.ok_or_else(|| refused(tag, name))
-}
-
-fn refused(tag: &Tag<'_>, name: &str) -> ImportProblem {
-    ImportProblem::ImportNumber {
-        part: format!("{} {}, {name}", tag.name, tag.text("id")),
-        value: tag.text(name).chars().take(40).collect(),
-    }
+    value.ok_or_else(|| tag.refused(name))
 }

@@ -58,8 +58,9 @@ impl Plan {
     /// The mechanism that is meant.
     ///
     /// # Errors
-    /// Names that are given twice, or to nothing; places out of any range.
+    /// Names that are given twice, or to nothing; places out of any range; too many parts.
     pub(super) fn sketch(self, source: String) -> Result<Sketch, ImportProblem> {
+        crate::bounded(self.pins.len() + self.members.len())?;
         let mut sketch = Sketch {
             source,
             unit: self.unit,

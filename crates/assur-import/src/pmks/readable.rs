@@ -123,11 +123,7 @@ fn member(line: &str) -> Result<Member, ImportProblem> {
 }
 
 fn number(part: &str, text: &str) -> Result<f64, ImportProblem> {
-    let value = text
-        .trim()
-        .parse::<f64>()
-        .ok()
-        .filter(|value| value.is_finite());
+    let value = crate::number(text);
     value.ok_or_else(|| ImportProblem::ImportNumber {
         part: part.to_owned(),
         value: text.to_owned(),

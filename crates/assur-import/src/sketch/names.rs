@@ -1,18 +1,16 @@
 //! Names as a linkage may have them.
 
-use std::collections::BTreeSet;
-
 /// Characters of a name.
 const LONGEST: usize = 40;
 
 /// The names that are taken.
 #[derive(Default)]
-pub(super) struct Names(BTreeSet<String>);
+pub(super) struct Names(Vec<String>);
 
 impl Names {
     /// Of links, one of which is the frame.
     pub(super) fn links() -> Self {
-        Self(BTreeSet::from([super::FRAME.to_owned()]))
+        Self(vec![super::FRAME.to_owned()])
     }
 
     /// A name like the one that is wished, unlike all others; a letter by a number where none is.
@@ -25,11 +23,12 @@ impl Names {
         let cut = |room: usize| plain.chars().take(room).collect::<String>();
         let mut name = cut(LONGEST);
         let mut again = 2;
-        while !self.0.insert(name.clone()) {
+        while self.0.contains(&name) {
             let end = format!(" {again}");
             name = cut(LONGEST - end.len()) + &end;
             again += 1;
         }
+        self.0.push(name.clone());
         name
     }
 }
