@@ -47,12 +47,6 @@ pub(crate) struct Bar {
     pub(crate) wheel: bool,
 }
 
-impl Default for Body {
-    fn default() -> Self {
-        Self::Frame
-    }
-}
-
 /// A prismatic pair: the joint of a bar on a line through two joints of a body.
 #[derive(Clone, Debug)]
 pub(crate) struct Slide {

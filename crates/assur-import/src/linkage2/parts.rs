@@ -247,8 +247,7 @@ fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
 fn finite(tag: &Tag<'_>, name: &str) -> Result<Option<f64>, ImportProblem> {
     let value = tag.number(name)?;
     match value {
-        // Written so that NaN is refused too.
-        Some(value) if !(value.abs() <= FARTHEST) => Err(tag.refused(name)),
+        Some(value) if value.abs() > FARTHEST => Err(tag.refused(name)),
         _ => Ok(value),
     }
 }

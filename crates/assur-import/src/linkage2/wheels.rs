@@ -69,8 +69,7 @@ fn joined(conversion: &Conversion<'_>, links: [Option<usize>; 2]) -> Option<([us
 fn teeth(sizes: [f64; 2]) -> Option<([f64; 2], bool)> {
     let ratio = sizes[0] / sizes[1];
     let within = f64::from(*TEETH.start()) / f64::from(*TEETH.end());
-    // Written so that NaN is refused too.
-    if !(ratio >= within && ratio <= 1.0 / within) {
+    if !(within..=1.0 / within).contains(&ratio) {
         return None;
     }
     let other = |second: u32| (f64::from(second) * ratio).round();
