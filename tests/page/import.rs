@@ -98,9 +98,12 @@ async fn a_link_of_pmks_is_pasted() {
         .map(|link| link["name"].as_str().unwrap())
         .collect();
     assert_eq!(names, ["Crank", "Connecting rod", "C"]);
-    // What is told follows the language.
+    // What is told follows the language, and what is opened keeps it.
     page.choose("lang", "ru").await;
     told(&page, "Силы опущены: F1.").await;
+    assert!(paste(&page, FIRST, "body").await);
+    told(&page, "pmksplus.mech.website: открыто.").await;
+    page.click("undo").await;
     page.choose("lang", "en").await;
     page.click("undo").await;
     page.until("the one before", async || {

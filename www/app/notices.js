@@ -46,7 +46,7 @@ export class Notices {
       return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
     });
     this.#place.hidden = lines.length === 0;
-    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied"));
+    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied" || one.kind === "import"));
     this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
 }

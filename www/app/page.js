@@ -125,6 +125,11 @@ export class Page {
     performance.mark("printable");
   }
 
+  /** @returns {import("assur/app/opening.js").Habits} for what says nothing of a language: the one that is read now */
+  ofNow() {
+    return { ...this.habits, lang: this.store.get().view.lang };
+  }
+
   redraw() {
     this.#loop.request();
   }

@@ -30,7 +30,8 @@ export function receive(page) {
  * @returns {boolean} whether there was something to take
  */
 function bring(data, page, meant) {
-  const { engine, habits } = page;
+  const { engine } = page;
+  const habits = page.ofNow();
   const file = data?.files[0];
   if (file) {
     const opened = fileText(file).then((text) => takeFile(text, file.name, engine, habits));

@@ -25,8 +25,8 @@ pub enum LeftOut {
     Fixed { names: Vec<String> },
     /// Points that join nothing.
     Unused { names: Vec<String> },
-    /// A pin in a curved slot became one on a link of the slot's radius.
-    Curved { point: String },
+    /// Pins in curved slots became pins on links of the slots' radii.
+    Curved { names: Vec<String> },
     /// A slider without a line to slide on became a hinge.
     Slideless { point: String },
     /// A chain around two wheels became wheels that keep its sense.
@@ -39,8 +39,8 @@ pub enum LeftOut {
     Ratio { link: String, rate: f64, taken: f64 },
     /// A driven slide whose range was not told, or reached beyond what can be.
     Range { point: String, min: f64, max: f64 },
-    /// A cylinder that goes to and fro beside other drivers goes one way only.
-    OneWay { link: String },
+    /// Cylinders that go to and fro beside other drivers go one way only.
+    OneWay { names: Vec<String> },
     /// A crank that goes to and fro by an angle, in degrees, turns on.
     Swing { link: String, angle: f64 },
     /// A driver that is moved by hand alone stands still.

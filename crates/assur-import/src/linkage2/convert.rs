@@ -176,6 +176,7 @@ impl Conversion<'_> {
 
     /// Pins in slots.
     fn slots(&mut self) {
+        let mut names = Vec::new();
         for (pin, connector) in self
             .parts
             .connectors
@@ -195,15 +196,18 @@ impl Conversion<'_> {
                 continue;
             };
             if connector.radius > 0.0 {
-                self.curved(pin, on, line, connector.radius);
+                names.push(self.curved(pin, on, line, connector.radius));
             } else {
                 self.sketch.block(pin, on, line);
             }
         }
+        if !names.is_empty() {
+            self.sketch.left_out.push(LeftOut::Curved { names });
+        }
     }
 
-    /// A pin in a slot along an arc keeps its distance from the arc's centre, as one on a link does.
-    fn curved(&mut self, pin: usize, on: Body, line: [usize; 2], radius: f64) {
+    /// A pin in a slot along an arc keeps its distance from the arc's centre, as one on a link does. Its name.
+    fn curved(&mut self, pin: usize, on: Body, line: [usize; 2], radius: f64) -> String {
         let [from, to] = line.map(|joint| self.sketch.joints[joint].at);
         let half = distance(from, to) / 2.0;
         let at = self.sketch.joints[pin].at;
@@ -231,7 +235,7 @@ impl Conversion<'_> {
         }
         self.sketch
             .bar(format!("{point}–{point}′"), vec![joint, pin]);
-        self.sketch.left_out.push(LeftOut::Curved { point });
+        point
     }
 
     /// All links at an input turn with it.
@@ -338,11 +342,10 @@ impl Conversion<'_> {
             let cylinders = cylinders.filter(|driver| {
                 driver.speed != 0.0 && matches!(driver.moves, Moves::Slide { .. })
             });
-            let told = cylinders.map(|driver| LeftOut::OneWay {
-                link: driver.called.clone(),
-            });
-            let told: Vec<LeftOut> = told.collect();
-            self.sketch.left_out.extend(told);
+            let names: Vec<String> = cylinders.map(|driver| driver.called.clone()).collect();
+            if !names.is_empty() {
+                self.sketch.left_out.push(LeftOut::OneWay { names });
+            }
         }
     }
 
