@@ -1,19 +1,13 @@
 //! A mechanism as other programs have it, by numbers instead of names, and the linkage made of it.
 
+mod document;
 mod names;
 mod rates;
 
-use assur_file::{
-    DriverDocument, GearDocument, LengthUnit, LinkDocument, LinkageDocument, MeshDocument,
-    PointDocument, SlideDocument,
-};
+use assur_file::{LengthUnit, MeshDocument};
 
 use crate::{ImportProblem, Imported, LeftOut};
-use names::Names;
 pub(crate) use names::letter;
-
-/// So many paths are drawn at most.
-const MOST_TRACES: usize = 32;
 
 /// No place is farther out: beyond it, squares of lengths lose their meaning.
 pub(crate) const FARTHEST: f64 = 1e9;
@@ -161,150 +155,8 @@ impl Sketch {
     ///
     /// # Errors
     /// There are no links.
-    pub(crate) fn imported(mut self) -> Result<Imported, ImportProblem> {
-        let bodies = self.bodies();
-        let body = |of: Body| match of {
-            Body::Frame => Body::Frame,
-            Body::Bar(bar) => bodies[bar],
-        };
-        for slide in &mut self.slides {
-            slide.on = body(slide.on);
-        }
-        let stays = |bar: usize| bodies[bar] == Body::Bar(bar);
-        // What slides within one body, or in the frame, does not slide at all.
-        let sliding = |slide: &Slide| bodies[slide.bar] != slide.on;
-        let mut used = vec![false; self.joints.len()];
-        let bars = self.bars.iter().enumerate();
-        for (_, bar) in bars.filter(|(k, _)| stays(*k)) {
-            bar.joints.iter().for_each(|joint| used[*joint] = true);
-        }
-        for slide in self.slides.iter().filter(|slide| sliding(slide)) {
-            slide.line.iter().for_each(|joint| used[*joint] = true);
-        }
-
-        let mut points = Names::default();
-        let joints = self.joints.iter().enumerate();
-        let called: Vec<String> = joints
-            .map(|(k, joint)| {
-                if used[k] {
-                    points.take(&joint.name, k)
-                } else {
-                    String::new()
-                }
-            })
-            .collect();
-        let mut links = Names::links();
-        let bars = self.bars.iter().enumerate();
-        let named: Vec<String> = bars
-            .map(|(k, bar)| {
-                if stays(k) {
-                    links.take(&bar.name, k)
-                } else {
-                    String::new()
-                }
-            })
-            .collect();
-        let name = |of: Body| match body(of) {
-            Body::Frame => FRAME.to_owned(),
-            Body::Bar(bar) => named[bar].clone(),
-        };
-
-        let mut document = LinkageDocument {
-            source: Some(self.source.clone()),
-            unit: self.unit,
-            ..LinkageDocument::default()
-        };
-        let kept = || self.joints.iter().enumerate().filter(|(k, _)| used[*k]);
-        document.points = kept()
-            .map(|(k, joint)| PointDocument {
-                name: called[k].clone(),
-                at: joint.at,
-            })
-            .collect();
-        let fixed = kept().filter(|(_, joint)| joint.fixed);
-        document.frame = fixed.map(|(k, _)| called[k].clone()).collect();
-        let traced = kept().filter(|(_, joint)| joint.traced && !joint.fixed);
-        let traced = traced.map(|(k, _)| called[k].clone());
-        document.traces = traced.take(MOST_TRACES).collect();
-        for (k, bar) in self.bars.iter().enumerate().filter(|(k, _)| stays(*k)) {
-            // The angle of a link runs from its hinge on the frame.
-            let begins = |joint: &&usize| bar.wheel || self.joints[**joint].fixed;
-            let (mut joints, others): (Vec<usize>, Vec<usize>) =
-                bar.joints.iter().partition(begins);
-            joints.extend(others);
-            document.links.push(LinkDocument {
-                name: named[k].clone(),
-                points: joints.iter().map(|joint| called[*joint].clone()).collect(),
-                fixed_to: bar.fixed_to.map(name),
-                ..LinkDocument::default()
-            });
-        }
-        if document.links.is_empty() {
-            return Err(ImportProblem::NothingImported);
-        }
-        let mut numbers = vec![None; self.slides.len()];
-        for (k, slide) in self
-            .slides
-            .iter()
-            .enumerate()
-            .filter(|(_, slide)| sliding(slide))
-        {
-            // The frame slides nowhere: seen from it, what has the line does.
-            numbers[k] = Some(document.slides.len());
-            document.slides.push(SlideDocument {
-                link: name(Body::Bar(slide.bar)),
-                point: called[slide.joint].clone(),
-                on: name(slide.on),
-                line: slide.line.map(|joint| called[joint].clone()),
-            });
-        }
-        for gear in &self.gears {
-            document.gears.push(GearDocument {
-                links: gear.bars.map(|bar| name(Body::Bar(bar))),
-                carrier: name(gear.carrier),
-                teeth: gear.teeth,
-                mesh: gear.mesh,
-            });
-        }
-
-        let drivers = std::mem::take(&mut self.drivers).into_iter();
-        let (moving, idle): (Vec<Driver>, Vec<Driver>) =
-            drivers.partition(|driver| match driver.moves {
-                Moves::Crank { bar, base } => {
-                    bodies[bar] != Body::Frame && bodies[bar] != body(base)
-                }
-                Moves::Slide { slide, .. } => numbers[slide].is_some(),
-            });
-        let idle = idle.into_iter().map(|driver| LeftOut::Driver {
-            point: driver.called,
-        });
-        self.left_out.extend(idle);
-        for (driver, rate) in rates::of(moving, &mut self.left_out) {
-            document.drivers.push(match driver.moves {
-                Moves::Crank { bar, base } => DriverDocument {
-                    crank: Some(name(Body::Bar(bar))),
-                    base: (body(base) != Body::Frame).then(|| name(base)),
-                    rate,
-                    ..DriverDocument::default()
-                },
-                Moves::Slide { slide, range } => DriverDocument {
-                    slide: numbers[slide],
-                    range: Some(range),
-                    rate,
-                    ..DriverDocument::default()
-                },
-            });
-        }
-        let unused = self.joints.iter().enumerate();
-        let unused = unused.filter(|(k, joint)| joint.own && !joint.fixed && !used[*k]);
-        let names: Vec<String> = unused.map(|(_, joint)| joint.name.clone()).collect();
-        if !names.is_empty() {
-            self.left_out.push(LeftOut::Unused { names });
-        }
-        Ok(Imported {
-            document,
-            left_out: self.left_out,
-        })
+    pub(crate) fn imported(self) -> Result<Imported, ImportProblem> {
+        document::imported(self)
     }
 
     /// What each bar is in the end: itself, the one that it is welded to, or the frame. Joints of
