@@ -40,6 +40,10 @@ fn a_link_is_a_name() {
     let (status, said) = refused(&["sweep", cut]);
     assert_eq!(status, 2);
     assert!(said.contains("its check character does not fit"), "{said}");
+    let (status, said) = refused(&["sweep", "https://example.org/?a=b"]);
+    let neither =
+        "assur: https://example.org/: This is neither a link of PMKS+ nor a file of Linkage.\n";
+    assert_eq!((status, said.as_str()), (2, neither));
 }
 
 #[test]
