@@ -27,7 +27,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 48] = [
+const BUILT: [(&str, &[&str]); 49] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -64,6 +64,7 @@ const BUILT: [(&str, &[&str]); 48] = [
     ("lesson.", &["www/lesson/panel.js"]),
     // What the mechanisms of the catalogue call their links.
     ("link.", LINKS),
+    ("import.", &["crates/assur-import/src/left_out.rs"]),
     ("kind.", &["crates/assur-file/src/kinds/mod.rs"]),
     // By what the input is.
     ("axes.physical.", MOVES),
@@ -108,6 +109,7 @@ const BUILT: [(&str, &[&str]); 48] = [
         &[
             "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
+            "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
             "www/state/codec.js",
             "www/engine.js",
@@ -238,7 +240,7 @@ fn quoted(text: &str, mark: char) -> BTreeSet<&str> {
 }
 
 /// Whether a source names a word: in quotes, as a number, as the key of an object; a
-/// code as the variant of an enum `…Problem`. What stands in its tests does not count.
+/// code as the variant of an enum `…Problem` or `LeftOut`. What stands in its tests does not count.
 fn names(source_name: &str, word: &str) -> bool {
     let text = source(source_name);
     let text = text.split("#[cfg(test)]").next().unwrap();
@@ -250,7 +252,8 @@ fn names(source_name: &str, word: &str) -> bool {
         })
     };
     let number = word.parse::<u8>().is_ok();
-    let variant = text.contains("Problem {\n");
+    let variant = ["Problem {\n", "enum LeftOut {\n"];
+    let variant = variant.iter().any(|start| text.contains(start));
     quoted(text, '"').contains(word)
         || (number && alone(word))
         || (variant && alone(&pascal(word)))
@@ -484,6 +487,35 @@ fn errata_are_those_of_the_document() {
         told += rows.len();
     }
     assert!(told > 10);
+}
+
+/// The variants of an enum of a source, as the codes that they are written as.
+fn codes_of(source_name: &str) -> Vec<String> {
+    let text = source(source_name);
+    let (_, inner) = text.split_once("pub enum ").unwrap();
+    let (inner, _) = inner.split_once("\n}").unwrap();
+    let lines = inner.lines().filter_map(|line| line.strip_prefix("    "));
+    let variants = lines.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()));
+    let names = variants.map(|line| line.split([' ', ',']).next().unwrap());
+    names.map(snake).collect()
+}
+
+#[test]
+fn what_is_told_of_other_programs_has_words() {
+    let problems = codes_of("crates/assur-import/src/problem.rs");
+    let left_out = codes_of("crates/assur-import/src/left_out.rs");
+    assert!(
+        problems.len() > 7 && left_out.len() > 20,
+        "{problems:?} {left_out:?}"
+    );
+    let problems = problems.iter().map(|code| format!("problem.{code}"));
+    let left_out = left_out.iter().map(|code| format!("import.{code}"));
+    let keys: Vec<String> = problems.chain(left_out).collect();
+    for (lang, _, words) in tables(PAGE) {
+        for key in &keys {
+            assert!(words.contains_key(key), "{lang}: {key}");
+        }
+    }
 }
 
 /// Codes and fields as `assur-file` writes them; those of linkages in their own tables.

@@ -157,6 +157,22 @@ export class Engine {
   }
 
   /**
+   * @param {string} text
+   * @returns {boolean} whether it is meant as something of another program
+   */
+  isForeign(text) {
+    return this.ask(() => module.isImport(text));
+  }
+
+  /**
+   * @param {string} text of another program
+   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} what it says, and codes of what could not be taken over as it was
+   */
+  readForeign(text) {
+    return this.ask(() => module.readImport(text));
+  }
+
+  /**
    * @param {State} state another than the one that is set, which stays
    * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array }} its drawing as it is drawn in the document
    */

@@ -279,122 +279,37 @@ fn addressed(hash: &str) -> State {
     State::read(&state.into()).unwrap()
 }
 
-/// More than a thousand edits by chance: some are one step with the one before.
-const THOUSAND: &str = r"
-    const canvas = document.getElementById('mechanism');
-    canvas.setPointerCapture = () => {};
-    const frame = () => new Promise((then) => requestAnimationFrame(then));
-    const later = (wait) => new Promise((then) => setTimeout(then, wait));
-    let seed = 20261123;
-    const below = (limit) => {
-      seed ^= seed << 13; seed ^= seed >>> 17; seed ^= seed << 5;
-      return (seed >>> 0) % limit;
-    };
-    const undo = document.getElementById('undo');
-    const redo = document.getElementById('redo');
-    const pointer = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {
-      clientX: x, clientY: y, button: 0, pointerId: 7, pointerType: 'mouse', bubbles: true, cancelable: true,
-    }));
-    const errors = [];
-    addEventListener('error', ({ message }) => errors.push(message));
-    const fields = () => [...document.querySelectorAll('#draw-points input')];
-    const shown = () => fields().map(({ id, value }) => id + value).join() + document.getElementById('draw-reasons').textContent;
-    const tools = ['bars', 'bars', 'plate', 'slide', 'fix', 'fix', 'drive', 'dyad', 'triad', 'wheel', 'mesh', 'tracer', 'mass'];
-    const place = () => {
-      const box = canvas.getBoundingClientRect();
-      return [box.x + 60 + below(box.width - 120), box.y + 130 + below(Math.max(box.height - 200, 1))];
-    };
-    const press = () => {
-      const [x, y] = place();
-      pointer('pointerdown', x, y);
-      pointer('pointerup', x, y);
-    };
-    const type = () => {
-      const all = fields();
-      if (all.length === 0) return;
-      const field = all[below(all.length)];
-      field.focus();
-      field.value = String((below(2000) - 1000) / 100);
-      field.dispatchEvent(new Event('input', { bubbles: true }));
-      field.dispatchEvent(new Event('change', { bubbles: true }));
-      field.blur();
-    };
-    const remove = () => {
-      document.getElementById('draw-select').click();
-      const [from, to] = [place(), place()];
-      pointer('pointerdown', ...from);
-      pointer('pointermove', (from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
-      pointer('pointermove', ...to);
-      pointer('pointerup', ...to);
-      document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'Delete', bubbles: true, cancelable: true }));
-    };
-    let [edits, tries, before] = [0, 0, shown()];
-    while (edits < 1100 && tries < 4400) {
-      tries += 1;
-      const what = below(10);
-      if (fields().length > 44) remove();
-      else if (what < 4) type();
-      else {
-        if (what < 8) document.getElementById('draw-' + tools[below(tools.length)]).click();
-        press();
-      }
-      await frame();
-      const now = shown();
-      if (now !== before) edits += 1;
-      before = now;
-    }
-    window.last = () => { dispatchEvent(new Event('pagehide')); return location.hash; };
-    window.errors = errors;
-    done({ edits, end: window.last() });";
-
-/// As many steps back as a browser takes addresses in a minute, and where each led.
-const BACK: &str = r"
-    const undo = document.getElementById('undo');
-    const hashes = [];
-    while (!undo.disabled && hashes.length < 1000) {
-      undo.click();
-      await new Promise((then) => setTimeout(then, 52));
-      hashes.push(window.last());
-    }
-    done({ hashes, over: undo.disabled });";
-
-/// All steps forth.
-const FORTH: &str = r"
-    const redo = document.getElementById('redo');
-    while (!redo.disabled) {
-      redo.click();
-      await new Promise((then) => requestAnimationFrame(then));
-    }
-    await new Promise((then) => setTimeout(then, 1000));
-    done({ end: window.last(), errors: window.errors });";
+/// What draws by chance.
+const CHANCE: &str = include_str!("chance.js");
 
 #[tokio::test]
 async fn a_thousand_edits_are_undone_and_redone() {
     let page = Page::open().await;
     let _sheet = Sheet::new(&page).await;
-    page.driver
-        .set_script_timeout(Duration::from_secs(300))
-        .await
-        .unwrap();
-    let asked = async |script: &str| {
-        let script = format!(
-            "const done = arguments[arguments.length - 1]; (async () => {{ {script} }})();"
-        );
+    page.ask(CHANCE).await;
+    let asked = async |what: &str| {
+        let script = format!("window.chance.{what}.then(arguments[arguments.length - 1])");
         page.ask_later(&script, vec![]).await
     };
-    let told = asked(THOUSAND).await;
-    assert_eq!(told["edits"], 1100);
-    let mut hashes = Vec::new();
+    page.driver
+        .set_script_timeout(Duration::from_secs(100))
+        .await
+        .unwrap();
+    for _ in 0..11 {
+        assert_eq!(asked("edit(100)").await, 100);
+    }
+    let last = page.ask("return window.chance.address()").await;
+    let mut addresses = Vec::new();
     loop {
-        let back = asked(BACK).await;
-        hashes.extend(back["hashes"].as_array().unwrap().clone());
+        let back = asked("walk('undo', 200)").await;
+        addresses.extend(back["addresses"].as_array().unwrap().clone());
         if back["over"] == true {
             break;
         }
     }
-    assert!(hashes.len() >= 1000, "{} steps", hashes.len());
-    for hash in &hashes {
-        let state = addressed(hash.as_str().unwrap());
+    assert!(addresses.len() >= 1000, "{} steps", addresses.len());
+    for address in &addresses {
+        let state = addressed(address.as_str().unwrap());
         match state.document {
             Document::Drawing(DrawingDocument(document)) => document.check().unwrap(),
             Document::Linkage(document) => drop(document.mechanism().unwrap()),
@@ -402,14 +317,16 @@ async fn a_thousand_edits_are_undone_and_redone() {
         }
     }
     // The last step back is the mechanism that was there before the sheet.
-    let empty = addressed(hashes[hashes.len() - 2].as_str().unwrap());
+    let empty = addressed(addresses[addresses.len() - 2].as_str().unwrap());
     assert_eq!(
         empty.document,
         Document::Drawing(DrawingDocument::default())
     );
-    let forth = asked(FORTH).await;
-    assert_eq!(forth["end"], told["end"]);
-    assert_eq!(forth["errors"], Value::Array(vec![]));
-    assert_eq!(page.said().await, [""; 0]);
+    while asked("walk('redo', 200)").await["over"] != true {}
+    assert_eq!(page.ask("return window.chance.address()").await, last);
+    assert_eq!(
+        page.ask("return window.chance.errors").await,
+        Value::Array(vec![])
+    );
     page.close().await;
 }

@@ -27,6 +27,7 @@ mod gear_train_kept;
 mod gear_train_load;
 mod gear_train_reader;
 mod hands;
+mod import;
 mod keyboard;
 mod keys;
 mod labels;

@@ -30,7 +30,7 @@ export function commands(page) {
  * @returns {Commands}
  */
 function fileCommands(page) {
-  const { engine, model, notices, habits } = page;
+  const { engine, model, notices } = page;
   /**
    * Does what is loaded when it is first asked for.
    * @template Part
@@ -43,7 +43,7 @@ function fileCommands(page) {
     else notices.tell(LOST);
   };
   return {
-    open: filePicker((text, name) => page.take(takeFile(text, name, engine, habits))),
+    open: filePicker((text, name) => page.take(takeFile(text, name, engine, page.ofNow()))),
     save: () => saveFile(model.good, engine.fileName(model.good)),
     copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),

@@ -1,5 +1,5 @@
 // What happened to a link or a file, as a sentence that stays until it is closed.
-import { sentence } from "assur/controls/problems.js";
+import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
 
 /**
@@ -41,11 +41,12 @@ export class Notices {
     this.#shown = [this.#told, words];
     const lines = this.#told.map((one) => {
       if (one === "copied") return words.text("notice.copied");
-      const why = one.problems.map((problem) => sentence(problem, words)).join(" ");
+      const say = one.kind === "import" ? lossOf : sentence;
+      const why = one.problems.map((problem) => say(problem, words)).join(" ");
       return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
     });
     this.#place.hidden = lines.length === 0;
-    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied"));
+    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied" || one.kind === "import"));
     this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
 }

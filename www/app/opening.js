@@ -1,4 +1,4 @@
-// Where the first state comes from, and taking in others later: an address, what was kept, a file.
+// Where the first state comes from, and taking in others later: an address, what was kept, a file, what another program made.
 import { attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
@@ -10,11 +10,18 @@ import { putAside, stored } from "assur/state/storage.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "part", problems: readonly Problem[], name?: string }>} Failure
- * @typedef {Readonly<{ state: State, failure: null } | { state: null, failure: Failure }>} Taken
+ * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "part" | "pasted" | "import", problems: readonly Problem[], name?: string }>} Failure
+ * Of kind `import` it is what was lost on the way; all else was opened.
+ * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
  * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.
  */
+
+/** What ends the names of files of Linkage. */
+const EXTENSION = /\.linkage2$/i;
+
+/** Characters of a title. */
+const LONGEST_TITLE = 400;
 
 /**
  * @param {Failure["kind"]} kind
@@ -59,6 +66,7 @@ export async function takeAddress(address, engine, habits) {
  * @returns {Promise<Taken>}
  */
 export async function takeFile(text, name, engine, habits) {
+  if (engine.isForeign(text)) return takeForeign(text, name, engine, habits);
   const unwrap = () => {
     const value = fromFile(text);
     engine.checkKeys(text);
@@ -66,6 +74,30 @@ export async function takeFile(text, name, engine, habits) {
   };
   const { state, failure } = await take("file", unwrap, engine, habits);
   return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
+}
+
+/**
+ * What another program made, from a file or as a link or text that was pasted.
+ * @param {string} text
+ * @param {string | null} name of the file
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<Taken>}
+ */
+export async function takeForeign(text, name, engine, habits) {
+  /** @type {readonly Problem[]} */
+  let lost = [];
+  let from = name ?? "";
+  const unwrap = () => {
+    const { read: { kind, document }, left_out } = engine.readForeign(text);
+    lost = left_out;
+    if ("source" in document) from ||= document.source ?? "";
+    const title = name && { title: name.replace(EXTENSION, "").slice(0, LONGEST_TITLE) };
+    return { format: 2, kind, document: { ...document, ...title }, view: usualView({ lang: habits.lang }) };
+  };
+  const { state, failure } = await take(name === null ? "pasted" : "file", unwrap, engine, habits);
+  if (!state) return { state, failure: { ...failure, name: from } };
+  return { state, failure: lost.length > 0 ? { kind: "import", problems: lost, name: from } : null };
 }
 
 /**

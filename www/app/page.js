@@ -6,6 +6,7 @@ import { chooseLanguage, speak } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
 import { Notices } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
+import { receive } from "assur/app/receiving.js";
 import { Views } from "assur/app/views.js";
 import { welcome } from "assur/app/welcome.js";
 import { Theme } from "assur/canvas/theme.js";
@@ -97,6 +98,7 @@ export class Page {
     this.store.subscribe(redraw);
     persist(this.store, this.address, (state) => this.model.takes(state));
     // The address that was entered: by now another may have been written over it.
+    receive(this);
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);
     welcome(this);
@@ -122,6 +124,11 @@ export class Page {
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
     performance.mark("printable");
+  }
+
+  /** @returns {import("assur/app/opening.js").Habits} for what says nothing of a language: the one that is read now */
+  ofNow() {
+    return { ...this.habits, lang: this.store.get().view.lang };
   }
 
   redraw() {

@@ -36,6 +36,14 @@ export function saveFile(state, name) {
 }
 
 /**
+ * @param {File} file
+ * @returns {Promise<string>} what is in it; one that cannot be read at all is like one with nothing in it
+ */
+export function fileText(file) {
+  return file.text().catch(() => "");
+}
+
+/**
  * @param {(text: string, name: string) => void} opened
  * @returns {() => void} asks for a file
  */
@@ -44,8 +52,7 @@ export function filePicker(opened) {
   input.addEventListener("change", async () => {
     const file = input.files?.[0];
     if (!file) return;
-    // A file that cannot be read at all is like one with nothing in it.
-    const text = await file.text().catch(() => "");
+    const text = await fileText(file);
     input.value = "";
     opened(text, file.name);
   });

@@ -71,8 +71,28 @@ function nameIn(document, list, at, words) {
  * @param {(place: number) => number} [onto] the same angle, in degrees, on the scale that readers have before them
  * @returns {string}
  */
-export function sentence(problem, words, document, onto = (place) => place) {
-  const key = `problem.${problem.code}`;
+export function sentence(problem, words, document, onto) {
+  return said(`problem.${problem.code}`, problem, words, document, onto);
+}
+
+/**
+ * @param {Problem} loss what could not be taken over from another program
+ * @param {Words} words
+ * @returns {string}
+ */
+export function lossOf(loss, words) {
+  return said(`import.${loss.code}`, loss, words);
+}
+
+/**
+ * @param {string} key
+ * @param {Problem} problem
+ * @param {Words} words
+ * @param {Document} [document]
+ * @param {(place: number) => number} [onto]
+ * @returns {string}
+ */
+function said(key, problem, words, document, onto = (place) => place) {
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
   const places = {};

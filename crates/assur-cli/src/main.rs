@@ -23,7 +23,9 @@ use clap::{Parser, Subcommand};
 /// Planar mechanisms: tables of their motion, their Assur groups, drawings.
 ///
 /// NAME is a name of the catalogue (see `assur list`) or a file: a state saved by
-/// the page, or a linkage alone; docs/file-format.md describes both.
+/// the page, or a linkage alone; docs/file-format.md describes both. It may also be
+/// a file of Linkage (`.linkage2`) or, in quotes, a link of PMKS+: what of it could
+/// not be taken over as it was is told on standard error.
 ///
 /// Exit status: 0 done, 1 a file could not be read or written, 2 bad input.
 #[derive(Parser)]

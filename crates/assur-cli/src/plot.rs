@@ -23,7 +23,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     let Moved { document, motion } = moved;
     let mechanism = motion.mechanism();
     let unsolved = |reason: assur::mechanism::Unsolved| {
-        refused(name, &[LinkageProblem::unsolved(&reason, mechanism).into()])
+        refused(name, &[LinkageProblem::unsolved(&reason, mechanism)])
     };
     let point = |name: &String| mechanism.point(name);
     let view = View {

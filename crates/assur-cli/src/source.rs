@@ -1,13 +1,15 @@
 //! The mechanism that a name stands for.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 
 use assur::circuits::NoAssembly;
 use assur::mechanism::LinkId;
 use assur::mobility::{Cut, Scheme, SchemeDraft};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
+use assur_import::Imported;
+use serde::Serialize;
 
 use crate::Failure;
 use crate::words::Words;
@@ -115,13 +117,35 @@ pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
     Ok(Schemed { scheme, cuts })
 }
 
-/// What a name stands for, of any kind.
+/// What a name stands for, of any kind: a name of the catalogue, a link of another program, a file.
 fn any(name: &str) -> Result<Document, Failure> {
+    // Nothing is fetched: what is in the address of the link itself is all there is to read.
+    if name.contains("://") {
+        let (place, _) = name.split_once('?').unwrap_or((name, ""));
+        return imported(place, name);
+    }
     let found = match assur_file::document(name) {
         Some(found) => found,
-        None => assur_file::document_of(&text(name)?),
+        None => {
+            let text = text(name)?;
+            if assur_import::recognised(&text) {
+                return imported(name, &text);
+            }
+            assur_file::document_of(&text)
+        }
     };
     found.map_err(|problems| refused(name, &problems))
+}
+
+/// What another program made. What could not be taken over is said beside the output.
+fn imported(name: &str, text: &str) -> Result<Document, Failure> {
+    let Imported { document, left_out } =
+        assur_import::read(text).map_err(|problem| refused(name, &[problem]))?;
+    let words = Words::english()?;
+    for told in left_out {
+        let _ = writeln!(io::stderr(), "{name}: {}", words.left_out(&told)?);
+    }
+    Ok(Document::Linkage(document))
 }
 
 fn text(name: &str) -> Result<String, Failure> {
@@ -145,11 +169,18 @@ fn text(name: &str) -> Result<String, Failure> {
             "{name}: too large to be a mechanism"
         )));
     }
-    String::from_utf8(bytes).map_err(|_| Failure::Input(format!("{name}: this is no text")))
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(text),
+        // Linkage writes names in the code page of its machine; all else of a file is in ASCII.
+        Err(other) if other.as_bytes().starts_with(b"<") => {
+            Ok(String::from_utf8_lossy(other.as_bytes()).into_owned())
+        }
+        Err(_) => Err(Failure::Input(format!("{name}: this is no text"))),
+    }
 }
 
 /// One line for each problem.
-pub(crate) fn refused(name: &str, problems: &[Problem]) -> Failure {
+pub(crate) fn refused(name: &str, problems: &[impl Serialize]) -> Failure {
     let sentences = Words::english().and_then(|words| {
         let sentences = problems.iter().map(|problem| words.sentence(problem));
         sentences.collect::<Result<Vec<_>, _>>()

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use assur_file::Problem;
-use serde::Deserialize;
+use assur_import::LeftOut;
+use serde::{Deserialize, Serialize};
 use serde_json::{Error, Map, Value};
 
 /// What is said of files in place of what the page says of its settings.
@@ -74,9 +74,22 @@ impl Words {
     ///
     /// # Errors
     /// A problem that cannot be written.
-    pub(crate) fn sentence(&self, problem: &Problem) -> Result<String, Error> {
-        let Written { code, parameters } = serde_json::from_value(serde_json::to_value(problem)?)?;
-        let Some(text) = self.0.get(&format!("problem.{code}")) else {
+    pub(crate) fn sentence(&self, problem: &impl Serialize) -> Result<String, Error> {
+        self.said("problem", problem)
+    }
+
+    /// The sentence of something that could not be taken over from another program.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    pub(crate) fn left_out(&self, told: &LeftOut) -> Result<String, Error> {
+        self.said("import", told)
+    }
+
+    /// The sentence of a code with parameters, from a space of keys.
+    fn said(&self, space: &str, told: &impl Serialize) -> Result<String, Error> {
+        let Written { code, parameters } = serde_json::from_value(serde_json::to_value(told)?)?;
+        let Some(text) = self.0.get(&format!("{space}.{code}")) else {
             return Ok(code);
         };
         let mut sentence = String::new();
@@ -156,7 +169,7 @@ pub(crate) fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur_file::LinkageProblem;
+    use assur_file::{LinkageProblem, Problem};
 
     #[test]
     fn places_are_filled() {
@@ -166,7 +179,7 @@ mod tests {
         };
         let words = Words::english().unwrap();
         assert_eq!(
-            words.sentence(&locked.into()).unwrap(),
+            words.sentence(&Problem::from(locked)).unwrap(),
             "There are too many pairs or drivers (W = -1); these links are locked: crank, third rocker."
         );
         let form = Problem::BadState {

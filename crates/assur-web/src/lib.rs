@@ -13,6 +13,7 @@ mod driven;
 mod equations;
 mod handle;
 mod here;
+mod imported;
 mod kinds;
 mod moving;
 mod profile;
@@ -26,5 +27,6 @@ mod types;
 
 pub use assemblies::AllMotions;
 pub use design::Design;
+pub use imported::{is_import, read_import};
 pub use qr::qr_code;
 pub use simulator::{Simulator, catalogue, check_keys, read_state, role_names, shelves, task};

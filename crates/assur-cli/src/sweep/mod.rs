@@ -114,7 +114,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
             values.map(|(value, scale)| value.map_or(Cell::Empty, |one| Cell::Number(one * scale)));
         let reason = row
             .reason
-            .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism).into()));
+            .map(|unsolved| words.sentence(&LinkageProblem::unsolved(&unsolved, mechanism)));
         let first = [Cell::Number(at.counted)].into_iter();
         let last = [reason.transpose()?.map_or(Cell::Empty, Cell::Text)];
         csv.line(out, first.chain(values).chain(last))?;

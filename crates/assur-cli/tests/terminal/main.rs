@@ -10,6 +10,7 @@ mod assemblies;
 mod drawings;
 mod files;
 mod golden;
+mod imported;
 mod linkages;
 mod options;
 mod run;

@@ -9,7 +9,8 @@ use assur::mechanism::{LinkId, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
-use super::Kind;
+use super::drawing::DrawingDocument;
+use super::{Document, Kind};
 use crate::{LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field};
 
@@ -270,6 +271,15 @@ impl LinkageDocument {
                 max: drawn.assemblies() as f64,
             }]
         })
+    }
+
+    /// The document by its kind: a linkage where it moves, else a drawing.
+    pub fn as_it_moves(self) -> Document {
+        if self.mechanism().is_ok() {
+            Document::Linkage(self)
+        } else {
+            Document::Drawing(DrawingDocument(self))
+        }
     }
 
     /// The motion of the mechanism.

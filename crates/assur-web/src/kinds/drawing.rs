@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use assur::Point;
-use assur::mechanism::Mechanism;
 use assur_draw::{Sketch, SketchView};
 use assur_edit::{Advice, Edit, Mend, edited, selected};
 use assur_file::{Document, DrawingDocument, LinkageDocument, Problem, State};
@@ -162,13 +161,8 @@ pub(crate) fn edit(
 ) -> Result<JsValue, Vec<Problem>> {
     let before = open.drawn(input).map_err(|problem| vec![problem])?;
     let after = edited(&before, edit)?;
-    let moves = Mechanism::new(&after.document.draft()).is_ok();
     Ok(to_js(&Drawn {
-        document: if moves {
-            Document::Linkage(after.document)
-        } else {
-            Document::Drawing(DrawingDocument(after.document))
-        },
+        document: after.document.as_it_moves(),
         point: after.point,
         link: after.link,
     }))

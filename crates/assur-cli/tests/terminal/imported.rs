@@ -1,0 +1,68 @@
+//! Links of PMKS+ and files of Linkage as NAME: what they come to, and what is told of them beside it.
+
+use std::path::PathBuf;
+
+use crate::run::{Scratch, assur, refused};
+
+const LINK: &str = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.MA,A,0,0,0.GB,B,0,Im,0.GC,C,0,0r8,0.LP,P,0,0r8,OZ..\
+    YRAB,Crank,VG,o,0,9O,c5cae9,A,B,,.YRBC,Connecting rod,ku,6G,0,0HC,303e9f,B,C,,.YPCP,CP,1Tm,0,0,0,,C,P,,..\
+    2F1,BC,F1,0,0r8,0,0bW,1Xg0..N_J";
+
+fn published(name: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../assur-import/tests/published");
+    folder.join(name).to_str().unwrap().to_owned()
+}
+
+/// Standard output and standard error of a run that went well.
+fn both(arguments: &[&str]) -> [String; 2] {
+    let output = assur(arguments);
+    assert!(output.status.success(), "{output:?}");
+    [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap())
+}
+
+#[test]
+fn a_link_is_a_name() {
+    let [table, told] = both(&["sweep", LINK, "--step", "90"]);
+    assert!(
+        table.lines().any(|line| line.contains("Crank.angle")),
+        "{table}"
+    );
+    assert_eq!(
+        table.lines().filter(|line| !line.starts_with('#')).count(),
+        1 + 5,
+        "{table}"
+    );
+    let place = "https://app.pmksplus.com/: ";
+    assert!(told.lines().all(|line| line.starts_with(place)), "{told}");
+    assert_eq!(told.lines().count(), 3, "{told}");
+    assert!(told.contains("Forces are left out: F1."), "{told}");
+    let cut = &LINK[..LINK.len() - 9];
+    let (status, said) = refused(&["sweep", cut]);
+    assert_eq!(status, 2);
+    assert!(said.contains("its check character does not fit"), "{said}");
+    let (status, said) = refused(&["sweep", "https://example.org/?a=b"]);
+    let neither =
+        "assur: https://example.org/: This is neither a link of PMKS+ nor a file of Linkage.\n";
+    assert_eq!((status, said.as_str()), (2, neither));
+}
+
+#[test]
+fn a_file_of_linkage_is_a_name() {
+    let [structure, told] = both(&["structure", &published("linkage2/issue-12.linkage2")]);
+    assert!(structure.contains("III"), "{structure}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    // A name in another code page is no reason to refuse the rest.
+    let mut bytes = b"<linkage2>\n<connector id=\"0\" name=\"\xc9\" x=\"0\" y=\"0\"/>".to_vec();
+    let file = Scratch::with("latin.linkage2", "");
+    std::fs::write(&file.0, &bytes).unwrap();
+    let (status, said) = refused(&["structure", file.path()]);
+    assert!(
+        status == 2 && said.contains("Line 2: a tag does not end"),
+        "{said}"
+    );
+    bytes.extend(b"<connector id=\"1\" x=\"1\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"1\"/>");
+    bytes.extend(b"<Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link></linkage2>");
+    std::fs::write(&file.0, &bytes).unwrap();
+    let [structure, _] = both(&["structure", file.path()]);
+    assert!(structure.contains("I("), "{structure}");
+}

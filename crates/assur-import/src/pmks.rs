@@ -1,0 +1,58 @@
+//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>), of its first
+//! form, with everything in words, and of the second one, in short. Both come to one [`Plan`].
+
+mod plan;
+mod readable;
+mod short;
+
+use crate::{ImportProblem, Imported};
+
+/// Whether the query of a link has one of the forms.
+pub(crate) fn begins(query: &str) -> bool {
+    readable::begins(query) || short::begins(query)
+}
+
+/// Reads what follows the `?` of a link to a host.
+///
+/// # Errors
+/// The part that cannot be read.
+pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportProblem> {
+    let query = decoded(query);
+    let plan = if readable::begins(&query) {
+        readable::plan(&query)?
+    } else {
+        short::plan(&query)?
+    };
+    let source = match host {
+        Some(host) => {
+            let plain = host.chars().filter(|c| !c.is_control());
+            format!("PMKS+, {}", plain.take(100).collect::<String>())
+        }
+        None => "PMKS+".to_owned(),
+    };
+    plan.sketch(source)?.imported()
+}
+
+/// What `%7C` and the like stand for; not of the marks that part an address, which browsers leave as they are.
+fn decoded(query: &str) -> String {
+    let hex = |byte: Option<&u8>| char::from(*byte?).to_digit(16);
+    let mut bytes = Vec::with_capacity(query.len());
+    let mut rest = query.as_bytes();
+    while let Some((first, after)) = rest.split_first() {
+        let byte = match (first, hex(after.first()), hex(after.get(1))) {
+            (b'%', Some(high), Some(low)) => Some((high * 16 + low) as u8),
+            _ => None,
+        };
+        match byte.filter(|byte| !b";/?:@&=+$,#".contains(byte)) {
+            Some(byte) => {
+                bytes.push(byte);
+                rest = &after[2..];
+            }
+            None => {
+                bytes.push(*first);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

@@ -1,0 +1,361 @@
+//! What a link of PMKS+ says, whatever its form, and the mechanism that it means.
+
+use std::f64::consts::{PI, TAU};
+
+use assur_file::LengthUnit;
+
+use crate::sketch::{Bar, Body, Driver, FARTHEST, Joint, Moves, Sketch};
+use crate::{ImportProblem, LeftOut};
+
+/// Angles are told in thousandths of a radian.
+const ANGLE_STEP: f64 = 0.001;
+
+/// A joint: a hinge or a prismatic pair.
+#[derive(Debug, Default)]
+pub(super) struct Pin {
+    pub(super) id: String,
+    pub(super) name: String,
+    pub(super) at: [f64; 2],
+    pub(super) prismatic: bool,
+    pub(super) grounded: bool,
+    pub(super) input: bool,
+    pub(super) welded: bool,
+    pub(super) traced: bool,
+    /// Of a prismatic pair on the ground its direction, radians.
+    pub(super) angle: f64,
+    /// Of one on a link that link, and two of its joints on the line.
+    pub(super) slot: Option<[String; 3]>,
+    /// Revolutions per minute of its own.
+    pub(super) rpm: Option<f64>,
+}
+
+/// A link, or a block that slides.
+#[derive(Debug, Default)]
+pub(super) struct Member {
+    pub(super) id: String,
+    pub(super) name: String,
+    pub(super) block: bool,
+    /// Whether it is no part of another one.
+    pub(super) root: bool,
+    pub(super) mass: f64,
+    pub(super) joints: Vec<String>,
+    pub(super) parts: Vec<String>,
+}
+
+/// The whole of it.
+#[derive(Debug, Default)]
+pub(super) struct Plan {
+    pub(super) unit: Option<LengthUnit>,
+    /// Revolutions per minute, positive counter-clockwise.
+    pub(super) rpm: f64,
+    pub(super) pins: Vec<Pin>,
+    pub(super) members: Vec<Member>,
+    pub(super) forces: Vec<String>,
+    pub(super) unknown: Vec<String>,
+}
+
+impl Plan {
+    /// The mechanism that is meant.
+    ///
+    /// # Errors
+    /// Names that are given twice, or to nothing; places out of any range; too many parts.
+    pub(super) fn sketch(self, source: String) -> Result<Sketch, ImportProblem> {
+        crate::bounded(self.pins.len() + self.members.len())?;
+        let mut sketch = Sketch {
+            source,
+            unit: self.unit,
+            ..Sketch::default()
+        };
+        for (k, pin) in self.pins.iter().enumerate() {
+            let twice = self.pins[..k].iter().any(|other| other.id == pin.id);
+            if twice {
+                let part = pin.id.clone();
+                return Err(ImportProblem::ImportTwice { part });
+            }
+            if let Some(far) = pin.at.iter().find(|x| x.abs() > FARTHEST) {
+                return Err(ImportProblem::ImportNumber {
+                    part: pin.id.clone(),
+                    value: far.to_string(),
+                });
+            }
+            sketch.joints.push(Joint {
+                name: pin.name.clone(),
+                at: pin.at,
+                fixed: pin.grounded && !pin.prismatic,
+                traced: pin.traced && !pin.prismatic,
+                own: !pin.prismatic,
+            });
+        }
+        let size = sketch.size();
+        let blocks = self.blocks(&mut sketch)?;
+        let bars = self.bars(&mut sketch, &blocks)?;
+        // The slides by the joint of PMKS+ that each is.
+        let mut slides = vec![None; self.pins.len()];
+        for Block { pair, pin } in &blocks {
+            slides[*pair] = Some(self.slide(&mut sketch, &bars, *pair, *pin, size)?);
+        }
+        self.weld(&mut sketch, &bars);
+        self.drive(&mut sketch, &bars, &slides, size);
+        self.leave_out(&mut sketch, &bars);
+        Ok(sketch)
+    }
+
+    /// The number of a joint.
+    fn pin(&self, id: &str) -> Result<usize, ImportProblem> {
+        let found = self.pins.iter().position(|pin| pin.id == id);
+        found.ok_or_else(|| ImportProblem::LinkPart {
+            part: id.to_owned(),
+        })
+    }
+
+    /// Each prismatic pair with the pin that it guides. A pair of which no block tells that guides itself.
+    fn blocks(&self, sketch: &mut Sketch) -> Result<Vec<Block>, ImportProblem> {
+        let mut blocks: Vec<Block> = Vec::new();
+        for member in self.members.iter().filter(|member| member.block) {
+            let joints = member.joints.iter().map(|id| self.pin(id));
+            let joints = joints.collect::<Result<Vec<_>, _>>()?;
+            let of = |prismatic: bool| {
+                joints
+                    .iter()
+                    .find(|k| self.pins[**k].prismatic == prismatic)
+            };
+            if let (Some(pair), Some(pin)) = (of(true), of(false)) {
+                blocks.push(Block {
+                    pair: *pair,
+                    pin: *pin,
+                });
+            }
+        }
+        for (pair, pin) in self
+            .pins
+            .iter()
+            .enumerate()
+            .filter(|(_, pin)| pin.prismatic)
+        {
+            if blocks.iter().any(|block| block.pair == pair) {
+                continue;
+            }
+            let guided = self
+                .members
+                .iter()
+                .filter(|member| member.joints.contains(&pin.id));
+            if guided.count() > 0 {
+                sketch.joints[pair].own = true;
+                sketch.joints[pair].traced = pin.traced;
+                blocks.push(Block { pair, pin: pair });
+            }
+        }
+        Ok(blocks)
+    }
+
+    /// The links that are no blocks and no parts, with their numbers.
+    fn bars(
+        &self,
+        sketch: &mut Sketch,
+        blocks: &[Block],
+    ) -> Result<Vec<(usize, &Member)>, ImportProblem> {
+        let mut bars = Vec::new();
+        let roots = self
+            .members
+            .iter()
+            .filter(|member| member.root && !member.block);
+        for member in roots {
+            let mut joints = Vec::new();
+            for id in &member.joints {
+                let joint = self.pin(id)?;
+                // Where a pair was put on a link beside its pin it is that pin.
+                let guided = blocks.iter().find(|block| block.pair == joint);
+                let joint = guided.map_or(joint, |block| block.pin);
+                if !joints.contains(&joint) {
+                    joints.push(joint);
+                }
+            }
+            if joints.is_empty() {
+                let part = member.id.clone();
+                return Err(ImportProblem::LinkPart { part });
+            }
+            bars.push((sketch.bar(member.name.clone(), joints), member));
+        }
+        Ok(bars)
+    }
+
+    /// A prismatic pair: of a block that is hinged at the pin, or of the link that is welded to it.
+    fn slide(
+        &self,
+        sketch: &mut Sketch,
+        bars: &[(usize, &Member)],
+        pair: usize,
+        pin: usize,
+        size: f64,
+    ) -> Result<usize, ImportProblem> {
+        let told = &self.pins[pair];
+        let (on, line) = match &told.slot {
+            Some([carrier, from, to]) => {
+                let carries =
+                    |member: &Member| member.id == *carrier || member.parts.contains(carrier);
+                let found = bars.iter().find(|(_, member)| carries(member));
+                let line = [self.pin(from)?, self.pin(to)?];
+                let has = |bar: usize| line.iter().all(|end| sketch.bars[bar].joints.contains(end));
+                let carrier = found.map(|(bar, _)| *bar).filter(|bar| has(*bar));
+                let part = || ImportProblem::LinkPart {
+                    part: told.id.clone(),
+                };
+                (Body::Bar(carrier.ok_or_else(part)?), line)
+            }
+            None => (Body::Frame, self.ground(sketch, told, size)),
+        };
+        let mut riders = bars.iter().map(|(bar, _)| *bar);
+        let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
+        // Where parts of one link are welded together, older links mean no more than that.
+        let id = &self.pins[pin].id;
+        let meet = self
+            .members
+            .iter()
+            .filter(|member| !member.root && member.joints.contains(id));
+        let welded = self.pins[pin].welded && meet.count() < 2;
+        let rider = riders.find(rides).filter(|_| welded);
+        Ok(match rider {
+            Some(rider) => sketch.slide(rider, pin, on, line),
+            None => sketch.block(pin, on, line),
+        })
+    }
+
+    /// Two points of the ground on the line of a pair.
+    fn ground(&self, sketch: &mut Sketch, pair: &Pin, size: f64) -> [usize; 2] {
+        let angle = whole_degrees(pair.angle);
+        let half = 0.15 * if size > 0.0 { size } else { 1.0 };
+        // The cosine of 90° is 6e-17 in floating point.
+        let exact = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
+        let [x, y] = [exact(angle.cos()), exact(angle.sin())];
+        let end = |way: f64| [pair.at[0] + way * x, pair.at[1] + way * y];
+        let from = sketch.helper(pair.name.clone(), end(-half), true);
+        let to = sketch.helper(format!("{}′", pair.name), end(half), true);
+        [from, to]
+    }
+
+    /// Links that meet at a welded joint are one; welded to the ground they do not move.
+    fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
+        for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
+            let here = bars.iter().map(|(bar, _)| *bar);
+            let here: Vec<usize> = here
+                .filter(|bar| sketch.bars[*bar].joints.contains(&k))
+                .collect();
+            let pairs = here.windows(2).map(|pair| (pair[1], Body::Bar(pair[0])));
+            sketch.welds.extend(pairs);
+            if let (true, Some(first)) = (pin.grounded, here.first()) {
+                sketch.welds.push((*first, Body::Frame));
+            }
+        }
+    }
+
+    fn drive(
+        &self,
+        sketch: &mut Sketch,
+        bars: &[(usize, &Member)],
+        slides: &[Option<usize>],
+        size: f64,
+    ) {
+        for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.input) {
+            let rpm = pin.rpm.unwrap_or(self.rpm);
+            let has = |bar: &Bar| bar.joints.contains(&k);
+            let mut here = bars
+                .iter()
+                .map(|(bar, _)| *bar)
+                .filter(|bar| has(&sketch.bars[*bar]));
+            let moves = match slides[k] {
+                Some(slide) => {
+                    let [way, length] = sketch.way(slide);
+                    // Of a slot its ends; of a guide on the ground nothing is told.
+                    let range = match pin.slot {
+                        Some(_) => [way.min(0.0), way.max(length)],
+                        None => [way - size, way + size],
+                    };
+                    let [min, max] = range;
+                    let point = pin.name.clone();
+                    sketch.left_out.push(LeftOut::Range { point, min, max });
+                    Moves::Slide { slide, range }
+                }
+                None => {
+                    let first = here.next();
+                    let second = here.next().filter(|_| !pin.grounded);
+                    match (first, second) {
+                        (Some(bar), None) => Moves::Crank {
+                            bar,
+                            base: Body::Frame,
+                        },
+                        (Some(base), Some(bar)) => Moves::Crank {
+                            bar,
+                            base: Body::Bar(base),
+                        },
+                        (None, _) => {
+                            let point = pin.name.clone();
+                            sketch.left_out.push(LeftOut::Driver { point });
+                            continue;
+                        }
+                    }
+                }
+            };
+            let called = match moves {
+                Moves::Crank { bar, .. } => sketch.bars[bar].name.clone(),
+                Moves::Slide { .. } => pin.name.clone(),
+            };
+            if sketch.drivers.is_empty() && rpm != 0.0 && slides[k].is_none() {
+                let link = called.clone();
+                sketch.left_out.push(LeftOut::Speed { link, rpm });
+            }
+            sketch.drivers.push(Driver {
+                moves,
+                speed: rpm * TAU / 60.0,
+                called,
+            });
+        }
+    }
+
+    fn leave_out(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
+        for (bar, member) in bars.iter().filter(|(_, member)| !member.parts.is_empty()) {
+            let called = |id: &String| {
+                let part = self.members.iter().find(|part| part.id == *id);
+                part.map_or_else(|| id.clone(), |part| part.name.clone())
+            };
+            sketch.left_out.push(LeftOut::Welded {
+                link: sketch.bars[*bar].name.clone(),
+                parts: member.parts.iter().map(called).collect(),
+            });
+        }
+        // A mass of 1 is that of every new link.
+        let heavy = self
+            .members
+            .iter()
+            .filter(|member| member.root && ![0.0, 1.0].contains(&member.mass));
+        let names: Vec<String> = heavy.map(|member| member.name.clone()).collect();
+        if !names.is_empty() {
+            sketch.left_out.push(LeftOut::Masses { names });
+        }
+        if !self.forces.is_empty() {
+            let names = self.forces.clone();
+            sketch.left_out.push(LeftOut::Forces { names });
+        }
+        let unknown = self
+            .unknown
+            .iter()
+            .map(|part| LeftOut::Unknown { part: part.clone() });
+        sketch.left_out.extend(unknown);
+    }
+}
+
+/// A prismatic pair and the pin that it guides, by numbers of joints.
+struct Block {
+    pair: usize,
+    pin: usize,
+}
+
+/// An angle as whole degrees where its digits may mean that: they are too few to tell a guide at 90° from one that
+/// is a hundredth of a degree off.
+fn whole_degrees(angle: f64) -> f64 {
+    let whole = angle.to_degrees().round() * PI / 180.0;
+    if (whole - angle).abs() <= 0.5 * ANGLE_STEP + 1e-12 {
+        whole
+    } else {
+        angle
+    }
+}

@@ -1,0 +1,139 @@
+//! The first form: `?j=A,-3.74,-2.41,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,…,A|B,,…&f=…&s=10,false,false,cm`. Joints, links
+//! and forces, one in a line. Links have a kind, R or P, only in later ones; these also have one field of joints less.
+
+use assur_file::LengthUnit;
+
+use super::plan::{Member, Pin, Plan};
+use crate::ImportProblem;
+
+pub(super) fn begins(query: &str) -> bool {
+    query.starts_with("j=") && query.contains("&l=")
+}
+
+pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
+    let part = |name: &str| {
+        let parts = query
+            .split('&')
+            .find_map(|part| part.strip_prefix(name)?.strip_prefix('='));
+        parts.unwrap_or_default()
+    };
+    let lines = |name: &str| {
+        part(name)
+            .split('\n')
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+    };
+    let settings: Vec<&str> = part("s").split(',').collect();
+    let rpm = match settings[0] {
+        "" => 0.0,
+        told => number("s", told)?,
+    };
+    let clockwise = settings
+        .get(1)
+        .is_some_and(|told| yes(told).unwrap_or(false));
+    let unit = match settings.get(3) {
+        Some(&"cm") => Some(LengthUnit::Cm),
+        Some(&"m") => Some(LengthUnit::M),
+        Some(&"mm") => Some(LengthUnit::Mm),
+        Some(&"in") => Some(LengthUnit::In),
+        _ => None,
+    };
+    let force = |line: &str| line.split(',').next().unwrap_or_default().to_owned();
+    let mut plan = Plan {
+        unit,
+        rpm: if clockwise { -rpm } else { rpm },
+        pins: lines("j").map(pin).collect::<Result<_, _>>()?,
+        members: lines("l").map(member).collect::<Result<_, _>>()?,
+        forces: lines("f").map(force).collect(),
+        unknown: Vec::new(),
+    };
+    // It does not say of what paths are drawn: of the points that join nothing.
+    for pin in &mut plan.pins {
+        let links = plan
+            .members
+            .iter()
+            .filter(|member| member.joints.contains(&pin.id));
+        pin.traced = links.count() < 2;
+    }
+    Ok(plan)
+}
+
+/// `id,x,y,links,kind,ground,angle,friction,input,`, in later ones `id,x,y,links,kind,ground,angle,input`.
+fn pin(line: &str) -> Result<Pin, ImportProblem> {
+    let broken = || ImportProblem::LinkPart {
+        part: line.to_owned(),
+    };
+    let fields: Vec<&str> = line.split(',').collect();
+    let [id, x, y, _, kind, ground, angle, ref rest @ ..] = fields[..] else {
+        return Err(broken());
+    };
+    let input = match rest {
+        [input] => input,
+        [_, input, ..] => input,
+        [] => return Err(broken()),
+    };
+    let prismatic = match kind {
+        "R" => false,
+        "P" => true,
+        _ => return Err(broken()),
+    };
+    Ok(Pin {
+        id: id.to_owned(),
+        name: id.to_owned(),
+        at: [number(id, x)?, number(id, y)?],
+        prismatic,
+        grounded: yes(ground).ok_or_else(broken)?,
+        input: yes(input).ok_or_else(broken)?,
+        angle: if prismatic { number(id, angle)? } else { 0.0 },
+        ..Pin::default()
+    })
+}
+
+/// `id,mass,inertia,x,y,joints,…`, in later ones `id,kind,mass,inertia,x,y,joints,…`.
+fn member(line: &str) -> Result<Member, ImportProblem> {
+    let broken = || ImportProblem::LinkPart {
+        part: line.to_owned(),
+    };
+    let fields: Vec<&str> = line.split(',').collect();
+    let (block, rest) = match fields[..] {
+        [_, "P", ref rest @ ..] => (true, rest),
+        [_, "R", ref rest @ ..] => (false, rest),
+        [_, ref rest @ ..] => (false, rest),
+        [] => return Err(broken()),
+    };
+    let joints = match rest {
+        [_, _, _, _, joints, ..] => joints,
+        // A block had nothing but its joints, in some.
+        [joints, ..] if block => joints,
+        _ => return Err(broken()),
+    };
+    Ok(Member {
+        id: fields[0].to_owned(),
+        name: fields[0].to_owned(),
+        block,
+        root: true,
+        mass: if block {
+            0.0
+        } else {
+            number(fields[0], rest[0])?
+        },
+        joints: joints.split('|').map(str::to_owned).collect(),
+        parts: Vec::new(),
+    })
+}
+
+fn number(part: &str, text: &str) -> Result<f64, ImportProblem> {
+    let value = crate::number(text);
+    value.ok_or_else(|| ImportProblem::ImportNumber {
+        part: part.to_owned(),
+        value: text.to_owned(),
+    })
+}
+
+fn yes(text: &str) -> Option<bool> {
+    match text {
+        "t" | "true" => Some(true),
+        "f" | "false" => Some(false),
+        _ => None,
+    }
+}

@@ -1,0 +1,31 @@
+//! Why something of another program cannot be read, as a code with parameters. The words are in `lang/`.
+
+use serde::Serialize;
+
+/// A problem; serialised as `{"code": "…", parameters}`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum ImportProblem {
+    /// It is neither a link of PMKS+ nor a file of Linkage.
+    NotImported,
+    /// The text is longer than this, in bytes.
+    ImportTooLarge { max: usize },
+    /// There are more parts than this.
+    ImportTooMany { max: usize },
+    /// A link whose check character does not fit its length.
+    LinkCut,
+    /// A part of a link that has not the form.
+    LinkPart { part: String },
+    /// A tag of a file that does not end, or does not belong there.
+    MarkupBroken { line: usize },
+    /// What stands in this part is no number, or one out of any range.
+    ImportNumber { part: String, value: String },
+    /// Two parts of one name, so that what names it is not told.
+    ImportTwice { part: String },
+    /// There are no links in it.
+    NothingImported,
+}

@@ -1,0 +1,240 @@
+//! A mechanism as other programs have it, by numbers instead of names, and the linkage made of it.
+
+mod document;
+mod names;
+mod rates;
+
+use assur_file::{LengthUnit, MeshDocument};
+
+use crate::{ImportProblem, Imported, LeftOut};
+pub(crate) use names::letter;
+
+/// No place is farther out: beyond it, squares of lengths lose their meaning.
+pub(crate) const FARTHEST: f64 = 1e9;
+
+/// What carries something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Body {
+    Frame,
+    Bar(usize),
+}
+
+/// A point.
+#[derive(Clone, Debug)]
+pub(crate) struct Joint {
+    pub(crate) name: String,
+    pub(crate) at: [f64; 2],
+    pub(crate) fixed: bool,
+    pub(crate) traced: bool,
+    /// Whether the other program has it, or it only helps to say what that has.
+    pub(crate) own: bool,
+}
+
+/// A rigid link, a block or a wheel.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bar {
+    pub(crate) name: String,
+    pub(crate) joints: Vec<usize>,
+    /// What it turns as one with, lying on it as drawn.
+    pub(crate) fixed_to: Option<Body>,
+    /// Whether it is a wheel, which stays one when its shaft stands still.
+    pub(crate) wheel: bool,
+}
+
+/// A prismatic pair: the joint of a bar on a line through two joints of a body.
+#[derive(Clone, Debug)]
+pub(crate) struct Slide {
+    pub(crate) bar: usize,
+    pub(crate) joint: usize,
+    pub(crate) on: Body,
+    pub(crate) line: [usize; 2],
+}
+
+/// Two wheels in mesh.
+#[derive(Clone, Debug)]
+pub(crate) struct Gear {
+    pub(crate) bars: [usize; 2],
+    pub(crate) carrier: Body,
+    pub(crate) teeth: [f64; 2],
+    pub(crate) mesh: MeshDocument,
+}
+
+/// What is driven, and how fast by time: radians or lengths per second.
+#[derive(Clone, Debug)]
+pub(crate) struct Driver {
+    pub(crate) moves: Moves,
+    pub(crate) speed: f64,
+    /// What it moves, as the other program calls it.
+    pub(crate) called: String,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Moves {
+    Crank { bar: usize, base: Body },
+    Slide { slide: usize, range: [f64; 2] },
+}
+
+/// The whole of it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sketch {
+    pub(crate) source: String,
+    pub(crate) unit: Option<LengthUnit>,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) bars: Vec<Bar>,
+    /// Bars that are one with a body.
+    pub(crate) welds: Vec<(usize, Body)>,
+    pub(crate) slides: Vec<Slide>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) drivers: Vec<Driver>,
+    pub(crate) left_out: Vec<LeftOut>,
+}
+
+impl Sketch {
+    /// A point that only helps to say what the other program has.
+    pub(crate) fn helper(&mut self, name: String, at: [f64; 2], fixed: bool) -> usize {
+        self.joints.push(Joint {
+            name,
+            at,
+            fixed,
+            traced: false,
+            own: false,
+        });
+        self.joints.len() - 1
+    }
+
+    /// A bar of a name through joints.
+    pub(crate) fn bar(&mut self, name: String, joints: Vec<usize>) -> usize {
+        self.bars.push(Bar {
+            name,
+            joints,
+            ..Bar::default()
+        });
+        self.bars.len() - 1
+    }
+
+    /// A pin on a line of a body: a block that is hinged at the pin. Its number among the slides.
+    pub(crate) fn block(&mut self, pin: usize, on: Body, line: [usize; 2]) -> usize {
+        let name = self.joints[pin].name.clone();
+        let bar = self.bar(name, vec![pin]);
+        self.slide(bar, pin, on, line)
+    }
+
+    pub(crate) fn slide(&mut self, bar: usize, joint: usize, on: Body, line: [usize; 2]) -> usize {
+        self.slides.push(Slide {
+            bar,
+            joint,
+            on,
+            line,
+        });
+        self.slides.len() - 1
+    }
+
+    /// The way of a slide as it is drawn, and the length of its line.
+    pub(crate) fn way(&self, slide: usize) -> [f64; 2] {
+        let Slide { joint, line, .. } = &self.slides[slide];
+        let [from, to] = line.map(|end| self.joints[end].at);
+        let length = distance(from, to);
+        let at = self.joints[*joint].at;
+        let along = (at[0] - from[0]) * (to[0] - from[0]) + (at[1] - from[1]) * (to[1] - from[1]);
+        [if length > 0.0 { along / length } else { 0.0 }, length]
+    }
+
+    /// How far its joints are from each other at most.
+    pub(crate) fn size(&self) -> f64 {
+        let extent = |axis: usize| {
+            let places = self.joints.iter().map(|joint| joint.at[axis]);
+            let ends = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+                [least.min(x), most.max(x)]
+            });
+            (ends[1] - ends[0]).max(0.0)
+        };
+        extent(0).hypot(extent(1))
+    }
+
+    /// The linkage, with what could not be taken over.
+    ///
+    /// # Errors
+    /// There are no links.
+    pub(crate) fn imported(self) -> Result<Imported, ImportProblem> {
+        document::imported(self)
+    }
+
+    /// What each bar is in the end: itself, the one that it is welded to, or the frame. Joints of
+    /// what is welded go over to the one that stays.
+    fn bodies(&mut self) -> Vec<Body> {
+        let mut into: Vec<Body> = (0..self.bars.len()).map(Body::Bar).collect();
+        for (bar, to) in self.welds.clone() {
+            let (from, to) = (root(&into, Body::Bar(bar)), root(&into, to));
+            match (from, to) {
+                (Body::Bar(a), Body::Bar(b)) if a != b => self.join(&mut into, a.min(b), a.max(b)),
+                (Body::Bar(a), Body::Frame) | (Body::Frame, Body::Bar(a)) => self.fix(&mut into, a),
+                _ => {}
+            }
+        }
+        // What is fixed fixes what else it is joined to at two points.
+        let mut still = Vec::new();
+        while let Some(bar) = (0..self.bars.len()).find(|bar| {
+            let Bar { joints, wheel, .. } = &self.bars[*bar];
+            let fixed = joints.iter().filter(|joint| self.joints[**joint].fixed);
+            into[*bar] == Body::Bar(*bar) && !wheel && fixed.count() > 1
+        }) {
+            self.fix(&mut into, bar);
+            // Two anchors with nothing else are how the frame is drawn.
+            let told = |joint: &usize| !self.joints[*joint].own;
+            if self.bars[bar].joints.len() > 2 && !self.bars[bar].joints.iter().any(told) {
+                still.push(self.bars[bar].name.clone());
+            }
+        }
+        if !still.is_empty() {
+            self.left_out.push(LeftOut::Fixed { names: still });
+        }
+        (0..self.bars.len())
+            .map(|bar| root(&into, Body::Bar(bar)))
+            .collect()
+    }
+
+    fn join(&mut self, into: &mut [Body], stays: usize, goes: usize) {
+        into[goes] = Body::Bar(stays);
+        for joint in std::mem::take(&mut self.bars[goes].joints) {
+            if !self.bars[stays].joints.contains(&joint) {
+                self.bars[stays].joints.push(joint);
+            }
+        }
+        let name = self.bars[goes].name.clone();
+        let link = self.bars[stays].name.clone();
+        let known = self.left_out.iter_mut().find_map(|told| match told {
+            LeftOut::Welded { link: of, parts } if *of == link => Some(parts),
+            _ => None,
+        });
+        match known {
+            Some(parts) => parts.push(name),
+            None => self.left_out.push(LeftOut::Welded {
+                parts: vec![link.clone(), name],
+                link,
+            }),
+        }
+    }
+
+    fn fix(&mut self, into: &mut [Body], bar: usize) {
+        into[bar] = Body::Frame;
+        for joint in self.bars[bar].joints.clone() {
+            self.joints[joint].fixed = true;
+        }
+    }
+}
+
+/// The frame among links.
+const FRAME: &str = "frame";
+
+fn root(into: &[Body], mut of: Body) -> Body {
+    while let Body::Bar(bar) = of
+        && into[bar] != of
+    {
+        of = into[bar];
+    }
+    of
+}
+
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

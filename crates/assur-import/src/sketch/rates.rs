@@ -1,0 +1,89 @@
+//! At which rates several drivers go with the first.
+
+use super::{Driver, Moves};
+use crate::LeftOut;
+
+/// Cranks are back after so many turns of the first at most (docs/file-format.md).
+const MOST_TURNS: u32 = 24;
+
+/// The drivers, the first of which moves, each further one with its rate.
+pub(super) fn of(
+    mut drivers: Vec<Driver>,
+    left_out: &mut Vec<LeftOut>,
+) -> Vec<(Driver, Option<f64>)> {
+    let Some(first) = drivers.iter().position(|driver| driver.speed != 0.0) else {
+        return drivers.into_iter().map(|driver| (driver, None)).collect();
+    };
+    drivers[..=first].rotate_right(1);
+    let speed = drivers[0].speed;
+    let turns = matches!(drivers[0].moves, Moves::Crank { .. });
+    let wished: Vec<f64> = drivers.iter().map(|driver| driver.speed / speed).collect();
+    let cranks = || {
+        let cranks = drivers.iter().zip(&wished);
+        let cranks = cranks.filter(|(driver, _)| matches!(driver.moves, Moves::Crank { .. }));
+        cranks.map(|(_, rate)| *rate)
+    };
+    let near = |rate: f64, turns: u32| (rate * f64::from(turns)).round() / f64::from(turns);
+    let off = |turns: u32| {
+        let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
+        offs.fold(0.0, f64::max)
+    };
+    // The fewest turns among those that come as near as can be.
+    let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
+    let round = (1..=MOST_TURNS)
+        .find(|turns| off(*turns) <= least + 1e-12)
+        .unwrap_or(1);
+    let rated = drivers.into_iter().zip(wished).enumerate();
+    rated
+        .map(|(k, (driver, rate))| {
+            let crank = matches!(driver.moves, Moves::Crank { .. });
+            let taken = if turns && crank {
+                near(rate, round)
+            } else {
+                rate
+            };
+            if (taken - rate).abs() > 1e-9 {
+                let link = driver.called.clone();
+                left_out.push(LeftOut::Ratio { link, rate, taken });
+            }
+            (driver, (k > 0 && taken != 1.0).then_some(taken))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Body;
+    use super::*;
+
+    fn cranks(speeds: &[f64]) -> (Vec<Option<f64>>, usize) {
+        let drivers = speeds.iter().enumerate().map(|(bar, speed)| Driver {
+            moves: Moves::Crank {
+                bar,
+                base: Body::Frame,
+            },
+            speed: *speed,
+            called: String::new(),
+        });
+        let mut left_out = Vec::new();
+        let rated = of(drivers.collect(), &mut left_out);
+        (
+            rated.into_iter().map(|(_, rate)| rate).collect(),
+            left_out.len(),
+        )
+    }
+
+    #[test]
+    fn rates_are_such_that_the_motion_repeats() {
+        assert_eq!(cranks(&[15.0, 10.0]), (vec![None, Some(2.0 / 3.0)], 0));
+        assert_eq!(
+            cranks(&[15.0, 15.0, -15.0]),
+            (vec![None, None, Some(-1.0)], 0)
+        );
+        // One that stands still is no first one.
+        assert_eq!(cranks(&[0.0, 4.0]), (vec![None, Some(0.0)], 0));
+        // 15.7 to 15 would be back after 150 turns.
+        assert_eq!(cranks(&[15.0, 15.7]), (vec![None, Some(22.0 / 21.0)], 1));
+        assert_eq!(cranks(&[0.0, 0.0]), (vec![None, None], 0));
+    }
+}

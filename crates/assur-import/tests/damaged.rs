@@ -1,0 +1,235 @@
+//! Damaged links and files: a problem, or something that is sound as a document; no panic.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+use std::fs;
+
+use assur_file::{LinkageProblem, Problem};
+use assur_import::{ImportProblem, read, recognised};
+
+/// A small generator (D. H. Lehmer, 1951), so that every run damages alike.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, most: usize) -> usize {
+        self.0 = self.0 * 48_271 % 0x7FFF_FFFF;
+        self.0 as usize % most
+    }
+}
+
+fn whole() -> Vec<String> {
+    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/published");
+    let text = fs::read_to_string(format!("{place}/pmks.txt")).unwrap();
+    let links = text.lines().filter_map(|line| line.splitn(3, " | ").nth(2));
+    let files = fs::read_dir(format!("{place}/linkage2")).unwrap();
+    let mut files: Vec<_> = files.map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let files = files
+        .into_iter()
+        .map(|path| fs::read_to_string(path).unwrap());
+    links.map(str::to_owned).chain(files).collect()
+}
+
+/// What a document made of whatever may be: no wrong names, no number that is none.
+fn sound(text: &str) {
+    let Ok(imported) = read(text) else {
+        return;
+    };
+    let document = imported.document;
+    let places = document.points.iter().flat_map(|point| point.at);
+    assert!(places.into_iter().all(f64::is_finite), "{text}");
+    let ranges = document.drivers.iter().filter_map(|driver| driver.range);
+    assert!(ranges.flatten().all(f64::is_finite), "{text}");
+    let problems = document.mechanism().err().unwrap_or_default();
+    for problem in problems {
+        let ours = matches!(
+            problem,
+            Problem::Linkage(
+                LinkageProblem::BadName { .. }
+                    | LinkageProblem::BadText { .. }
+                    | LinkageProblem::Twice { .. }
+                    | LinkageProblem::UnknownName { .. }
+                    | LinkageProblem::Bare { .. }
+                    | LinkageProblem::Repeated { .. }
+                    | LinkageProblem::NotOnLink { .. }
+                    | LinkageProblem::BadDriver { .. }
+                    | LinkageProblem::NothingToTrace { .. }
+            )
+        );
+        assert!(!ours, "{problem:?}: {text}");
+    }
+}
+
+#[test]
+fn thousands_of_damaged_texts_are_refused_or_sound() {
+    let mut dice = Dice(12_345);
+    let letters: Vec<char> = "0123456789AZaz_-.,|\"<>/=%&?é\u{0}\n true"
+        .chars()
+        .collect();
+    let mut damaged = 0;
+    let mut opened = 0;
+    for text in whole() {
+        let chars: Vec<char> = text.chars().collect();
+        for k in 0..120 {
+            let mut worse = chars.clone();
+            for _ in 0..=k % 3 {
+                let at = dice.below(worse.len());
+                let letter = letters[dice.below(letters.len())];
+                match dice.below(5) {
+                    0 => worse.truncate(at.max(1)),
+                    1 => drop(worse.remove(at)),
+                    2 => worse.insert(at, letter),
+                    3 => worse[at] = letter,
+                    // A piece of it once more, somewhere else.
+                    _ => {
+                        let end = (at + 1 + dice.below(60)).min(worse.len());
+                        let piece: Vec<char> = worse[at..end].to_vec();
+                        let to = dice.below(worse.len());
+                        worse.splice(to..to, piece);
+                    }
+                }
+                if worse.is_empty() {
+                    worse.push('<');
+                }
+            }
+            let mut worse: String = worse.into_iter().collect();
+            // Else the check character would find nearly all of them.
+            if k % 2 == 0 && !worse.contains("j=") && !worse.contains('<') {
+                worse = checked(&worse);
+            }
+            damaged += 1;
+            opened += usize::from(read(&worse).is_ok());
+            sound(&worse);
+        }
+    }
+    assert!(damaged > 6000 && opened > 1000, "{opened} of {damaged}");
+}
+
+/// A link with the check character that fits.
+fn checked(link: &str) -> String {
+    let (host, query) = link.split_once('?').unwrap_or(("", link));
+    let mut cut: Vec<char> = query.chars().collect();
+    cut.pop();
+    let digits = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+    let check = char::from(digits[cut.len() % 62]);
+    let query: String = cut.into_iter().collect();
+    format!("{host}?{query}{check}")
+}
+
+#[test]
+fn what_is_wrong_is_told() {
+    use ImportProblem as P;
+    let link = "https://app.pmksplus.com/?2P.Fe.K,0.1011.MA,A,0,0,0.GB,B,Fe,0,0..YRAB,AB,Fe,Fe,0,0,c5cae9,A,B,,...N_";
+    let checked = |text: &str| checked(&format!("{text}*"));
+    assert!(read(&checked(link)).is_ok());
+    let file = |inner: &str| format!("<linkage2>{inner}</linkage2>");
+    let bar = r#"<Link id="0"><connector id="0"/><connector id="1"/></Link>"#;
+    let ends = r#"<connector id="0" x="1" y="2"/><connector id="1" x="3" y="4"/>"#;
+    assert!(read(&file(&format!("{ends}{bar}"))).is_ok());
+    let part = |part: &str| P::LinkPart {
+        part: part.to_owned(),
+    };
+    let number = |part: &str, value: &str| P::ImportNumber {
+        part: part.to_owned(),
+        value: value.to_owned(),
+    };
+    for (text, problem) in [
+        (String::new(), P::NotImported),
+        ("{\"format\": 2}".to_owned(), P::NotImported),
+        ("https://example.org/?a=b".to_owned(), P::NotImported),
+        ("<svg/>".to_owned(), P::NotImported),
+        (
+            format!("<linkage2>{}", " ".repeat(1 << 20)),
+            P::ImportTooLarge { max: 1 << 20 },
+        ),
+        (format!("{link}*"), P::LinkCut),
+        (link[..link.len() - 20].to_owned(), P::LinkCut),
+        (
+            checked(&link.replace("GB,B,Fe,0,0", "GB,B,F*,0,0")),
+            part("F*"),
+        ),
+        (checked(&link.replace("A,B,,", "A,Z,,")), part("Z")),
+        (
+            checked(&link.replace("GB,B,", "GA,B,")),
+            P::ImportTwice {
+                part: "A".to_owned(),
+            },
+        ),
+        (checked(&link.replace("YRAB", "NRAB")), P::NothingImported),
+        (
+            "https://x/?j=A,one,2,AB,R,t,0,0.1,t,&l=AB,1,1,0,0,A".to_owned(),
+            number("A", "one"),
+        ),
+        (
+            "https://x/?j=A,1e300,2,AB,R,t,0,0.1,t,&l=AB,1,1,0,0,A".to_owned(),
+            number("A", "1e300"),
+        ),
+        (
+            "https://x/?j=A,1,2&l=AB,1,1,0,0,A".to_owned(),
+            part("A,1,2"),
+        ),
+        (file(""), P::NothingImported),
+        (file("<Link id=\"0\">"), P::MarkupBroken { line: 1 }),
+        (
+            file(&format!("{}{bar}", ends.replace("\"3\"", "\"east\""))),
+            number("connector 1, x", "east"),
+        ),
+        (
+            file(&format!("{}{bar}", ends.replace("\"3\"", "\"1e400\""))),
+            number("connector 1, x", "1e400"),
+        ),
+        (
+            file(&format!("{}{bar}", ends.replace(" y=\"4\"", ""))),
+            number("connector 1, y", ""),
+        ),
+        (
+            file(&format!("{ends}{ends}{bar}")),
+            P::ImportTwice {
+                part: "connector 0".to_owned(),
+            },
+        ),
+    ] {
+        let shown: String = text.chars().take(120).collect();
+        // 1e300 is written out there.
+        match (read(&text), problem) {
+            (Err(P::ImportNumber { part, value }), P::ImportNumber { part: a, value: b }) => {
+                assert_eq!(part, a, "{shown}");
+                assert_eq!(value.parse::<f64>().ok(), b.parse().ok(), "{shown}");
+            }
+            (found, problem) => assert_eq!(found.unwrap_err(), problem, "{shown}"),
+        }
+        sound(&text);
+    }
+    assert!(recognised(link) && recognised("<linkage2") && !recognised("2.5.1"));
+}
+
+/// Declarations of entities, deep and long texts take neither room nor time.
+#[test]
+fn what_would_swell_is_refused() {
+    let bomb = "<linkage2><!DOCTYPE a [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]></linkage2>";
+    assert_eq!(read(bomb), Err(ImportProblem::MarkupBroken { line: 1 }));
+    let start = std::time::Instant::now();
+    for text in [
+        "<linkage2>".repeat(50_000),
+        format!(
+            "<linkage2>{}</linkage2>",
+            "<connector id=\"1\" x=\"0\" y=\"0\"/>".repeat(20_000)
+        ),
+        format!("<linkage2{}", " a=\"b\"".repeat(100_000)),
+        format!("j=&l={}", "a,1,1,0,0,|||||||\n".repeat(30_000)),
+        format!("2P.Fe.K,0.1011.{}", "MA,A,0,0,0.".repeat(60_000)),
+    ] {
+        assert!(read(&text).is_err());
+    }
+    let many: String = (0..15_000)
+        .map(|id| format!("<connector id=\"{id}\" x=\"0\" y=\"0\"/>"))
+        .collect();
+    let many = format!(
+        "<linkage2>{many}<Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link></linkage2>"
+    );
+    assert_eq!(read(&many), Err(ImportProblem::ImportTooMany { max: 1000 }));
+    assert!(start.elapsed().as_secs() < 20);
+}
