@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// Something that the other program has and a linkage has not, or has otherwise; serialised as
-/// `{"code": "…", parameters}`. Speeds are in revolutions, or strokes there and back, per minute.
+/// `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -15,8 +15,10 @@ pub enum LeftOut {
     Forces { names: Vec<String> },
     /// Links that have masses.
     Masses { names: Vec<String> },
-    /// How fast something is driven.
+    /// How fast a crank is turned, revolutions per minute.
     Speed { link: String, rpm: f64 },
+    /// How often a cylinder goes to and fro in a minute.
+    Pace { link: String, cycles: f64 },
     /// So many parts that are only drawn.
     Drawn { parts: usize },
     /// Parts that became one rigid link.

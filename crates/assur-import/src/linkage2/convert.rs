@@ -287,7 +287,11 @@ impl Conversion<'_> {
                     angle,
                 });
             }
-            self.driven(link.clone(), connector.rpm, connector.by_hand);
+            let rpm = connector.rpm;
+            self.driven(&link, rpm, connector.by_hand, |link| LeftOut::Speed {
+                link,
+                rpm,
+            });
             let moves = Moves::Crank {
                 bar: crank,
                 base: Body::Frame,
@@ -332,7 +336,10 @@ impl Conversion<'_> {
                     .left_out
                     .push(LeftOut::Range { point, min, max });
             }
-            self.driven(name.clone(), cpm, link.by_hand);
+            self.driven(&name, cpm, link.by_hand, |link| LeftOut::Pace {
+                link,
+                cycles: cpm.abs(),
+            });
             let moves = Moves::Slide { slide, range };
             // There and back in one cycle.
             self.drive(moves, 2.0 * throw * cpm / 60.0, link.by_hand, name);
@@ -349,12 +356,13 @@ impl Conversion<'_> {
         }
     }
 
-    /// Tells how fast the first driver is.
-    fn driven(&mut self, link: String, rpm: f64, by_hand: bool) {
+    /// Tells how fast the first driver is, in its own way.
+    fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
+        let link = link.to_owned();
         if by_hand {
             self.sketch.left_out.push(LeftOut::ByHand { link });
-        } else if self.sketch.drivers.is_empty() && rpm != 0.0 {
-            self.sketch.left_out.push(LeftOut::Speed { link, rpm });
+        } else if self.sketch.drivers.is_empty() && speed != 0.0 {
+            self.sketch.left_out.push(told(link));
         }
     }
 
