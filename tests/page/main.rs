@@ -25,6 +25,8 @@ mod gear_train_kept;
 mod gear_train_load;
 mod gear_train_reader;
 mod hands;
+mod host;
+mod hosting;
 mod keyboard;
 mod keys;
 mod labels;

@@ -7,6 +7,7 @@
 mod bench;
 mod browser;
 mod bundle;
+mod hosting;
 mod kinds;
 mod lessons;
 mod media;
@@ -74,7 +75,7 @@ enum Task {
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
     },
-    /// Builds the page into one file, dist/assur.html, that opens by double-click
+    /// Builds the page into one file, dist/assur.html, that opens by double-click, and into the folder dist/site for a host
     Bundle,
     /// Builds the page into the folder `site` of the target directory
     Build {
@@ -103,6 +104,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;
+            hosting::write(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;

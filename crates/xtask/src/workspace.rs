@@ -76,6 +76,11 @@ impl Workspace {
         self.root.join("dist").join("assur.html")
     }
 
+    /// Where the folder for a host goes.
+    pub(crate) fn hosted(&self) -> PathBuf {
+        self.root.join("dist").join("site")
+    }
+
     /// A cargo command that starts in the root.
     pub(crate) fn cargo<'a>(&self, arguments: impl IntoIterator<Item = &'a str>) -> Command {
         let mut cargo = self.command(&cargo_program());
