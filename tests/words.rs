@@ -109,6 +109,7 @@ const BUILT: [(&str, &[&str]); 48] = [
             "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
             "www/app/notices.js",
+            "www/embed/embed.js",
             "www/state/codec.js",
             "www/engine.js",
             "www/state/model.js",

@@ -16,6 +16,7 @@ mod dice;
 mod differential_lesson;
 mod dimensions;
 mod drivers;
+mod embedding;
 mod equations;
 mod export;
 mod front;

@@ -4,7 +4,7 @@ import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
 import { chooseLanguage, speak } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
-import { Notices } from "assur/app/notices.js";
+import { LOST, Notices } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { Views } from "assur/app/views.js";
 import { welcome } from "assur/app/welcome.js";
@@ -26,7 +26,6 @@ import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
 /**
- * @typedef {import("assur/app/opening.js").Failure} Failure
  * @typedef {import("assur/app/opening.js").Taken} Taken
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
@@ -48,13 +47,14 @@ export class Page {
    * @param {import("assur/engine.js").Engine} engine
    * @param {import("assur/app/opening.js").Habits} habits
    * @param {Words} words of the state's language
-   * @param {{ state: State, failures: Failure[] }} opening
+   * @param {import("assur/app/opening.js").Opening} opening
    */
   constructor(engine, habits, words, { state, failures }) {
     const redraw = () => this.redraw();
     this.engine = engine;
     this.habits = habits;
-    this.store = new Store(state);
+    const { embedding } = habits;
+    this.store = new Store(state, (next, now) => embedding?.limit(next, now) ?? next);
     this.address = new Address(engine, habits.lang);
     this.drafts = new Drafts(redraw);
     this.model = new Model(engine, this.drafts, state);
@@ -79,7 +79,7 @@ export class Page {
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
     this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
     byId("help-open", HTMLButtonElement).addEventListener("click", commands.help);
-    listen({
+    const keys = {
       ...commands,
       trace: () => pointer.trace(),
       lesson: () => {
@@ -92,9 +92,10 @@ export class Page {
         this.notices.clear();
         pointer.trace(false);
       },
-    });
+    };
+    listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
-    persist(this.store, this.address, (state) => this.model.takes(state));
+    persist(this.store, this.address, (state) => this.model.takes(state), !embedding);
     // The address that was entered: by now another may have been written over it.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
     chooseLanguage(this);
@@ -117,6 +118,7 @@ export class Page {
 
   /** What the browser prints by itself has to be there before; the gallery is what is opened most. */
   async #prepare() {
+    this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
@@ -138,7 +140,7 @@ export class Page {
     const { state } = taken;
     if (!state) return;
     this.#player.begin();
-    this.history.step(() => this.store.update(() => state));
+    this.history.step(() => this.store.put(state));
   }
 
   /**

@@ -17,7 +17,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde::Serialize;
 
-use crate::hosting::OFFLINE;
+use crate::hosting::{ELEMENT, OFFLINE};
 use crate::media::media_type;
 use crate::notes::FOLDER;
 use crate::step::announce;
@@ -46,12 +46,17 @@ pub(crate) fn write(workspace: &Workspace) -> Result<()> {
     files.retain(|name, _| {
         Path::new(name).parent() != Some(Path::new(FOLDER)) && !name.starts_with(OFFLINE)
     });
+    let element = files.remove(ELEMENT);
     let page = assemble(&files)?;
 
     let path = workspace.bundle();
     let unwritable = || format!("{} cannot be written", path.display());
     fs::create_dir_all(path.parent().unwrap_or(workspace.root())).with_context(unwritable)?;
     fs::write(&path, &page).with_context(unwritable)?;
+    // For pages of others that have it in a frame.
+    if let Some(element) = element {
+        fs::write(path.with_file_name(ELEMENT), element).with_context(unwritable)?;
+    }
     announce(
         "one-file page",
         &format!("{}, {} bytes", path.display(), page.len()),

@@ -27,6 +27,9 @@ use crate::workspace::Workspace;
 /// Files of this folder of the site are for a hosted page only.
 pub(crate) const OFFLINE: &str = "offline/";
 
+/// The element for pages of others. They name it, so it keeps its name.
+pub(crate) const ELEMENT: &str = "assur-mechanism.js";
+
 /// What the browser looks for beside the page, and the place in it for what it keeps.
 const WORKER: &str = "service-worker.js";
 const WORKER_PLACE: &str = "{{build}}";
@@ -91,7 +94,9 @@ fn gzipped(bytes: &[u8]) -> Result<Vec<u8>> {
 fn hosted(built: &Files) -> Result<Files> {
     let names: BTreeMap<&str, String> = built
         .iter()
-        .filter(|(name, _)| !name.ends_with(".html") && !name.starts_with(OFFLINE))
+        .filter(|(name, _)| {
+            !name.ends_with(".html") && !name.starts_with(OFFLINE) && *name != ELEMENT
+        })
         .map(|(name, content)| (name.as_str(), hashed(name, content)))
         .collect();
     let mut files: Files = names
@@ -99,7 +104,7 @@ fn hosted(built: &Files) -> Result<Files> {
         .map(|(name, fixed)| (fixed.clone(), built[*name].clone()))
         .collect();
     for (name, content) in built {
-        if Path::new(name).parent() == Some(Path::new(NOTES)) {
+        if Path::new(name).parent() == Some(Path::new(NOTES)) || name == ELEMENT {
             files.insert(name.clone(), content.clone());
         }
     }
@@ -242,6 +247,7 @@ mod tests {
             ("index.html", PAGE),
             ("app/main.js", "1"),
             ("lang/en.json", "{}"),
+            ("assur-mechanism.js", "2"),
             ("docs/note.html", "<style>a {}</style>"),
             ("offline/service-worker.js", "`{{build}}`.split(` `)"),
         ];
@@ -264,6 +270,7 @@ mod tests {
             names,
             [
                 "_headers",
+                "assur-mechanism.js",
                 "docs/note.html",
                 main,
                 words,
@@ -287,7 +294,10 @@ mod tests {
         let (_, kept) = said(&files, "service-worker.js")
             .split_once(" ./ ")
             .unwrap();
-        assert_eq!(kept, format!("docs/note.html {main} {words}`.split(` `)"));
+        assert_eq!(
+            kept,
+            format!("assur-mechanism.js docs/note.html {main} {words}`.split(` `)")
+        );
     }
 
     #[test]
