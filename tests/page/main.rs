@@ -3,6 +3,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod access;
+mod animation;
 mod assemblies;
 mod assemblies_lesson;
 mod bad_input;
