@@ -42,6 +42,7 @@ mod mobility_practice;
 mod more;
 mod one_plot;
 mod overlays;
+mod package;
 mod picture;
 mod pixels;
 mod plots;

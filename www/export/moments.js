@@ -97,9 +97,9 @@ function breath() {
  */
 export function targetOn(canvas, size, width, settings = { alpha: false }) {
   const ratio = width / size.width;
-  // Even numbers: films are made of pairs of pixels.
-  canvas.width = 2 * Math.round(width / 2);
-  canvas.height = 2 * Math.round((size.height * ratio) / 2);
+  // Even numbers, as films are made of pairs of pixels, and none beyond the sheet.
+  canvas.width = 2 * Math.floor(width / 2);
+  canvas.height = 2 * Math.floor((size.height * ratio) / 2);
   const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));
   if (!context) throw new Error("no 2d context");
   context.setTransform(ratio, 0, 0, ratio, 0, 0);

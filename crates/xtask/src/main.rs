@@ -13,6 +13,7 @@ mod lessons;
 mod media;
 mod minify;
 mod notes;
+mod npm;
 mod scripts;
 mod server;
 mod site;
@@ -75,7 +76,7 @@ enum Task {
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
     },
-    /// Builds the page into one file, dist/assur.html, that opens by double-click, and into the folder dist/site for a host
+    /// Builds the page into one file, dist/assur.html, that opens by double-click, into the folder dist/site for a host, the engine into dist/npm
     Bundle,
     /// Builds the page into the folder `site` of the target directory
     Build {
@@ -105,6 +106,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;
             hosting::write(&workspace)?;
+            npm::write(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;
