@@ -111,6 +111,7 @@ const BUILT: [(&str, &[&str]); 49] = [
             "crates/assur-file/src/problem.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
+            "www/embed/embed.js",
             "www/state/codec.js",
             "www/engine.js",
             "www/state/model.js",

@@ -96,6 +96,14 @@ impl Page {
         page
     }
 
+    /// A page of others, which tells nobody when it is ready.
+    #[allow(dead_code, reason = "page_speed has none")]
+    pub(crate) async fn elsewhere(url: &str, lang: &str) -> Self {
+        let page = Self::browser(lang).await;
+        page.driver.goto(url).await.unwrap();
+        page
+    }
+
     /// A browser that speaks a language, without a page.
     async fn browser(lang: &str) -> Self {
         let (server, port) = (0..5).find_map(|_| driver()).unwrap();

@@ -3,6 +3,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod access;
+mod animation;
 mod assemblies;
 mod assemblies_lesson;
 mod bad_input;
@@ -18,6 +19,7 @@ mod dimensions;
 mod draw;
 mod draw_more;
 mod drivers;
+mod embedding;
 mod equations;
 mod export;
 mod front;
@@ -27,6 +29,8 @@ mod gear_train_kept;
 mod gear_train_load;
 mod gear_train_reader;
 mod hands;
+mod host;
+mod hosting;
 mod import;
 mod keyboard;
 mod keys;
@@ -41,6 +45,7 @@ mod mobility_practice;
 mod more;
 mod one_plot;
 mod overlays;
+mod package;
 mod picture;
 mod pixels;
 mod plots;

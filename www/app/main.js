@@ -7,10 +7,15 @@ import { Engine } from "assur/engine.js";
 
 async function start() {
   const { lang } = document.documentElement;
-  const habits = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
+  const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
+  const { search } = location;
+  const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   // Most often these words are those of the state, too.
-  const [engine] = await Promise.all([Engine.load(), Words.load(lang)]);
-  const opening = await open(engine, habits);
+  const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
+  const embedding = part && new part.Embedding(search);
+  const habits = embedding?.habits(reader) ?? reader;
+  const found = await open(engine, habits);
+  const opening = (await embedding?.opened(found, habits.calm)) ?? found;
   const words = await Words.load(opening.state.view.lang);
   new Page(engine, habits, words, opening).show();
 }

@@ -10,11 +10,13 @@ import { putAside, stored } from "assur/state/storage.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "kept" | "file" | "part" | "pasted" | "import", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import", problems: readonly Problem[], name?: string }>} Failure
  * Of kind `import` it is what was lost on the way; all else was opened.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
- * @typedef {Readonly<{ calm: boolean, lang: string }>} Habits
- * What the reader's browser says: no motion unasked, and a language for a state whose own there is not.
+ * @typedef {{ state: State, failures: readonly Failure[] }} Opening
+ * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
+ * What the reader's browser says: no motion unasked, and a language for a state whose own there is not; in a frame of another page what
+ * that wants.
  */
 
 /** What ends the names of files of Linkage. */
@@ -101,10 +103,10 @@ export async function takeForeign(text, name, engine, habits) {
 }
 
 /**
- * The address, else what was kept, else the first preset; what could not be read is said.
+ * The address, else what was kept, else the first preset; what could not be read is said. In a frame nothing is kept.
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {Promise<{ state: State, failures: Failure[] }>}
+ * @returns {Promise<Opening>}
  */
 export async function open(engine, habits) {
   /** @type {Failure[]} */
@@ -112,7 +114,7 @@ export async function open(engine, habits) {
   const address = await takeAddress(location.href, engine, habits);
   if (address?.state) return { state: address.state, failures };
   if (address) failures.push(address.failure);
-  const text = stored();
+  const text = habits.embedding ? null : stored();
   if (text !== null) {
     const { state, failure } = await take("kept", () => fromFile(text), engine, habits);
     if (state) return { state, failures };

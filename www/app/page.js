@@ -4,7 +4,7 @@ import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
 import { chooseLanguage, speak } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
-import { Notices } from "assur/app/notices.js";
+import { LOST, Notices } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { receive } from "assur/app/receiving.js";
 import { Views } from "assur/app/views.js";
@@ -27,7 +27,6 @@ import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
 /**
- * @typedef {import("assur/app/opening.js").Failure} Failure
  * @typedef {import("assur/app/opening.js").Taken} Taken
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
@@ -49,13 +48,14 @@ export class Page {
    * @param {import("assur/engine.js").Engine} engine
    * @param {import("assur/app/opening.js").Habits} habits
    * @param {Words} words of the state's language
-   * @param {{ state: State, failures: Failure[] }} opening
+   * @param {import("assur/app/opening.js").Opening} opening
    */
   constructor(engine, habits, words, { state, failures }) {
     const redraw = () => this.redraw();
     this.engine = engine;
     this.habits = habits;
-    this.store = new Store(state);
+    const { embedding } = habits;
+    this.store = new Store(state, (next, now) => embedding?.limit(next, now) ?? next);
     this.address = new Address(engine, habits.lang);
     this.drafts = new Drafts(redraw);
     this.model = new Model(engine, this.drafts, state);
@@ -81,7 +81,7 @@ export class Page {
     this.pointer = pointer;
     this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
     byId("help-open", HTMLButtonElement).addEventListener("click", commands.help);
-    listen({
+    const keys = {
       ...commands,
       trace: () => pointer.trace(),
       lesson: () => {
@@ -94,9 +94,10 @@ export class Page {
         this.notices.clear();
         pointer.trace(false);
       },
-    });
+    };
+    listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
-    persist(this.store, this.address, (state) => this.model.takes(state));
+    persist(this.store, this.address, (state) => this.model.takes(state), !embedding);
     // The address that was entered: by now another may have been written over it.
     receive(this);
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
@@ -120,6 +121,7 @@ export class Page {
 
   /** What the browser prints by itself has to be there before; the gallery is what is opened most. */
   async #prepare() {
+    this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
@@ -146,7 +148,7 @@ export class Page {
     const { state } = taken;
     if (!state) return;
     this.#player.begin();
-    this.history.step(() => this.store.update(() => state));
+    this.history.step(() => this.store.put(state));
   }
 
   /**

@@ -21,7 +21,11 @@ export function byId(id, kind) {
  */
 export function make(tag, attributes = {}, children = []) {
   const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  for (const [name, value] of Object.entries(attributes)) {
+    // A hosted page forbids what is written into the attribute: it could be markup of somebody else.
+    if (name === "style") element.style.cssText = value;
+    else element.setAttribute(name, value);
+  }
   element.append(...children);
   return element;
 }

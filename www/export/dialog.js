@@ -2,6 +2,7 @@
 import { byId, make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
+import { animations } from "assur/export/animation.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/pictures.js";
 
@@ -20,10 +21,13 @@ const USUAL = 360;
  */
 export function openExport(page) {
   document.getElementById("export-dialog")?.remove();
-  const dialog = makeDialog(page);
+  const { dialog, stop } = makeDialog(page);
   page.words.fill(dialog);
   byId("app", HTMLElement).append(dialog);
-  dialog.addEventListener("close", () => dialog.remove());
+  dialog.addEventListener("close", () => {
+    stop();
+    dialog.remove();
+  });
   dialog.showModal();
 }
 
@@ -78,7 +82,8 @@ function caption({ summary, coordinate }, state, words) {
 }
 
 /** @param {Page} page */
-function makeDialog({ engine, model, store, mechanism, chart, words }) {
+function makeDialog(page) {
+  const { engine, model, store, mechanism, chart, words } = page;
   const theme = paperTheme(engine.roles);
   const name = `assur-${engine.fileName(model.good)}`;
   const drawing = () => withCaption(mechanism, theme, caption(model, store.get(), words));
@@ -97,6 +102,8 @@ function makeDialog({ engine, model, store, mechanism, chart, words }) {
       button(part, "png", async () => download(await toPng(picture(), theme), `${name}-${part}.png`)),
     ]);
   };
+  const title = () => byId("mechanism", HTMLCanvasElement).getAttribute("aria-label") ?? "";
+  const moving = animations(page, theme, name, title);
   const { coordinate } = model;
   const step = make("select", { id: "export-step", class: "control", "aria-labelledby": "export-table export-step-name" });
   step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [coordinate.share(steps, words)])));
@@ -115,8 +122,9 @@ function makeDialog({ engine, model, store, mechanism, chart, words }) {
     ...drawn,
     head("export-plots", "export.plots"),
     pictures("plots", "charts", plots),
+    ...moving.rows,
   ];
-  return make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
+  const dialog = make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
     make("form", { method: "dialog" }, [
       make("h2", { id: "export-title", "data-t": "export.title" }),
       make("div", { class: "exports" }, exports),
@@ -124,4 +132,5 @@ function makeDialog({ engine, model, store, mechanism, chart, words }) {
       make("button", { id: "export-close", class: "control", "data-t": "dialog.close" }),
     ]),
   ]);
+  return { dialog, stop: moving.stop };
 }

@@ -10,6 +10,14 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
+ * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts">} Moment a place of the motion
+ * @typedef {object} Sheet a picture of any places of a motion
+ * @property {Size} size
+ * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin with labels that keep
+ * their places from one to the next
+ * @typedef {object} Drawing
+ * @property {(target: Target) => void} ground what stands still
+ * @property {(target: Target, here?: Moment, labelled?: boolean) => void} moment what moves, where the motion is if it is not said otherwise
  */
 
 const SVG = "image/svg+xml";

@@ -71,6 +71,7 @@ export class Svg {
   #elements = [];
   #size;
   #title;
+  #scale;
   /** Measures texts and knows colours. */
   #canvas;
   /** @type {Map<string, [string, number]>} */
@@ -79,20 +80,50 @@ export class Svg {
   /**
    * @param {{ readonly width: number, readonly height: number }} size
    * @param {string} title what it shows, in words
+   * @param {number} [scale] as how many times as large it is shown
    */
-  constructor(size, title) {
+  constructor(size, title, scale = 1) {
     const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
     if (!canvas) throw new Error("no 2d context");
     this.#canvas = canvas;
     this.#size = size;
     this.#title = title;
+    this.#scale = scale;
   }
 
   /** @returns {string} the document */
   toString() {
     const { width, height } = this.#size;
-    const head = attributes({ xmlns: NAMESPACE, width, height, viewBox: `0 0 ${width} ${height}`, role: "img" });
+    const [wide, high] = [width, height].map((length) => short(length * this.#scale));
+    const head = attributes({ xmlns: NAMESPACE, width: wide, height: high, viewBox: `0 0 ${width} ${height}`, role: "img" });
     return `<svg${head}>\n<title>${escaped(this.#title)}</title>\n${this.#elements.join("\n")}\n</svg>\n`;
+  }
+
+  /**
+   * What is painted between this and {@link end} is seen at one of several moments, which come one after another for ever; programs that show
+   * no motion have the first.
+   * @param {number} number of the moment, from 0
+   * @param {number} count of moments
+   * @param {number} seconds that all of them take
+   */
+  moment(number, count, seconds) {
+    const shown = { display: number === 0 ? "inline" : "none" };
+    const times = number === 0 ? [["inline", 0], ["none", 1]] : [["none", 0], ["inline", number], ["none", number + 1]];
+    const within = times.filter(([, time]) => Number(time) < count);
+    const motion = {
+      attributeName: "display", calcMode: "discrete", dur: `${short(seconds)}s`, repeatCount: "indefinite",
+      values: within.map(([value]) => value).join(";"), keyTimes: within.map(([, time]) => short(Number(time) / count)).join(";"),
+    };
+    this.#elements.push(`<g${attributes(shown)}><animate${attributes(motion)}/>`);
+  }
+
+  /** @param {number} strength of what is painted between this and {@link end} */
+  faded(strength) {
+    this.#elements.push(`<g${attributes({ opacity: short(strength) })}>`);
+  }
+
+  end() {
+    this.#elements.push("</g>");
   }
 
   /**

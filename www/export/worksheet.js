@@ -109,7 +109,7 @@ function code(cells) {
   const namespace = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(namespace, "svg");
   svg.setAttribute("viewBox", `${-QUIET} ${-QUIET} ${whole} ${whole}`);
-  svg.setAttribute("style", `width: ${whole * CELL}mm`);
+  svg.style.width = `${whole * CELL}mm`;
   svg.setAttribute("class", "code");
   const drawn = document.createElementNS(namespace, "path");
   drawn.setAttribute("d", path);

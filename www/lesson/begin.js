@@ -4,14 +4,16 @@ import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
 
 /**
- * Opens a lesson at the first step that was not answered rightly, with what the step shows.
+ * Opens a lesson, with what its step shows.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/lesson/offer.js").Entry} entry
+ * @param {number} [step] from 1; else the first that was not answered rightly
  */
-export async function begin(page, entry) {
+export async function begin(page, entry, step) {
   const { lesson: { steps }, presets } = await readLesson(entry);
   const { id } = entry;
-  const index = Math.max(new Progress(id, steps).next, 0);
+  const wanted = step === undefined ? new Progress(id, steps).next : step - 1;
+  const index = Math.min(Math.max(wanted, 0), steps.length - 1);
   const [show] = steps[index].shows;
   if (open(show, presets, page, { lesson: { id, step: index + 1 } })) page.attend();
 }

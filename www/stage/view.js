@@ -1,4 +1,5 @@
 // The drawing of the mechanism on its canvas.
+import { Places } from "assur/canvas/places.js";
 import { Surface } from "assur/canvas/surface.js";
 import { Transform, Zoom } from "assur/canvas/transform.js";
 import { setData } from "assur/core/dom.js";
@@ -103,21 +104,43 @@ export class MechanismView {
    * @returns {import("assur/export/pictures.js").Picture}
    */
   cropped(least = 0) {
+    const { size, begin } = this.sheet(least);
+    /** @type {import("assur/export/pictures.js").Picture["paint"]} */
+    const paint = (target, theme, newPath) => {
+      const { ground, moment } = begin(theme, newPath, this.#figure.places);
+      ground(target);
+      moment(target);
+    };
+    return { size, paint };
+  }
+
+  /**
+   * The same for any places of the motion, one after another.
+   * @param {number} [least] pixels of its width
+   * @returns {import("assur/export/pictures.js").Sheet}
+   */
+  sheet(least = 0) {
     const screen = this.view;
     const [left, bottom, right, top] = this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
     const size = { width: right - left + 2 * aside, height: bottom - top };
     const view = screen.moved(aside - left, -top);
-    /** @type {import("assur/export/pictures.js").Picture["paint"]} */
-    const paint = (target, theme, newPath) => {
-      if (!this.#snapshot) return;
-      const figure = new Figure(this.#engine, theme, newPath, this.#figure.places);
-      figure.take(this.#snapshot);
-      figure.paintGround(target, size, view);
-      figure.paintMoving(target, view);
-      figure.paintLabels(target, view, size, this.#small);
+    const snapshot = this.#snapshot;
+    const small = this.#small;
+    /** @type {import("assur/export/pictures.js").Sheet["begin"]} */
+    const begin = (theme, newPath, places = new Places()) => {
+      const figure = new Figure(this.#engine, theme, newPath, places);
+      if (snapshot) figure.take(snapshot);
+      return {
+        ground: (target) => figure.paintGround(target, size, view),
+        moment: (target, here, labelled = true) => {
+          if (snapshot && here) figure.take({ ...snapshot, ...here });
+          figure.paintMoving(target, view);
+          if (labelled) figure.paintLabels(target, view, size, small);
+        },
+      };
     };
-    return { size, paint };
+    return { size, begin };
   }
 
   get zoomed() {

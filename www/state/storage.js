@@ -43,8 +43,9 @@ export function putAside(text) {
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
+ * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
  */
-export function persist(store, address, sound) {
+export function persist(store, address, sound, ours) {
   let timer = 0;
   let changed = false;
   const save = () => {
@@ -53,7 +54,7 @@ export function persist(store, address, sound) {
     const state = store.get();
     if (!changed || !sound(state)) return;
     changed = false;
-    guarded(() => localStorage.setItem(KEY, toFile(state)));
+    if (ours) guarded(() => localStorage.setItem(KEY, toFile(state)));
     address.show(state);
   };
   store.subscribe((state, previous) => {

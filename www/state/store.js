@@ -10,9 +10,15 @@ export class Store {
   /** @type {Set<(state: T, previous: T) => void>} */
   #listeners = new Set();
 
-  /** @param {T} state */
-  constructor(state) {
+  #limit;
+
+  /**
+   * @param {T} state
+   * @param {(next: T, now: T) => T} [limit] what a change may come to
+   */
+  constructor(state, limit = (next) => next) {
     this.#state = state;
+    this.#limit = limit;
   }
 
   /** @returns {T} */
@@ -22,8 +28,12 @@ export class Store {
 
   /** @param {(state: T) => T} change returns the same value where nothing changes */
   update(change) {
+    this.put(this.#limit(change(this.#state), this.#state));
+  }
+
+  /** @param {T} next from outside, without a limit */
+  put(next) {
     const previous = this.#state;
-    const next = change(previous);
     if (next === previous) return;
     this.#state = next;
     for (const listener of this.#listeners) listener(next, previous);

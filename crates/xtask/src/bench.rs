@@ -84,7 +84,8 @@ fn download(workspace: &Workspace, printed: &str) -> Result<(usize, usize)> {
     for file in &files {
         let path = site.join(file);
         let content = fs::read(&path);
-        bytes += compressed(&content.with_context(|| format!("{} is not there", path.display()))?)?;
+        bytes += compressed(&content.with_context(|| format!("{} is not there", path.display()))?)?
+            .len();
     }
     Ok((files.len(), bytes))
 }
@@ -97,12 +98,13 @@ fn asked(line: &str) -> Option<&str> {
     Some(if path.is_empty() { "index.html" } else { path })
 }
 
-fn compressed(bytes: &[u8]) -> Result<usize> {
+/// As small as brotli makes it.
+pub(crate) fn compressed(bytes: &[u8]) -> Result<Vec<u8>> {
     let mut packed = Vec::new();
     let mut writer = brotli::CompressorWriter::new(&mut packed, 4096, 11, 22);
     writer.write_all(bytes).context("compressing failed")?;
     drop(writer);
-    Ok(packed.len())
+    Ok(packed)
 }
 
 #[cfg(test)]
@@ -133,6 +135,6 @@ mod tests {
 
     #[test]
     fn repetition_packs_well() {
-        assert!(compressed(&[7; 100_000]).unwrap() < 100);
+        assert!(compressed(&[7; 100_000]).unwrap().len() < 100);
     }
 }

@@ -17,6 +17,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde::Serialize;
 
+use crate::hosting::{ELEMENT, OFFLINE};
 use crate::media::media_type;
 use crate::notes::FOLDER;
 use crate::step::announce;
@@ -35,20 +36,27 @@ const EARLY_OPEN: &str = "<!-- early -->";
 const EARLY_CLOSE: &str = "<!-- /early -->";
 
 /// The files of the site, by their paths with forward slashes.
-type Files = BTreeMap<String, Vec<u8>>;
+pub(crate) type Files = BTreeMap<String, Vec<u8>>;
 
 /// Writes the bundle from the built site.
 pub(crate) fn write(workspace: &Workspace) -> Result<()> {
     let mut files = Files::new();
     collect(&workspace.site(), "", &mut files)?;
-    // The notes are documents of their own.
-    files.retain(|name, _| Path::new(name).parent() != Some(Path::new(FOLDER)));
+    // The notes are documents of their own, and a page from the disk needs no hosting.
+    files.retain(|name, _| {
+        Path::new(name).parent() != Some(Path::new(FOLDER)) && !name.starts_with(OFFLINE)
+    });
+    let element = files.remove(ELEMENT);
     let page = assemble(&files)?;
 
     let path = workspace.bundle();
     let unwritable = || format!("{} cannot be written", path.display());
     fs::create_dir_all(path.parent().unwrap_or(workspace.root())).with_context(unwritable)?;
     fs::write(&path, &page).with_context(unwritable)?;
+    // For pages of others that have it in a frame.
+    if let Some(element) = element {
+        fs::write(path.with_file_name(ELEMENT), element).with_context(unwritable)?;
+    }
     announce(
         "one-file page",
         &format!("{}, {} bytes", path.display(), page.len()),
@@ -56,7 +64,7 @@ pub(crate) fn write(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-fn collect(directory: &Path, prefix: &str, files: &mut Files) -> Result<()> {
+pub(crate) fn collect(directory: &Path, prefix: &str, files: &mut Files) -> Result<()> {
     let unreadable = || format!("{} cannot be read", directory.display());
     for entry in fs::read_dir(directory).with_context(unreadable)? {
         let path = entry.with_context(unreadable)?.path();
@@ -107,17 +115,20 @@ fn assemble(files: &Files) -> Result<String> {
             _ => page = page.replace(&format!("=\"{name}\""), &format!("=\"{address}\"")),
         }
     }
-    let map = serde_json::to_string(&ImportMap { imports }).context("the import map")?;
-
     // Only the two literal places of the page are touched, and nothing that is put in may end its
     // element early: in JSON `<` can be written as an escape, in a style sheet `/` can.
-    let (before, rest) = split_at_literal(&page, MAP_OPEN)?;
+    put_styles_inside(with_import_map(&page, imports)?, files)
+}
+
+/// The page with another import map: names of modules and where they are.
+pub(crate) fn with_import_map(page: &str, imports: BTreeMap<String, String>) -> Result<String> {
+    let map = serde_json::to_string(&ImportMap { imports }).context("the import map")?;
+    let (before, rest) = split_at_literal(page, MAP_OPEN)?;
     let (_, after) = split_at_literal(rest, MAP_CLOSE)?;
-    let page = format!(
+    Ok(format!(
         "{before}{MAP_OPEN}{}{MAP_CLOSE}{after}",
         map.replace('<', "\\u003c")
-    );
-    put_styles_inside(page, files)
+    ))
 }
 
 /// Puts every style sheet in the place of the link to it.
@@ -147,7 +158,7 @@ fn put_styles_inside(mut page: String, files: &Files) -> Result<String> {
     }
 }
 
-fn text<'a>(files: &'a Files, name: &str) -> Result<&'a str> {
+pub(crate) fn text<'a>(files: &'a Files, name: &str) -> Result<&'a str> {
     let bytes = files
         .get(name)
         .with_context(|| format!("the site holds no {name}"))?;
@@ -192,7 +203,7 @@ fn refuse_relative_imports(name: &str, module: &str) -> Result<()> {
     Ok(())
 }
 
-fn split_at_literal<'a>(page: &'a str, literal: &str) -> Result<(&'a str, &'a str)> {
+pub(crate) fn split_at_literal<'a>(page: &'a str, literal: &str) -> Result<(&'a str, &'a str)> {
     page.split_once(literal)
         .with_context(|| format!("index.html does not hold `{literal}` literally"))
 }

@@ -7,11 +7,13 @@
 mod bench;
 mod browser;
 mod bundle;
+mod hosting;
 mod kinds;
 mod lessons;
 mod media;
 mod minify;
 mod notes;
+mod npm;
 mod scripts;
 mod server;
 mod site;
@@ -74,7 +76,7 @@ enum Task {
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
     },
-    /// Builds the page into one file, dist/assur.html, that opens by double-click
+    /// Builds the page into one file, dist/assur.html, that opens by double-click, into the folder dist/site for a host, the engine into dist/npm
     Bundle,
     /// Builds the page into the folder `site` of the target directory
     Build {
@@ -103,6 +105,8 @@ fn perform(task: &Task) -> Result<ExitCode> {
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             bundle::write(&workspace)?;
+            hosting::write(&workspace)?;
+            npm::write(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;

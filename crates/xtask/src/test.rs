@@ -13,7 +13,7 @@ use crate::step::{announce, run as run_step};
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
-use crate::{bundle, server, site};
+use crate::{bundle, hosting, npm, server, site};
 
 /// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
 const WASM_TIME: &str = "300";
@@ -103,9 +103,11 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
         run_step(checker.args(["--project", "."]), "types of the scripts")
     });
     let mut bundled = Err(anyhow!("the one-file page was not written"));
-    tally.check("one-file page", || {
+    tally.check("one-file page, folder for a host, package", || {
         needed(&site)?;
         bundle::write(workspace)?;
+        hosting::write(workspace)?;
+        npm::write(workspace)?;
         bundled = Ok(());
         Ok(())
     });

@@ -76,6 +76,17 @@ impl Workspace {
         self.root.join("dist").join("assur.html")
     }
 
+    /// Where the folder for a host goes.
+    pub(crate) fn hosted(&self) -> PathBuf {
+        self.root.join("dist").join("site")
+    }
+
+    /// Where the package of npm goes.
+    pub(crate) fn package(&self) -> PathBuf {
+        let name = format!("assur-{VERSION}.tgz");
+        self.root.join("dist").join("npm").join(name)
+    }
+
     /// A cargo command that starts in the root.
     pub(crate) fn cargo<'a>(&self, arguments: impl IntoIterator<Item = &'a str>) -> Command {
         let mut cargo = self.command(&cargo_program());

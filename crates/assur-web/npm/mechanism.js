@@ -1,0 +1,42 @@
+// A mechanism by name or of a document, and its poses, without the state of the page around it.
+import { Simulator, catalogue } from "./engine/assur_web.js";
+
+/** How a mechanism is looked at, which the engine is told as well. */
+const VIEW = Object.freeze({
+  phi_deg: 0, s: 0, t: 0, playing: false, direction: 1, speed: 1, lang: "en", traces: false, plot: "angles", omega: 1, epsilon: 0,
+});
+
+/** How many lists a pose comes in. */
+const LISTS = 4;
+
+export class Mechanism {
+  #simulator = new Simulator();
+
+  constructor(kind, document, view = {}) {
+    this.summary = this.#simulator.set({ format: 2, kind, document, view: { ...VIEW, ...view } });
+  }
+
+  static named(id) {
+    const found = catalogue().find((one) => one.id === id);
+    if (!found) throw new RangeError(`no mechanism ${id} in the catalogue`);
+    return new Mechanism(found.kind, found.document);
+  }
+
+  pose(input) {
+    const flat = this.#simulator.at(input);
+    let end = LISTS;
+    const [frame, , values] = [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
+    const names = this.#simulator.readoutNames();
+    const readouts = values.length === 0 ? null : Object.fromEntries(names.map((name, at) => [name, values[at]]));
+    const bodies = Array.from({ length: frame[0] }, (_, body) => [...frame.subarray(1 + 3 * body, 4 + 3 * body)]);
+    return { bodies, readouts };
+  }
+
+  sweep(steps) {
+    return this.#simulator.sweep(steps);
+  }
+
+  free() {
+    this.#simulator.free();
+  }
+}

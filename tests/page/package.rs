@@ -1,0 +1,58 @@
+//! The package of npm, installed from its file and used as its README says.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use assur_tests::{Table, assert_near};
+
+use crate::browser::setting;
+
+#[test]
+fn the_package_is_installed_and_answers_as_the_golden_table() {
+    let dist = Path::new(&setting("ASSUR_BUNDLE")).with_file_name("npm");
+    let version = env!("CARGO_PKG_VERSION");
+    let package = dist.join(format!("assur-{version}.tgz"));
+    let place = std::env::temp_dir().join(format!("assur-package-{}", std::process::id()));
+    fs::create_dir_all(&place).unwrap();
+    fs::write(place.join("package.json"), "{ \"private\": true }").unwrap();
+    let mut npm = Command::new("npm");
+    npm.args(["install", "--offline", "--no-audit", "--no-fund"])
+        .arg(&package)
+        .current_dir(&place);
+    let installed = npm.output().unwrap();
+    assert!(installed.status.success(), "{installed:?}");
+    let example = Path::new("node_modules").join("assur").join("example.js");
+    let run = |arguments: &[&str]| {
+        let mut node = Command::new("node");
+        node.arg(&example).args(arguments).current_dir(&place);
+        node.output().unwrap()
+    };
+
+    let golden = Table::parse(include_str!("../data/mixer.csv"));
+    let rows = golden
+        .rows()
+        .filter(|row| row.get("case") == 1.0 && row.get("assembly") == 1.0);
+    for row in rows.step_by(20) {
+        let degrees = row.get("phi1_deg");
+        let said = run(&["mixer-a", &degrees.to_string()]);
+        assert!(said.status.success(), "{said:?}");
+        let readouts: serde_json::Value = serde_json::from_slice(&said.stdout).unwrap();
+        for (name, column, tolerance) in [
+            ("rocker.angle′", "dphi3", 1e-12),
+            ("rocker.angle″", "ddphi3", 1e-11),
+        ] {
+            let value = readouts[name].as_f64().unwrap();
+            assert_near(value, row.get(column), tolerance, name);
+        }
+    }
+    // What there is not is an error of its own.
+    let said = run(&["nothing"]);
+    assert!(!said.status.success());
+    let error = String::from_utf8(said.stderr).unwrap();
+    assert!(
+        error.contains("no mechanism nothing in the catalogue"),
+        "{error}"
+    );
+    fs::remove_dir_all(place).unwrap();
+}

@@ -1,0 +1,72 @@
+// <assur-mechanism src="…">: a frame with the page in it, for slides and learning platforms (docs/embedding.md). A script of its own
+// for pages that are not ours, of any kind: it uses nothing of theirs, and nothing that is given to it becomes markup.
+(() => {
+  /** Attributes that are parameters of the page, by the names of these. */
+  const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
+
+  /** The page that the script lies beside; an address that begins with # is one of this page. */
+  const script = document.currentScript;
+  const own = script instanceof HTMLScriptElement ? script.src : location.href;
+
+  /** Other addresses would run in the page with the element, or are none. */
+  const PROTOCOLS = Object.freeze(["https:", "http:", "file:"]);
+
+  class AssurMechanism extends HTMLElement {
+    static observedAttributes = ["src", "title", ...Object.keys(PARAMETERS)];
+
+    #frame = document.createElement("iframe");
+
+    constructor() {
+      super();
+      const frame = this.#frame;
+      // It may run, keep what is its own, and give files to the reader; not lead the page elsewhere, open windows or send forms.
+      // Without an origin it could load nothing of itself from a host that says nothing about who may.
+      frame.setAttribute("sandbox", "allow-scripts allow-same-origin allow-downloads");
+      frame.referrerPolicy = "no-referrer";
+      frame.loading = "lazy";
+      Object.assign(frame.style, { display: "block", width: "100%", height: "100%", border: "0", borderRadius: "inherit" });
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(":host { display: block; width: 100%; aspect-ratio: 16 / 10; overflow: hidden; } :host([hidden]) { display: none; }");
+      const shadow = this.attachShadow({ mode: "open" });
+      shadow.adoptedStyleSheets = [sheet];
+      shadow.append(frame);
+    }
+
+    connectedCallback() {
+      this.#show();
+    }
+
+    attributeChangedCallback() {
+      if (this.isConnected) this.#show();
+    }
+
+    #show() {
+      const frame = this.#frame;
+      frame.title = this.getAttribute("title") || "Assur";
+      const url = this.#address();
+      if (url === null) {
+        frame.removeAttribute("src");
+        this.dispatchEvent(new Event("error"));
+      } else if (frame.src !== url.href) {
+        frame.src = url.href;
+      }
+    }
+
+    /** @returns {URL | null} of the page with its parameters; null where it is none */
+    #address() {
+      const given = this.getAttribute("src") ?? "#";
+      const base = given.startsWith("#") ? new URL(".", own).href : document.baseURI;
+      if (!URL.canParse(given, base)) return null;
+      const url = new URL(given, base);
+      if (!PROTOCOLS.includes(url.protocol)) return null;
+      for (const [name, parameter] of Object.entries(PARAMETERS)) {
+        const value = this.getAttribute(name);
+        if (value !== null) url.searchParams.set(parameter, value);
+      }
+      if (!url.searchParams.has("embed")) url.searchParams.set("embed", "drawing");
+      return url;
+    }
+  }
+
+  if (!customElements.get("assur-mechanism")) customElements.define("assur-mechanism", AssurMechanism);
+})();

@@ -1,0 +1,135 @@
+// The part of the dialog for what moves: animations, and several poses in one picture. What writes a file is loaded when it is asked for.
+import { awaited } from "assur/app/busy.js";
+import { LOST } from "assur/app/notices.js";
+import { sentence } from "assur/controls/problems.js";
+import { make } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
+import { Refusal } from "assur/core/problem.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/export/moments.js").Work} Work
+ */
+
+/** Pixels of its width, moments of a period, seconds of a period, poses in one picture; which is usual. */
+const WIDTHS = Object.freeze([320, 480, 640, 800]);
+const MOMENTS = Object.freeze([12, 24, 36, 48, 72]);
+const SECONDS = Object.freeze([2, 3, 4, 6, 12]);
+const POSES = Object.freeze([4, 6, 8, 12, 18, 24]);
+const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
+
+/**
+ * @param {Page} page
+ * @param {Theme} theme
+ * @param {string} name of the files
+ * @param {() => string} title what is shown, in words
+ * @returns {{ rows: (Node | string)[], stop: () => void }}
+ */
+export function animations(page, theme, name, title) {
+  const { words } = page;
+  const bar = make("progress", { id: "export-progress", max: "1", value: "0", "data-t-label": "export.progress" });
+  const cancel = make("button", { id: "export-cancel", class: "control", type: "button", "data-t": "export.cancel" });
+  const said = make("p", { id: "export-said", class: "note", role: "status" });
+  const working = make("div", { id: "export-working", hidden: "" }, [bar, cancel]);
+  /** @type {AbortController | null} */
+  let running = null;
+  /** @type {HTMLButtonElement[]} */
+  const buttons = [];
+
+  /**
+   * One file at a time: it can be given up, and then there is none.
+   * @param {string} file
+   * @param {(work: Work) => Promise<Blob>} make
+   */
+  const write = async (file, make) => {
+    if (running) return;
+    const own = new AbortController();
+    running = own;
+    bar.value = 0;
+    working.hidden = false;
+    said.textContent = "";
+    for (const button of buttons) button.setAttribute("aria-disabled", "true");
+    try {
+      const blob = await make({ signal: own.signal, tell: (share) => { bar.value = share; } });
+      own.signal.throwIfAborted();
+      download(blob, file);
+      said.textContent = words.text("export.written", { name: file, size: words.numbers.upTo(blob.size / 1000, 0) });
+    } catch (thrown) {
+      if (own.signal.aborted || (thrown instanceof DOMException && thrown.name === "AbortError")) said.textContent = words.text("export.cancelled");
+      else if (thrown instanceof Refusal) said.textContent = thrown.problems.map((problem) => sentence(problem, words)).join(" ");
+      else {
+        console.error(thrown);
+        page.notices.tell(LOST);
+      }
+    } finally {
+      running = null;
+      // The focus is not lost with the button that had it.
+      if (document.activeElement === cancel) buttons[0]?.focus();
+      working.hidden = true;
+      for (const button of buttons) button.removeAttribute("aria-disabled");
+    }
+  };
+  cancel.addEventListener("click", () => running?.abort());
+
+  const select = (/** @type {keyof typeof USUAL} */ what, /** @type {readonly number[]} */ values, /** @type {(value: number) => string} */ text) => {
+    const made = make("select", { id: `export-${what}`, class: "control", "aria-labelledby": `export-${what}-name` });
+    made.append(...values.map((value) => make("option", { value: `${value}` }, [text(value)])));
+    made.value = `${USUAL[what]}`;
+    return made;
+  };
+  const width = select("width", WIDTHS, (value) => words.text("export.pixels", { n: `${value}` }));
+  const moments = select("moments", MOMENTS, String);
+  const seconds = select("seconds", SECONDS, (value) => `${value} ${words.text("unit.s")}`);
+  const poses = select("poses", POSES, String);
+  const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
+  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {(work: Work) => Promise<Blob>} */ make_) => {
+    const id = `export-${part}-${format}`;
+    const made = make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}` }, [format === "webm" ? "WebM" : format.toUpperCase()]);
+    made.addEventListener("click", () => write(`${name}-${part}.${format}`, make_));
+    buttons.push(made);
+    return made;
+  };
+  const wishes = () => ({ width: Number(width.value), moments: Number(moments.value), seconds: Number(seconds.value) });
+
+  const gif = button("animation", "gif", async (work) => {
+    const { toGif } = await awaited(import("assur/export/gif.js"));
+    return toGif(page, theme, wishes(), work);
+  });
+  const svg = button("animation", "svg", async (work) => {
+    const { toMovingSvg } = await awaited(import("assur/export/moving-svg.js"));
+    return toMovingSvg(page, theme, wishes(), work, title());
+  });
+  const webm = button("animation", "webm", async (work) => {
+    const { toWebm } = await awaited(import("assur/export/webm.js"));
+    return toWebm(page, theme, wishes(), work);
+  });
+  const silent = make("span", { id: "export-no-webm", class: "note", "data-t": "export.no_webm" });
+  const posesSvg = button("poses", "svg", async (work) => {
+    const { posesAsSvg } = await awaited(import("assur/export/moving-svg.js"));
+    return posesAsSvg(page, theme, Number(poses.value), work, title());
+  });
+  const posesPng = button("poses", "png", async (work) => {
+    const { posesAsPng } = await awaited(import("assur/export/moving-svg.js"));
+    return posesAsPng(page, theme, Number(poses.value), work);
+  });
+  const rows = [
+    head("export-animation", "export.animation"),
+    make("div", {}, [gif, svg, ...(records() ? [webm] : [silent])]),
+    head("export-width-name", "export.width"),
+    make("div", {}, [width]),
+    head("export-moments-name", "export.moments"),
+    make("div", {}, [moments]),
+    head("export-seconds-name", "export.seconds"),
+    make("div", {}, [seconds]),
+    head("export-poses", "export.poses"),
+    make("div", {}, [posesSvg, posesPng, head("export-poses-name", "export.poses.count"), poses]),
+    make("div", { class: "whole" }, [working, said]),
+  ];
+  return { rows, stop: () => running?.abort() };
+}
+
+/** @returns {boolean} whether the browser records what a canvas shows */
+function records() {
+  return typeof MediaRecorder !== "undefined" && "captureStream" in HTMLCanvasElement.prototype && MediaRecorder.isTypeSupported("video/webm");
+}

@@ -1,0 +1,62 @@
+// An animation as GIF: the page paints, a worker makes the file.
+import { inputs, moments, targetOn } from "assur/export/moments.js";
+
+/** GIF counts in hundredths of a second, and programs do not show pictures for less than two. */
+const SHORTEST = 2;
+
+/** Of the work painting is a third. */
+const PAINTING = 1 / 3;
+
+/**
+ * @param {import("assur/app/page.js").Page} page
+ * @param {import("assur/canvas/theme.js").Theme} theme
+ * @param {import("assur/export/moments.js").Wishes} wishes
+ * @param {import("assur/export/moments.js").Work} work
+ * @returns {Promise<Blob>}
+ */
+export async function toGif(page, theme, { moments: count, width, seconds }, { signal, tell }) {
+  const { size, begin } = page.mechanism.sheet();
+  const canvas = new OffscreenCanvas(1, 1);
+  const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
+  const { ground, moment } = begin(theme);
+  const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"), { type: "module" });
+  const stop = () => worker.terminate();
+  signal.addEventListener("abort", stop);
+  try {
+    const delay = Math.max(Math.round((100 * seconds) / count), SHORTEST);
+    await answer(worker, signal, { width: canvas.width, height: canvas.height, delay });
+    for await (const here of moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) })) {
+      ground(target);
+      moment(target, here);
+      const { data } = target.context.getImageData(0, 0, canvas.width, canvas.height);
+      await answer(worker, signal, { pixels: data.buffer }, [data.buffer]);
+    }
+    let file = null;
+    let written = 0;
+    do {
+      ({ file } = await answer(worker, signal, { write: true }));
+      written += 1;
+      tell(PAINTING + (1 - PAINTING) * Math.min(written / count, 1));
+    } while (!file);
+    return new Blob([file], { type: "image/gif" });
+  } finally {
+    signal.removeEventListener("abort", stop);
+    worker.terminate();
+  }
+}
+
+/**
+ * @param {Worker} worker
+ * @param {AbortSignal} signal
+ * @param {object} message
+ * @param {Transferable[]} [transferred]
+ * @returns {Promise<{ file: ArrayBuffer | null }>}
+ */
+function answer(worker, signal, message, transferred = []) {
+  return new Promise((resolve, reject) => {
+    worker.onmessage = ({ data }) => resolve(data);
+    worker.onerror = (event) => reject(new Error(event.message));
+    signal.addEventListener("abort", () => reject(signal.reason), { once: true });
+    worker.postMessage(message, transferred);
+  });
+}

@@ -1,0 +1,107 @@
+// The moments of a motion that an animation or a picture of several poses shows: one whole period, so that it goes on without a jump.
+import { Refusal, attempt } from "assur/core/problem.js";
+
+/**
+ * @typedef {import("assur/export/pictures.js").Moment} Moment
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes how many, pixels, and of a period
+ * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work that can be given up, and says how far it is
+ */
+
+/** A place so near to the end of an arc is on it. */
+const HAIR = 1e-9;
+
+/**
+ * @param {Page} page
+ * @param {number} count
+ * @returns {number[]} inputs of the engine at equal steps over a period, from where it is; a crank that cannot turn, and a slide, go there and back
+ */
+export function inputs({ model: { summary, coordinate }, store }, count) {
+  if (summary.moves === null) return [];
+  const { start, end, full, arcs } = summary.cycle;
+  const here = coordinate.input(coordinate.of(store.get()));
+  const steps = Array.from({ length: count }, (_, number) => number / count);
+  if (full) return steps.map((step) => start + modulo(here - start + step * (end - start), end - start));
+  const [from, to] = arcs.find(([first, last]) => here >= first - HAIR && here <= last + HAIR) ?? arcs[0] ?? [start, end];
+  // Time does not go back.
+  if (summary.moves === "time") return steps.map((step) => from + step * (to - from));
+  return steps.map((step) => from + (to - from) * (1 - Math.abs(1 - 2 * step)));
+}
+
+/**
+ * @param {number} value
+ * @param {number} period
+ */
+function modulo(value, period) {
+  return value - period * Math.floor(value / period);
+}
+
+/**
+ * The same without what is seen twice, nor where it is.
+ * @param {Page} page
+ * @param {number} count
+ * @returns {number[]}
+ */
+export function others(page, count) {
+  const { summary } = page.model;
+  if (summary.moves === null) return [];
+  if (summary.cycle.full || summary.moves === "time") return inputs(page, count).slice(1);
+  const steps = count - 2;
+  return inputs(page, 2 * steps).slice(0, steps + 1);
+}
+
+/**
+ * Each moment in its turn; between two of them the page may do something else.
+ * @param {Page} page
+ * @param {readonly number[]} inputs of the engine
+ * @param {Work} work
+ * @returns {AsyncGenerator<Moment>}
+ */
+export async function* moments(page, inputs, { signal, tell }) {
+  const { document } = page.model.good;
+  let found = false;
+  /** @type {readonly import("assur/core/problem.js").Problem[]} */
+  let why = [];
+  for (const [number, input] of inputs.entries()) {
+    await breath();
+    signal.throwIfAborted();
+    // Of another mechanism it would be no motion.
+    if (page.model.good.document !== document) throw new DOMException("", "AbortError");
+    const { value, problems } = attempt(() => page.engine.at(input));
+    if (value) found = true;
+    else why = problems;
+    if (value) yield { frame: value.frame, frameInput: input, readouts: value.readouts };
+    tell((number + 1) / inputs.length);
+  }
+  if (!found) throw new Refusal([...why]);
+}
+
+/** @returns {Promise<void>} once the page has done what it had to */
+function breath() {
+  const channel = new MessageChannel();
+  return new Promise((resolve) => {
+    channel.port1.onmessage = () => {
+      channel.port1.close();
+      resolve();
+    };
+    channel.port2.postMessage(null);
+  });
+}
+
+/**
+ * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+ * @param {import("assur/stage/figure.js").Size} size of the sheet
+ * @param {number} width pixels that it is to have
+ * @param {CanvasRenderingContext2DSettings} [settings]
+ * @returns {{ context: import("assur/canvas/painter.js").Context & CanvasRenderingContext2D, ratio: number }}
+ */
+export function targetOn(canvas, size, width, settings = { alpha: false }) {
+  const ratio = width / size.width;
+  // Even numbers, as films are made of pairs of pixels, and none beyond the sheet.
+  canvas.width = 2 * Math.floor(width / 2);
+  canvas.height = 2 * Math.floor((size.height * ratio) / 2);
+  const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));
+  if (!context) throw new Error("no 2d context");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return { context, ratio };
+}

@@ -1,0 +1,108 @@
+// An animation as one SVG that moves by itself, and several poses in one picture.
+import { inputs, moments, others, targetOn } from "assur/export/moments.js";
+import { Svg, SvgPath } from "assur/export/svg.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/export/moments.js").Wishes} Wishes
+ * @typedef {import("assur/export/moments.js").Work} Work
+ */
+
+const SVG = "image/svg+xml";
+
+/** How strong the first of several poses is, and the last but one. */
+const FAINT = 0.12;
+const STRONG = 0.5;
+
+/** Pixels of a PNG per CSS pixel. */
+const SHARPNESS = 3;
+
+/**
+ * @param {Page} page
+ * @param {Theme} theme
+ * @param {Wishes} wishes
+ * @param {Work} work
+ * @param {string} title what it shows, in words
+ * @returns {Promise<Blob>}
+ */
+export async function toMovingSvg(page, theme, { moments: count, width, seconds }, work, title) {
+  const { size, begin } = page.mechanism.sheet();
+  const svg = new Svg(size, title, width / size.width);
+  const target = { context: svg, ratio: 1 };
+  const { ground, moment } = begin(theme, () => new SvgPath());
+  ground(target);
+  let number = 0;
+  for await (const here of moments(page, inputs(page, count), work)) {
+    svg.moment(number, count, seconds);
+    moment(target, here);
+    svg.end();
+    number += 1;
+  }
+  return new Blob([svg.toString()], { type: SVG });
+}
+
+/**
+ * Poses of one period over each other, the last one, which is where the mechanism is, with its labels.
+ * @param {Page} page
+ * @param {Theme} theme
+ * @param {number} count
+ * @param {Work} work
+ * @param {string} title
+ * @returns {Promise<Blob>}
+ */
+export async function posesAsSvg(page, theme, count, work, title) {
+  const { size, begin } = page.mechanism.sheet();
+  const svg = new Svg(size, title);
+  const target = { context: svg, ratio: 1 };
+  const { ground, moment } = begin(theme, () => new SvgPath());
+  ground(target);
+  for await (const [strength, here] of faded(page, count, work)) {
+    svg.faded(strength);
+    moment(target, here, false);
+    svg.end();
+  }
+  begin(theme, () => new SvgPath()).moment(target);
+  return new Blob([svg.toString()], { type: SVG });
+}
+
+/**
+ * @param {Page} page
+ * @param {Theme} theme
+ * @param {number} count
+ * @param {Work} work
+ * @returns {Promise<Blob>}
+ */
+export async function posesAsPng(page, theme, count, work) {
+  const { size, begin } = page.mechanism.sheet();
+  const width = size.width * SHARPNESS;
+  const whole = new OffscreenCanvas(1, 1);
+  const target = targetOn(whole, size, width);
+  const { ground, moment } = begin(theme);
+  ground(target);
+  const one = new OffscreenCanvas(1, 1);
+  for await (const [strength, here] of faded(page, count, work)) {
+    moment(targetOn(one, size, width, { alpha: true }), here, false);
+    target.context.setTransform(1, 0, 0, 1, 0, 0);
+    target.context.globalAlpha = strength;
+    target.context.drawImage(one, 0, 0);
+    target.context.globalAlpha = 1;
+  }
+  begin(theme).moment(target);
+  return whole.convertToBlob({ type: "image/png" });
+}
+
+/**
+ * All poses but the one where the mechanism is, the last one strongest.
+ * @param {Page} page
+ * @param {number} count
+ * @param {Work} work
+ * @returns {AsyncGenerator<[number, import("assur/export/pictures.js").Moment]>}
+ */
+async function* faded(page, count, work) {
+  let number = 0;
+  for await (const here of moments(page, others(page, count), work)) {
+    number += 1;
+    yield [FAINT + ((STRONG - FAINT) * number) / count, here];
+  }
+}
