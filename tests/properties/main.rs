@@ -3,6 +3,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod assemblies;
+mod centres;
 mod change_points;
 mod circuits;
 mod closure;

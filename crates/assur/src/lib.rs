@@ -22,6 +22,7 @@
 //! ```
 
 mod angle;
+pub mod centres;
 pub mod circuits;
 pub mod dynamics;
 mod four_bar;
