@@ -14,6 +14,7 @@ mod following;
 mod groups;
 mod mixers;
 mod motion;
+mod polygons;
 mod poses;
 mod random;
 mod structure;

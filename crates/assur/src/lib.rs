@@ -35,6 +35,7 @@ pub mod mechanism;
 pub mod mixer;
 pub mod mobility;
 pub mod motion;
+pub mod polygons;
 mod position;
 pub mod sorting;
 pub mod structure;

@@ -2,6 +2,7 @@
 
 use super::projective::{Place, at, towards};
 use super::{InstantCentre, Source};
+use crate::Vector;
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{Joint, Mechanism, Pose};
 
@@ -127,7 +128,7 @@ impl Table<'_> {
             }
             Joint::Slide { bodies, line, .. } => {
                 if let Some(along) = mechanism.heading(pose, bodies[0], *line) {
-                    let across = crate::Vector::new(-along.y, along.x);
+                    let across = Vector::new(-along.y, along.x);
                     tell(*bodies, towards(across));
                 }
             }
@@ -136,7 +137,7 @@ impl Table<'_> {
                 carrier,
                 teeth,
             } => {
-                let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier]));
+                let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier], None));
                 if let [Some(first), Some(second)] = axes {
                     // Seen from the carrier their angular velocities are as z₂ to −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];

@@ -111,14 +111,39 @@ impl Mechanism {
             let mut points = self.bodies[body].iter();
             points.find(|(other, _)| *other == point).map(|(_, at)| *at)
         };
-        let way = local(to)? - local(from)?;
-        let heading = product(way, pose.state.turn[body].value());
-        Some(heading.normalize()).filter(|heading| heading.norm_squared().is_finite())
+        let heading = self
+            .turned(pose, body, local(to)? - local(from)?)
+            .normalize();
+        Some(heading).filter(|heading| heading.norm_squared().is_finite())
     }
 
-    /// A point that two bodies share.
-    pub(crate) fn shared_by(&self, bodies: [BodyId; 2]) -> Option<PointId> {
-        self.shared(bodies, None)
+    /// A direction of a body, seen from the frame in a pose.
+    pub(crate) fn turned<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        body: BodyId,
+        local: Vector,
+    ) -> Vector {
+        product(local, pose.state.turn[body].value())
+    }
+
+    /// A point that two bodies share, at a place on the first if one is given.
+    pub(crate) fn shared_by(&self, bodies: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
+        self.shared(bodies, at)
+    }
+
+    /// The point of a body at a place on it.
+    pub(crate) fn point_at(&self, body: BodyId, at: Vector) -> Option<PointId> {
+        let mut points = self.bodies[body].iter();
+        points
+            .find(|(_, local)| *local == at)
+            .map(|(point, _)| *point)
+    }
+
+    /// The tracers that a body carries.
+    pub(crate) fn tracers_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
+        let tracers = self.point_ids().skip(self.draft.points.len());
+        tracers.filter(move |tracer| self.points[*tracer].body == body)
     }
 
     /// Where a place of the drawing is, seen from where places are told while it is solved, in its size.

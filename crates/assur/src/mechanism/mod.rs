@@ -42,6 +42,7 @@ pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
 pub use dimension::Dimension;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
+pub(crate) use dyads::arms_of;
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
 pub use joints::Joint;
 pub use multiple::Multiple;
