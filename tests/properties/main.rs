@@ -7,6 +7,7 @@ mod centres;
 mod change_points;
 mod circuits;
 mod closure;
+mod curvature;
 mod draw;
 mod drivers;
 mod dyads;

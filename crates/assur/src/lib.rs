@@ -24,6 +24,7 @@
 mod angle;
 pub mod centres;
 pub mod circuits;
+pub mod curvature;
 pub mod dynamics;
 mod four_bar;
 pub mod gears;

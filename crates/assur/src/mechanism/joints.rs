@@ -166,8 +166,13 @@ impl Mechanism {
         (velocity / self.scale_of_places(), spin)
     }
 
-    /// A mechanism of one point has no size.
-    fn scale_of_places(&self) -> f64 {
+    /// The place from which places are told while it is solved: a hinge of the frame, or near the drawing.
+    pub(crate) fn middle(&self) -> Point {
+        self.origin.into()
+    }
+
+    /// The unit of [`Self::scaled`]: a mechanism of one point has no size.
+    pub(crate) fn scale_of_places(&self) -> f64 {
         if self.size > 0.0 { self.size } else { 1.0 }
     }
 }
