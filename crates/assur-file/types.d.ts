@@ -62,6 +62,10 @@ all_assemblies: boolean,
  */
 others: boolean, 
 /**
+ * Polygons of velocities and accelerations shown.
+ */
+polygons: boolean, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 

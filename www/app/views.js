@@ -24,6 +24,13 @@ import { ReadoutTable } from "assur/plots/readouts.js";
  * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 
+/** @type {Readonly<Record<"all_assemblies" | "polygons", (page: Page) => Promise<MotionView>>>} what is loaded when a switch asks for it */
+const PANELS = Object.freeze({
+  all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
+  polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
+});
+const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
+
 export class Views {
   #page;
   /** @type {View[]} */
@@ -35,7 +42,8 @@ export class Views {
   /** @type {Map<string, readonly View[]>} those of the kinds that were loaded, or are on their way */
   #own = new Map();
   #described = false;
-  #assembled = false;
+  /** Panels that were loaded, or are on their way, by the switch that asks for them. */
+  #brought = /** @type {Set<keyof typeof PANELS>} */ (new Set());
   /** Whether the first rest is a reader's doing. */
   #opened;
 
@@ -63,7 +71,7 @@ export class Views {
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
-    if (state.view.all_assemblies && !this.#assembled) this.#bringAssemblies();
+    for (const name of PANEL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringPanel(name);
     if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -106,14 +114,14 @@ export class Views {
     this.#turn(this.#kind);
   }
 
-  async #bringAssemblies() {
-    this.#assembled = true;
+  /** @param {keyof typeof PANELS} name */
+  async #bringPanel(name) {
+    this.#brought.add(name);
     try {
-      const { Assemblies } = await awaited(import("assur/assemblies/panel.js"));
-      this.#moving.push(new Assemblies(this.#page));
+      this.#moving.push(await awaited(PANELS[name](this.#page)));
       this.#page.redraw();
     } catch {
-      this.#assembled = false;
+      this.#brought.delete(name);
       this.#page.notices.tell(LOST);
     }
   }

@@ -25,7 +25,7 @@
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "differenced"]));
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
@@ -56,6 +56,7 @@ export function usualView(view) {
     numbers: false,
     all_assemblies: false,
     others: false,
+    polygons: false,
     plot: "angles",
     only: "all",
     axes: "analogues",

@@ -65,6 +65,9 @@ pub struct View {
     /// The other assemblies shown beside the one that moves, dashed.
     #[serde(default)]
     pub others: bool,
+    /// Polygons of velocities and accelerations shown.
+    #[serde(default)]
+    pub polygons: bool,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
@@ -189,6 +192,7 @@ impl Default for View {
             numbers: false,
             all_assemblies: false,
             others: false,
+            polygons: false,
             plot: angles(),
             only: Only::default(),
             axes: Axes::default(),

@@ -15,6 +15,7 @@ mod handle;
 mod here;
 mod kinds;
 mod moving;
+mod polygons;
 mod profile;
 mod qr;
 mod simulator;

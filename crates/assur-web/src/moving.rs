@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
-use assur::motion::Motion;
+use assur::motion::{Input, Motion};
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
 use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
@@ -16,6 +16,7 @@ use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::polygons::Sheets;
 use crate::table::SweepTable;
 
 /// Why there is no pose at an input, or none of its derivatives.
@@ -43,6 +44,7 @@ pub(crate) struct Moving {
     /// Whether the other assemblies are drawn beside it.
     others: bool,
     figure: Figure,
+    polygon_sheets: Sheets,
     chart: Chart,
     explain: Explain,
 }
@@ -98,6 +100,7 @@ impl Moving {
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
+            polygon_sheets: Sheets::new(),
             motion,
             following,
             document,
@@ -141,6 +144,20 @@ impl Moving {
 
     pub(crate) fn figure(&self) -> &Figure {
         &self.figure
+    }
+
+    /// How the input goes, by the axes.
+    pub(crate) fn input(&self) -> Input {
+        self.chart.settings().input
+    }
+
+    /// The numbers of links, by their names.
+    pub(crate) fn link_numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
+    }
+
+    pub(crate) fn sheets(&self) -> &Sheets {
+        &self.polygon_sheets
     }
 
     pub(crate) fn traceable(&self) -> bool {
@@ -220,7 +237,7 @@ impl Moving {
         quantities: &'a [Quantity],
         pose: &'a Pose<3>,
     ) -> impl Iterator<Item = f64> + 'a {
-        let input = self.chart.settings().input;
+        let input = self.input();
         quantities.iter().flat_map(move |one| {
             let jet: Jet<3> = one.of(self.mechanism(), pose);
             [0, 1, 2].map(|order| input.rate(&jet, order))

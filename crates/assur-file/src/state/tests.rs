@@ -25,6 +25,7 @@ fn state() -> State {
             numbers: false,
             all_assemblies: false,
             others: false,
+            polygons: false,
             plot: "C2".to_owned(),
             only: Only::First,
             axes: Axes::Physical,
