@@ -29,7 +29,8 @@ export function told(step, done, units, words) {
   if (step.kind === "pole") return [make("p", {}, [words.text("polygons.pole", { n: names })])];
   const values = step.found.flatMap((found) => [0, 1].map((order) => {
     const value = amount(found.rates[order], units[order], words);
-    return make("p", {}, [...letter(order, "", found.name), ` = ${value}`]);
+    const of = { "data-point": found.name, "data-order": String(order + 1), "data-value": String(found.rates[order]) };
+    return make("p", of, [...letter(order, "", found.name), ` = ${value}`]);
   }));
   if (step.kind === "group") return [make("p", {}, [words.text("polygons.group", { n: names })]), ...values];
   if (step.kind === "image") return [make("p", {}, [words.text("polygons.image", { n: names })]), ...values];

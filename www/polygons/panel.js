@@ -54,12 +54,12 @@ export class Polygons {
     });
     const figures = this.#sheets.map(({ canvas, title, scale }) => make("figure", { class: "polygon" }, [canvas, make("figcaption", {}, [title, scale])]));
     const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#step]);
-    this.#drawn = make("div", {}, [steps, ...figures, this.#equations]);
+    this.#drawn = make("div", {}, [steps, make("div", { class: "polygon-sheets" }, figures), this.#equations]);
     this.element = make("section", { id: "polygons-shown", "data-field": "polygons" }, [make("h2", { "data-t": "polygons.heading" }), this.#none, this.#drawn]);
     this.#back.addEventListener("click", () => this.#go(-1));
     this.#next.addEventListener("click", () => this.#go(1));
     this.#all.addEventListener("click", () => this.#go(ALL));
-    byId("overlays", HTMLElement).after(this.element);
+    byId("readouts", HTMLTableElement).after(this.element);
     page.words.fill(this.element);
   }
 

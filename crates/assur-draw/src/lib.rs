@@ -17,9 +17,9 @@ pub mod svg;
 mod train;
 
 pub use annotations::{Annotations, GivenPosition, Tag};
-pub use figure::{Figure, View};
+pub use figure::{Figure, Lines, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
-pub use polygon::{PolygonPicture, PolygonSheet, PolygonStep, polygon_steps};
+pub use polygon::{PolygonPicture, PolygonStep, polygon_steps};
 pub use scheme::{SchemeFigure, SchemeHandle, SchemeView};
 pub use train::{TrainFigure, TrainPose, TrainView, WorkingMember};

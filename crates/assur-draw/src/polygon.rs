@@ -1,18 +1,12 @@
-//! A polygon of velocities or accelerations as a drawing of its own: to one scale over the motion, step by step.
+//! A polygon of velocities or accelerations as a drawing of its own, to scale, step by step.
 
 use assur::mechanism::Mechanism;
-use assur::motion::{Input, Motion};
 use assur::polygons::{Kind, Node, Order, Polygon, Stage};
-use assur::sorting::sort_by;
 use assur::{Point, Vector};
 
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// Inputs of an arc that are looked at for the size of the drawing.
-const SAMPLES: u32 = 90;
-/// Next to dead points vectors grow without bound: the outermost of so many places do not count.
-const USUAL: usize = 12;
 /// Vectors shorter than this, in units, are points.
 const LEAST: f64 = 0.3;
 /// How far a direction is drawn beyond its beginning before the point on it is found, in units.
@@ -20,6 +14,9 @@ const DIRECTION: f64 = 120.0;
 /// How far below the polygon its scale is, in units, and how much of the width it takes at most.
 const BELOW: f64 = 9.0;
 const BAR: f64 = 0.4;
+/// What the line that shows the scale stands for, and how much larger one sheet is than another, but for powers of ten.
+const SCALES: [f64; 3] = [5.0, 2.0, 1.0];
+const SIZES: [f64; 6] = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
 
 /// One step of the drawing: a vector equation, or points that follow.
 #[derive(Clone, Copy, Debug)]
@@ -50,14 +47,6 @@ pub fn polygon_steps(polygon: &Polygon) -> Vec<PolygonStep<'_>> {
     steps.collect()
 }
 
-/// Within what the polygons of a motion are drawn.
-#[derive(Clone, Debug)]
-pub struct PolygonSheet {
-    order: Order,
-    bounds: [f64; 4],
-    bar: f64,
-}
-
 /// A polygon that is drawn.
 #[derive(Clone, Debug)]
 pub struct PolygonPicture {
@@ -71,67 +60,21 @@ pub struct PolygonPicture {
     pub bar: f64,
 }
 
-impl PolygonSheet {
-    /// Of a motion at the speed and acceleration of its input: as large as most of its polygons are.
-    pub fn new(motion: &Motion, order: Order, input: Input) -> Self {
-        let arcs = motion.cycle().arcs().iter();
-        let inputs = arcs.flat_map(|[from, to]| {
-            (0..SAMPLES)
-                .map(move |i| from + (to - from) * (f64::from(i) + 0.5) / f64::from(SAMPLES))
-        });
-        let mut sides: [Vec<f64>; 4] = Default::default();
-        for at in inputs {
-            if let Ok(pose) = motion.pose::<3>(at) {
-                let polygon = motion.mechanism().polygon(&pose, order, input);
-                let around = around(&polygon);
-                for (side, value) in sides.iter_mut().zip(around) {
-                    side.push(value.abs());
-                }
-            }
-        }
-        let usual = sides.map(|mut side| {
-            sort_by(&mut side, f64::total_cmp);
-            let last = side.len().saturating_sub(1 + side.len() / USUAL);
-            side.get(last).copied().unwrap_or(0.0)
-        });
-        let [left, bottom, right, top] = usual;
-        let size = (left + right).max(bottom + top);
-        let size = if size > 0.0 { size } else { 1.0 };
-        let middle = [0.5 * (right - left), 0.5 * (top - bottom)];
-        // A polygon along one line has room across it, too.
-        let half = [left + right, bottom + top].map(|side| 0.5 * side.max(0.4 * size));
-        Self {
-            order,
-            bounds: [
-                middle[0] - half[0],
-                middle[1] - half[1],
-                middle[0] + half[0],
-                middle[1] + half[1],
-            ],
-            bar: round(BAR * 2.0 * half[0]),
-        }
-    }
-
+impl PolygonPicture {
     /// A polygon after so many of its steps, with the names that points have in it.
-    pub fn draw(
-        &self,
+    pub fn new(
         mechanism: &Mechanism,
         polygon: &Polygon,
         shown: usize,
         name: impl Fn(Node) -> String,
-    ) -> PolygonPicture {
-        let here = around(polygon);
-        let [left, bottom, right, top] = [
-            self.bounds[0].min(here[0]),
-            self.bounds[1].min(here[1]),
-            self.bounds[2].max(here[2]),
-            self.bounds[3].max(here[3]),
-        ];
-        let unit = (right - left).max(top - bottom) / 100.0;
+    ) -> Self {
+        let [left, bottom, right, top] = sheet(polygon);
+        let bar = round(BAR * (right - left), &SCALES);
+        let unit = (right - left) / 100.0;
         let mut drawing = Drawing {
             list: List::default(),
             names: Vec::new(),
-            order: self.order,
+            order: polygon.order,
             unit,
         };
         let steps = polygon_steps(polygon);
@@ -140,10 +83,9 @@ impl PolygonSheet {
             drawing.step(step, k + 1 == shown);
         }
         drawing.images(mechanism, &steps[..shown]);
-        let pole = if self.order == Order::Velocity {
-            "p"
-        } else {
-            "π"
+        let pole = match polygon.order {
+            Order::Velocity => "p",
+            Order::Acceleration => "π",
         };
         drawing.point(pole.to_owned(), Vector::zeros(), Vector::new(-1.0, -1.0));
         for step in steps[..shown].iter().filter(|step| step.finds()) {
@@ -155,14 +97,33 @@ impl PolygonSheet {
             }
         }
         let base = bottom - BELOW * unit;
-        drawing.scale(Point::new(left, base), self.bar);
-        PolygonPicture {
+        drawing.scale(Point::new(left, base), bar);
+        Self {
             list: drawing.list,
             names: drawing.names,
-            bounds: [left, base - 2.0 * unit, right.max(left + self.bar), top],
-            bar: self.bar,
+            bounds: [left, base - 2.0 * unit, right, top],
+            bar,
         }
     }
+}
+
+/// The square in which a polygon is drawn, about its middle: of sizes as far apart as scales are, so that while it moves
+/// the scale seldom changes.
+fn sheet(polygon: &Polygon) -> [f64; 4] {
+    let [left, bottom, right, top] = around(polygon);
+    let size = (right - left).max(top - bottom);
+    let half = if size > 0.0 {
+        0.5 * round(size.recip(), &SIZES).recip()
+    } else {
+        1.0
+    };
+    let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
+    [
+        middle[0] - half,
+        middle[1] - half,
+        middle[0] + half,
+        middle[1] + half,
+    ]
 }
 
 /// The rectangle around a polygon and its pole.
@@ -183,12 +144,11 @@ fn around(polygon: &Polygon) -> [f64; 4] {
     })
 }
 
-/// The greatest of 1, 2 and 5 times a power of ten that is no greater.
-fn round(length: f64) -> f64 {
+/// The greatest of these digits, the greatest first, times a power of ten that is no greater.
+fn round(length: f64, digits: &[f64]) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
-    let whole = [5.0, 2.0, 1.0].map(|digit| digit * power);
-    let found = whole.into_iter().find(|round| *round <= length);
-    found.unwrap_or(length)
+    let mut whole = digits.iter().map(|digit| digit * power);
+    whole.find(|round| *round <= length).unwrap_or(length)
 }
 
 struct Drawing {
@@ -288,6 +248,7 @@ impl Drawing {
 mod tests {
     use super::*;
     use assur::mechanism::{Draft, Mechanism};
+    use assur::motion::{Input, Motion};
 
     fn four_bar() -> Motion {
         let draft = Draft::default()
@@ -306,7 +267,7 @@ mod tests {
     #[test]
     fn scales_are_round() {
         for (length, expected) in [(1.0, 1.0), (4.9, 2.0), (0.7, 0.5), (230.0, 200.0)] {
-            assert!((round(length) - expected).abs() < 1e-12 * expected);
+            assert!((round(length, &SCALES) - expected).abs() < 1e-12 * expected);
         }
     }
 
@@ -317,13 +278,12 @@ mod tests {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(1.0).expect("a pose");
         for order in [Order::Velocity, Order::Acceleration] {
-            let sheet = PolygonSheet::new(&motion, order, Input::ANALOGUES);
             let polygon = mechanism.polygon(&pose, order, Input::ANALOGUES);
             let steps = polygon_steps(&polygon);
             let finds: Vec<bool> = steps.iter().map(PolygonStep::finds).collect();
             assert_eq!(finds, [true, true, false, true]);
             let name = |node: Node| mechanism.point_name(node.point).to_lowercase();
-            let drawn = |shown| sheet.draw(mechanism, &polygon, shown, name);
+            let drawn = |shown| PolygonPicture::new(mechanism, &polygon, shown, name);
             let names: Vec<usize> = (0..=5).map(|shown| drawn(shown).names.len()).collect();
             assert_eq!(names, [1, 1, 2, 2, 3, 3]);
             let all = drawn(usize::MAX);

@@ -8,7 +8,7 @@ use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Un
 use assur::motion::{Input, Motion};
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
-use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
+use assur_draw::{Annotations, Figure, Lines, Overlays, View as Drawing};
 use assur_file::{Axes, LinkageDocument, Moved, Problem, View};
 
 use crate::capabilities::Moves;
@@ -16,7 +16,6 @@ use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
-use crate::polygons::Sheets;
 use crate::table::SweepTable;
 
 /// Why there is no pose at an input, or none of its derivatives.
@@ -43,8 +42,9 @@ pub(crate) struct Moving {
     traceable: bool,
     /// Whether the other assemblies are drawn beside it.
     others: bool,
+    /// Whether circles of curvature are drawn, which need a further derivative.
+    curvature: bool,
     figure: Figure,
-    polygon_sheets: Sheets,
     chart: Chart,
     explain: Explain,
 }
@@ -77,6 +77,7 @@ impl Moving {
         let numbers = annotations.numbers.iter().cloned().collect();
         let drawing = Drawing {
             overlays: overlays(view),
+            lines: lines(view, mechanism),
             traced: document
                 .traces
                 .iter()
@@ -97,10 +98,10 @@ impl Moving {
             handles: Handle::of_points(mechanism, &figure),
             traceable: true,
             others: view.others,
+            curvature: view.curvature,
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
-            polygon_sheets: Sheets::new(),
             motion,
             following,
             document,
@@ -154,10 +155,6 @@ impl Moving {
     /// The numbers of links, by their names.
     pub(crate) fn link_numbers(&self) -> &BTreeMap<String, String> {
         &self.numbers
-    }
-
-    pub(crate) fn sheets(&self) -> &Sheets {
-        &self.polygon_sheets
     }
 
     pub(crate) fn traceable(&self) -> bool {
@@ -306,8 +303,13 @@ impl Moves for Moving {
                 let mechanism = self.mechanism();
                 let angles = self.transmitting.iter();
                 let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
+                let further = self.curvature.then(|| self.motion.pose::<4>(input).ok());
+                let frame = match further.flatten() {
+                    Some(further) => self.frame(input, &further),
+                    None => self.frame(input, &pose),
+                };
                 Ok(Here {
-                    frame: self.frame(input, &pose),
+                    frame,
                     handles: self.places(&pose),
                     readouts: [input]
                         .into_iter()
@@ -382,6 +384,16 @@ fn overlays(view: &View) -> Overlays {
         transmission: view.transmission,
         groups: view.groups,
         numbers: view.numbers,
+    }
+}
+
+/// What lecturers draw over it.
+fn lines(view: &View, mechanism: &Mechanism) -> Lines {
+    Lines {
+        centres: view.instant_centres,
+        centrodes: view.centrodes,
+        curvature: view.curvature,
+        link: mechanism.link(&view.about),
     }
 }
 

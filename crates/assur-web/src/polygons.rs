@@ -1,10 +1,8 @@
 //! Polygons of velocities and accelerations of a linkage at an input, as drawings and as the equations that they draw.
 
-use std::cell::OnceCell;
-
 use assur::mechanism::{BodyId, FRAME, Pose};
 use assur::polygons::{Kind, Leg, Node, Order, Polygon, Stage};
-use assur_draw::{PolygonSheet, polygon_steps};
+use assur_draw::{PolygonPicture, polygon_steps};
 use assur_file::Problem;
 use serde::Serialize;
 
@@ -77,9 +75,6 @@ pub(crate) struct FoundHere {
     rates: [f64; 2],
 }
 
-/// Within what polygons are drawn: found when they are asked for.
-pub(crate) type Sheets = OnceCell<[PolygonSheet; 2]>;
-
 impl Moving {
     /// The polygons at an input, after so many steps.
     ///
@@ -89,14 +84,11 @@ impl Moving {
         let mechanism = self.mechanism();
         let pose: Pose<3> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
         let rate = self.input();
-        let sheets = self
-            .sheets()
-            .get_or_init(|| ORDERS.map(|order| PolygonSheet::new(self.motion(), order, rate)));
         let polygons = ORDERS.map(|order| mechanism.polygon(&pose, order, rate));
         let pictures = [0, 1].map(|k| {
             let strokes = ["", "′"][k];
             let name = |node: Node| self.node_name(node).to_lowercase() + strokes;
-            let picture = sheets[k].draw(mechanism, &polygons[k], shown, name);
+            let picture = PolygonPicture::new(mechanism, &polygons[k], shown, name);
             PolygonPictureHere {
                 list: picture.list.numbers().to_vec(),
                 names: picture.names,

@@ -31,8 +31,8 @@ pub struct Circles {
 }
 
 impl Circles {
-    /// Of a body in a pose. None where it does not turn: of what is shifted all points have paths of one shape.
-    pub fn of(mechanism: &Mechanism, pose: &Pose<4>, body: BodyId) -> Option<Self> {
+    /// Of a body in a pose with three derivatives or more. None where it does not turn: of what is shifted all points have paths of one shape.
+    pub fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>, body: BodyId) -> Option<Self> {
         let angle = mechanism.body_angle(pose, body);
         let [w, e, f] = [1, 2, 3].map(|order| angle.derivative(order));
         let middle = mechanism.middle();

@@ -33,9 +33,9 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// The curvature of the path of a point whose place has three derivatives, among places of a size. None where it
+    /// The curvature of the path of a point whose place has three derivatives or more, among places of a size. None where it
     /// stands still, at a cusp of its path or for good.
-    pub fn of(point: &JetPoint<4>, size: f64) -> Option<Self> {
+    pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();
         let moves = speed > STILL * size;

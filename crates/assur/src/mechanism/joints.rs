@@ -35,6 +35,16 @@ pub enum Joint {
     },
 }
 
+impl Joint {
+    /// The bodies that it joins.
+    pub fn bodies(&self) -> &[BodyId] {
+        match self {
+            Self::Hinge { bodies, .. } => bodies,
+            Self::Slide { bodies, .. } | Self::Mesh { bodies, .. } => bodies,
+        }
+    }
+}
+
 impl Mechanism {
     /// The body that a link is, or is fixed to.
     pub fn body_of(&self, link: LinkOrFrame) -> BodyId {

@@ -32,7 +32,7 @@ fn node(point: PointId) -> Node {
 }
 
 /// The place of a body at which a point is.
-fn on(body: BodyId, point: PointId) -> Node {
+fn on_body(body: BodyId, point: PointId) -> Node {
     Node {
         point,
         on: Some(body),
@@ -51,7 +51,7 @@ fn turning(mechanism: &Mechanism, arm: &Arm) -> Option<Way> {
 /// Along a track a point slides on the body that has it.
 fn sliding(point: PointId, track: &Track) -> Way {
     Way {
-        from: on(track.line.body, point),
+        from: on_body(track.line.body, point),
         by: By::Sliding(track.line.body, track.heading),
     }
 }
@@ -59,6 +59,18 @@ fn sliding(point: PointId, track: &Track) -> Way {
 /// The hinge of a side of a dyad.
 fn hinge(mechanism: &Mechanism, side: &Side) -> Option<PointId> {
     mechanism.shared_by([side.body, side.outer.body], Some(side.hinge))
+}
+
+/// Which of two bodies has the line along which they slide.
+fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
+    let mut joints = mechanism.joints().into_iter();
+    joints.find_map(|joint| match joint {
+        Joint::Slide {
+            bodies: [on, slides],
+            ..
+        } if both.contains(&on) && both.contains(&slides) => Some(on),
+        _ => None,
+    })
 }
 
 /// The equations of a step; none of a group that is no dyad, and of a body that shows no further point.
@@ -114,22 +126,15 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
         Step::Rpr(dyad) => {
             // The hinge of what slides, as it lies on the body with the line.
             let [i, j] = &dyad.sides;
-            let slides = |side: &Side| {
-                let mut joints = mechanism.joints().into_iter();
-                joints.any(|joint| {
-                    let both = [i.body, j.body];
-                    matches!(joint, Joint::Slide { bodies: [on, slides], .. }
-                        if slides == side.body && both.contains(&on) && on != slides)
-                })
-            };
-            let [block, guide] = if slides(i) { [i, j] } else { [j, i] };
+            let on = line_of(mechanism, [i.body, j.body])?;
+            let [block, guide] = if on == j.body { [i, j] } else { [j, i] };
             let pin = hinge(mechanism, block)?;
             Equations {
-                target: on(guide.body, pin),
+                target: on_body(guide.body, pin),
                 ways: vec![
                     Way {
                         from: node(pin),
-                        by: By::Sliding(block.body, block.direction),
+                        by: By::Sliding(guide.body, guide.direction),
                     },
                     Way {
                         from: node(hinge(mechanism, guide)?),
@@ -149,12 +154,17 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
         Step::Rpp(dyad) => {
             let (side, track) = (&dyad.side, &dyad.track);
             let pin = hinge(mechanism, side)?;
+            let line = if line_of(mechanism, [side.body, track.body])? == side.body {
+                By::Sliding(side.body, side.direction)
+            } else {
+                By::Sliding(track.body, dyad.direction)
+            };
             Equations {
-                target: on(track.body, pin),
+                target: on_body(track.body, pin),
                 ways: vec![
                     Way {
                         from: node(pin),
-                        by: By::Sliding(side.body, side.direction),
+                        by: line,
                     },
                     sliding(pin, track),
                 ],

@@ -38,7 +38,11 @@ pub(super) fn polygon<const N: usize>(
         legs.chain(stage.nodes.iter().map(|(_, at)| at.norm()))
     });
     let largest = lengths.fold(0.0, f64::max);
-    Polygon { stages, largest }
+    Polygon {
+        order,
+        stages,
+        largest,
+    }
 }
 
 /// A quarter turn to the left.

@@ -97,6 +97,8 @@ pub struct Stage {
 /// A polygon of velocities or accelerations in a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
+    /// Of what it is.
+    pub order: Order,
     /// What is drawn, in turn.
     pub stages: Vec<Stage>,
     /// The length of the longest vector in it.
