@@ -22,6 +22,8 @@ import { amount, told } from "assur/polygons/equations.js";
 const MARGIN = 26;
 /** More steps than any has: all are shown. */
 const ALL = 1e6;
+/** What the engine says of what is no linkage. */
+const NO_LINKAGE = "bad_state";
 /** What there is to paint is in the coordinates of the frame. */
 const POSES = Object.freeze([Object.freeze([0, 0, 0])]);
 
@@ -65,13 +67,16 @@ export class Polygons {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, frameInput, stale, kind } = snapshot;
+    const { state, frameInput, stale } = snapshot;
     if (stale) return;
     this.#snapshot = snapshot;
-    const asked = state.view.polygons && kind !== "gear-train";
-    this.element.hidden = !asked;
-    this.#here = asked ? attempt(() => this.#page.engine.polygons(frameInput, this.#shown)).value : null;
-    if (!asked) return;
+    this.#here = null;
+    this.element.hidden = !state.view.polygons;
+    if (this.element.hidden) return;
+    const { value, problems } = attempt(() => this.#page.engine.polygons(frameInput, this.#shown));
+    this.#here = value;
+    // What is no linkage has none anywhere.
+    this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
     this.#none.hidden = this.#here !== null;
     this.#drawn.hidden = this.#here === null;
     if (!this.#here) return;
