@@ -9,7 +9,7 @@ import { Transform } from "assur/canvas/transform.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { subscript } from "assur/core/symbols.js";
-import { unitOf } from "assur/plots/units.js";
+import { titled, unitOf } from "assur/plots/units.js";
 import { amount, told } from "assur/polygons/equations.js";
 
 /**
@@ -104,16 +104,13 @@ export class Polygons {
     write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
-    const [velocity, acceleration] = [1, 2].map((order) => {
-      // Of numbers of usual size, so that no power of ten is told with the unit.
-      const panel = /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 });
-      return unitOf(panel, coordinate, words);
-    });
+    // As the plots of lengths have them; of numbers of usual size, so that no power of ten is told with the unit.
+    const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
+    const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
-      const unit = order === 0 ? velocity : acceleration;
-      const said = words.text(`plots.length.${physical ? "by_time" : "analogue"}.${order + 1}`, { unit });
+      const said = titled(panels[order], coordinate, words);
       write(title, said);
-      write(scale, `├─┤ ${amount(pictures[order].bar, unit, words)}`);
+      write(scale, `├─┤ ${amount(pictures[order].bar, order === 0 ? velocity : acceleration, words)}`);
       canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
     });
     const items = steps.slice(0, at).map((step, k) => {
