@@ -295,6 +295,15 @@ export class Engine {
   }
 
   /**
+   * @param {number} input
+   * @param {number} shown how many of their steps are drawn
+   * @returns {import("assur/types/web.js").PolygonsHere} the polygons of velocities and accelerations there
+   */
+  polygons(input, shown) {
+    return this.ask((simulator) => simulator.polygons(input, shown));
+  }
+
+  /**
    * What choosing another assembly changes.
    * @param {number} number of an assembly at the input
    * @param {number} input where it is

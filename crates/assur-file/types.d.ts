@@ -62,6 +62,26 @@ all_assemblies: boolean,
  */
 others: boolean, 
 /**
+ * Polygons of velocities and accelerations shown.
+ */
+polygons: boolean, 
+/**
+ * Instant centres of all links shown, with the lines that give that of `about`.
+ */
+instant_centres: boolean, 
+/**
+ * Centrodes of `about` shown.
+ */
+centrodes: boolean, 
+/**
+ * The inflection circle of `about` and the circles of curvature of traced points shown.
+ */
+curvature: boolean, 
+/**
+ * The link that these are of; none, or one that is not there: the first coupler.
+ */
+about: string, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 

@@ -32,6 +32,55 @@ angle: number,
  * Where the bodies are, as of a frame.
  */
 bodies: Array<number>, };
+export type PolygonsHere = { 
+/**
+ * What is drawn in turn, alike in both.
+ */
+steps: Array<PolygonStepHere>, 
+/**
+ * That of velocities and that of accelerations, after as many steps as were asked for.
+ */
+pictures: [PolygonPictureHere, PolygonPictureHere], };
+export type PolygonPictureHere = { 
+/**
+ * The display list, and what its labels stand for.
+ */
+list: Array<number>, names: Array<string>, 
+/**
+ * Left, bottom, right, top.
+ */
+bounds: [number, number, number, number], 
+/**
+ * How long the line is that shows the scale.
+ */
+bar: number, };
+export type PolygonStepHere = { 
+/**
+ * The pole, an equation, points by the image of their link, points of a group that is no dyad.
+ */
+kind: "pole" | "equation" | "image" | "group", 
+/**
+ * Of an equation the point looked for and the one it is told from.
+ */
+target?: string | null, from?: string | null, 
+/**
+ * The number of the link that has both, or the line; 0 of the frame.
+ */
+link?: string | null, 
+/**
+ * What is added to its velocity, and to its acceleration.
+ */
+legs: [Array<LegHere>, Array<LegHere>], 
+/**
+ * The points that are known when it is done, each with the size of its velocity and acceleration.
+ */
+found: Array<FoundHere>, };
+export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
+/**
+ * Whether its length is known before the point is found.
+ */
+known: boolean, };
+export type FoundHere = { name: string, rates: [number, number], };
 export type MotionsMap = { 
 /**
  * The link by whose angle assemblies are numbered.

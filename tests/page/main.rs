@@ -37,6 +37,7 @@ mod keys;
 mod labels;
 mod layout;
 mod lesson;
+mod lines;
 mod loading;
 mod mobility;
 mod mobility_hands;

@@ -3,9 +3,11 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod assemblies;
+mod centres;
 mod change_points;
 mod circuits;
 mod closure;
+mod curvature;
 mod draw;
 mod drivers;
 mod dyads;
@@ -13,6 +15,7 @@ mod following;
 mod groups;
 mod mixers;
 mod motion;
+mod polygons;
 mod poses;
 mod random;
 mod structure;

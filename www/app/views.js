@@ -4,6 +4,7 @@ import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { Title } from "assur/app/title.js";
+import { AboutLink } from "assur/controls/about.js";
 import { LengthUnits } from "assur/controls/lengths.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
@@ -24,6 +25,19 @@ import { ReadoutTable } from "assur/plots/readouts.js";
  * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 
+/** @type {Readonly<Record<"all_assemblies" | "polygons", (page: Page) => Promise<MotionView>>>} what is loaded when a switch asks for it */
+const PANELS = Object.freeze({
+  all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
+  polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
+});
+const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
+
+/** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} the same of what need not move */
+const TOOLS = Object.freeze({
+  drawing: async (page) => new (await import("assur/drawing/drawing.js")).Drawing(page),
+});
+const TOOL_NAMES = Object.freeze(/** @type {(keyof typeof TOOLS)[]} */ (Object.keys(TOOLS)));
+
 export class Views {
   #page;
   /** @type {View[]} */
@@ -35,8 +49,8 @@ export class Views {
   /** @type {Map<string, readonly View[]>} those of the kinds that were loaded, or are on their way */
   #own = new Map();
   #described = false;
-  #assembled = false;
-  #drawn = false;
+  /** Panels that were loaded, or are on their way, by the switch that asks for them. */
+  #brought = /** @type {Set<keyof typeof PANELS | keyof typeof TOOLS>} */ (new Set());
   /** Whether the first rest is a reader's doing. */
   #opened;
 
@@ -53,7 +67,7 @@ export class Views {
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
-    this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable()];
+    this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page)];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 
@@ -64,8 +78,8 @@ export class Views {
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     for (const view of this.#views) view.render(snapshot);
-    if (state.view.all_assemblies && !this.#assembled) this.#bringAssemblies();
-    if (state.view.drawing && !this.#drawn) this.#bringDrawing();
+    for (const name of TOOL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, TOOLS[name], this.#views);
+    for (const name of PANEL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, PANELS[name], this.#moving);
     if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -108,26 +122,19 @@ export class Views {
     this.#turn(this.#kind);
   }
 
-  async #bringAssemblies() {
-    this.#assembled = true;
+  /**
+   * @template T
+   * @param {keyof typeof PANELS | keyof typeof TOOLS} name
+   * @param {(page: Page) => Promise<T>} load
+   * @param {T[]} views to which it comes
+   */
+  async #bringLater(name, load, views) {
+    this.#brought.add(name);
     try {
-      const { Assemblies } = await awaited(import("assur/assemblies/panel.js"));
-      this.#moving.push(new Assemblies(this.#page));
+      views.push(await awaited(load(this.#page)));
       this.#page.redraw();
     } catch {
-      this.#assembled = false;
-      this.#page.notices.tell(LOST);
-    }
-  }
-
-  async #bringDrawing() {
-    this.#drawn = true;
-    try {
-      const { Drawing } = await awaited(import("assur/drawing/drawing.js"));
-      this.#views.push(new Drawing(this.#page));
-      this.#page.redraw();
-    } catch {
-      this.#drawn = false;
+      this.#brought.delete(name);
       this.#page.notices.tell(LOST);
     }
   }

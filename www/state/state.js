@@ -22,14 +22,14 @@
  */
 
 /** What can be laid over the drawing. */
-export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others"]));
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature"]));
 
 /** What is shown or not: over the drawing, and over the plots. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "differenced"]));
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
-  /** @type {const} */ ([...SWITCHES, "plot", "axes", "omega", "epsilon", "true_time"]),
+  /** @type {const} */ ([...SWITCHES, "about", "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
 /** How many traced points a mechanism may have. */
@@ -56,6 +56,11 @@ export function usualView(view) {
     numbers: false,
     all_assemblies: false,
     others: false,
+    polygons: false,
+    instant_centres: false,
+    centrodes: false,
+    curvature: false,
+    about: "",
     plot: "angles",
     only: "all",
     axes: "analogues",

@@ -5,6 +5,7 @@ mod beside;
 mod bounds;
 mod given;
 mod layout;
+mod lines;
 mod names;
 mod nearest;
 mod numbers;
@@ -25,6 +26,7 @@ use crate::overlays::{self, Overlays};
 use crate::parts;
 use given::Given;
 use layout::Layout;
+pub use lines::Lines;
 use names::Names;
 use numbers::Number;
 use overlaid::Overlaid;
@@ -45,6 +47,8 @@ pub struct View {
     /// The points asked for, besides tracers: their paths are drawn with
     /// [`Overlays::traces`], their derivatives with [`Overlays::vectors`].
     pub traced: Vec<PointId>,
+    /// What lecturers draw over it.
+    pub lines: Lines,
     /// What the document notes.
     pub annotations: Annotations,
 }
@@ -84,6 +88,7 @@ pub struct Figure {
     gearing: Gearing,
     names: Names,
     overlaid: Overlaid,
+    lines: lines::Drawn,
     numbers: Vec<Number>,
     given: Given,
     /// Numbers of wheels: each where it stands in a pose, and its name.
@@ -111,6 +116,7 @@ impl Figure {
         });
         let tags = tags.collect();
         let mut overlaid = Overlaid::new(motion, &layout, &home, view, &mut names);
+        let mut lines = lines::Drawn::new(mechanism, &layout, view, &mut names);
         let numbers = if view.overlays.numbers {
             numbers::numbers(mechanism, &layout, &home, view, &mut names)
         } else {
@@ -163,6 +169,7 @@ impl Figure {
             .flat_map(|(_, paths)| paths)
             .flat_map(Path::reach);
         let tips = overlaid.scale(motion, size);
+        lines.within(base);
         let mut figure = Self {
             motion: motion.clone(),
             bounds: bounds::grown(base, curves.chain(tips), size),
@@ -171,6 +178,7 @@ impl Figure {
             gearing,
             names,
             overlaid,
+            lines,
             numbers,
             given,
             tags,
@@ -242,6 +250,7 @@ impl Figure {
         }
         self.label(&mut list, mechanism, pose);
         self.overlaid.draw(&mut list, mechanism, pose, self.unit);
+        self.lines.draw(&mut list, mechanism, pose, self.unit);
         let mut numbers = self.bodies(pose);
         numbers.extend(list.numbers());
         numbers
@@ -384,6 +393,7 @@ impl Figure {
         for number in &self.numbers {
             number.draw(&mut list, u);
         }
+        self.lines.draw_rigid(&mut list, &self.motion);
         self.rigid = list;
     }
 }

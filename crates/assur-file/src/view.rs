@@ -65,6 +65,21 @@ pub struct View {
     /// The other assemblies shown beside the one that moves, dashed.
     #[serde(default)]
     pub others: bool,
+    /// Polygons of velocities and accelerations shown.
+    #[serde(default)]
+    pub polygons: bool,
+    /// Instant centres of all links shown, with the lines that give that of `about`.
+    #[serde(default)]
+    pub instant_centres: bool,
+    /// Centrodes of `about` shown.
+    #[serde(default)]
+    pub centrodes: bool,
+    /// The inflection circle of `about` and the circles of curvature of traced points shown.
+    #[serde(default)]
+    pub curvature: bool,
+    /// The link that these are of; none, or one that is not there: the first coupler.
+    #[serde(default)]
+    pub about: String,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
@@ -192,6 +207,11 @@ impl Default for View {
             numbers: false,
             all_assemblies: false,
             others: false,
+            polygons: false,
+            instant_centres: false,
+            centrodes: false,
+            curvature: false,
+            about: String::new(),
             plot: angles(),
             only: Only::default(),
             axes: Axes::default(),

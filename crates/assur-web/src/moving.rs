@@ -5,10 +5,10 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
-use assur::motion::Motion;
+use assur::motion::{Input, Motion};
 use assur::{Jet, Point};
 use assur_draw::chart::{Chart, Settings};
-use assur_draw::{Annotations, Figure, Overlays, View as Drawing};
+use assur_draw::{Annotations, Figure, Lines, Overlays, View as Drawing};
 use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
 
 use crate::capabilities::Moves;
@@ -42,6 +42,8 @@ pub(crate) struct Moving {
     traceable: bool,
     /// Whether the other assemblies are drawn beside it.
     others: bool,
+    /// Whether circles of curvature are drawn, which need a further derivative.
+    curvature: bool,
     figure: Figure,
     chart: Chart,
     explain: Explain,
@@ -75,6 +77,7 @@ impl Moving {
         let numbers = annotations.numbers.iter().cloned().collect();
         let drawing = Drawing {
             overlays: overlays(view),
+            lines: lines(view, mechanism),
             traced: document
                 .traces
                 .iter()
@@ -95,6 +98,7 @@ impl Moving {
             handles: Handle::of_points(mechanism, &figure),
             traceable: true,
             others: view.others,
+            curvature: view.curvature,
             chart: figure.chart(&plotted, settings(view)),
             plotted,
             figure,
@@ -141,6 +145,16 @@ impl Moving {
 
     pub(crate) fn figure(&self) -> &Figure {
         &self.figure
+    }
+
+    /// How the input goes, by the axes.
+    pub(crate) fn input(&self) -> Input {
+        self.chart.settings().input
+    }
+
+    /// The numbers of links, by their names.
+    pub(crate) fn link_numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
     }
 
     pub(crate) fn traceable(&self) -> bool {
@@ -240,7 +254,7 @@ impl Moving {
         quantities: &'a [Quantity],
         pose: &'a Pose<3>,
     ) -> impl Iterator<Item = f64> + 'a {
-        let input = self.chart.settings().input;
+        let input = self.input();
         quantities.iter().flat_map(move |one| {
             let jet: Jet<3> = one.of(self.mechanism(), pose);
             [0, 1, 2].map(|order| input.rate(&jet, order))
@@ -309,8 +323,13 @@ impl Moves for Moving {
                 let mechanism = self.mechanism();
                 let angles = self.transmitting.iter();
                 let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
+                let further = self.curvature.then(|| self.motion.pose::<4>(input).ok());
+                let frame = match further.flatten() {
+                    Some(further) => self.frame(input, &further),
+                    None => self.frame(input, &pose),
+                };
                 Ok(Here {
-                    frame: self.frame(input, &pose),
+                    frame,
                     handles: self.places(&pose),
                     readouts: [input]
                         .into_iter()
@@ -385,6 +404,16 @@ fn overlays(view: &View) -> Overlays {
         transmission: view.transmission,
         groups: view.groups,
         numbers: view.numbers,
+    }
+}
+
+/// What lecturers draw over it.
+fn lines(view: &View, mechanism: &Mechanism) -> Lines {
+    Lines {
+        centres: view.instant_centres,
+        centrodes: view.centrodes,
+        curvature: view.curvature,
+        link: mechanism.link(&view.about),
     }
 }
 

@@ -299,6 +299,16 @@ impl Simulator {
         self.linkage()?.equations(input, order).map_err(one)
     }
 
+    /// The polygons of velocities and accelerations at an input, drawn as far as so many steps:
+    /// `{steps, pictures}`.
+    ///
+    /// # Errors
+    /// Why there are none: no pose, or derivatives unbounded.
+    pub fn polygons(&self, input: f64, shown: usize) -> Result<JsValue, JsValue> {
+        let here = self.linkage()?.polygons(input, shown);
+        Ok(to_js(&here.map_err(one)?))
+    }
+
     fn document(&self) -> Result<&dyn Capabilities, JsValue> {
         let document = self.document.as_deref();
         document.ok_or_else(|| one(bad("", "no state has been set")))

@@ -30,6 +30,7 @@ use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, Verdic
 use crate::kinds::synthesis::wanted::{
     ConditionSummary, PrintedSummary, TheoremSummary, WantedSummary,
 };
+use crate::polygons::{FoundHere, LegHere, PolygonPictureHere, PolygonStepHere, PolygonsHere};
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
     Between, CountsSummary, CourseSummary, CycleSummary, DeadPointSummary, FourBarSummary,
@@ -44,6 +45,11 @@ fn the_scripts_know_what_crosses_the_border() {
     let types = [
         AssembliesHere::decl(&config),
         AssemblyHere::decl(&config),
+        PolygonsHere::decl(&config),
+        PolygonPictureHere::decl(&config),
+        PolygonStepHere::decl(&config),
+        LegHere::decl(&config),
+        FoundHere::decl(&config),
         MotionsMap::decl(&config),
         BranchLine::decl(&config),
         MeetingPlace::decl(&config),

@@ -22,7 +22,9 @@
 //! ```
 
 mod angle;
+pub mod centres;
 pub mod circuits;
+pub mod curvature;
 pub mod dynamics;
 mod four_bar;
 pub mod gears;
@@ -34,6 +36,7 @@ pub mod mechanism;
 pub mod mixer;
 pub mod mobility;
 pub mod motion;
+pub mod polygons;
 mod position;
 pub mod sorting;
 pub mod structure;

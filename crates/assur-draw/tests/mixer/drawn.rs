@@ -47,6 +47,7 @@ impl Drawn {
                 .filter_map(|joint| motion.mechanism().point(joint))
                 .collect(),
             annotations: Annotations::from(&mixer),
+            ..View::default()
         };
         let figure = Figure::new(&motion, &view);
         let figure = figure.unwrap_or_else(|unsolved| panic!("{unsolved}"));

@@ -163,7 +163,7 @@ impl Mechanism {
 }
 
 /// The arms of a step that is a dyad RRR.
-pub(super) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
+pub(crate) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
         Step::Rrr(Rrr { arms }) => Some(arms),
         Step::Closed(closed) => Some(&closed.arms),

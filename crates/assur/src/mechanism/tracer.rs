@@ -58,7 +58,7 @@ impl Mechanism {
     }
 
     /// Where a place is in the coordinates of a link, those of [`DraftTracer::at`].
-    pub fn on_link(&self, pose: &Pose<1>, link: LinkId, place: Point) -> Vector {
+    pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
         // A link without points is no link: `Mechanism::new` refuses it.
         let origin = self
             .points_of(link)

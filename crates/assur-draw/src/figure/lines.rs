@@ -1,0 +1,322 @@
+//! What lecturers draw over a linkage: instant centres with Kennedy's lines, centrodes, circles of curvature.
+
+use assur::centres::{Centre, InstantCentre, Source};
+use assur::curvature::{Centrodes, Circles, Curvature};
+use assur::mechanism::{BodyId, LinkId, Mechanism, PointId, Pose};
+use assur::motion::Motion;
+use assur::{JetPoint, Point, Vector};
+
+use super::layout::{self, Layout};
+use super::names::Names;
+use super::{View, bounds};
+use crate::list::{List, Look, Role};
+
+/// What is farther from the drawing than so many of its sizes is not drawn.
+const REACH: f64 = 4.0;
+/// Lines go on beyond what gives them by so many units.
+const BEYOND: f64 = 6.0;
+/// Of linkages with more bodies only centres are named in which something turns against the frame.
+const MOST_NAMED: usize = 12;
+
+/// Which of them are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Lines {
+    /// Instant centres of all links, and the lines that give that of the link against the frame.
+    pub centres: bool,
+    /// The centrodes of the link.
+    pub centrodes: bool,
+    /// The inflection circle of the link; of points whose paths are asked for the circles of curvature.
+    pub curvature: bool,
+    /// The link, else the first that is joined to no place of the frame.
+    pub link: Option<LinkId>,
+}
+
+/// These lines of a linkage, ready to be drawn in any pose.
+#[derive(Clone, Debug)]
+pub(super) struct Drawn {
+    lines: Lines,
+    /// The link whose centre, centrodes and circles are drawn.
+    link: Option<LinkId>,
+    /// Of two bodies the name of their centre, by the numbers of both.
+    names: Vec<Option<usize>>,
+    bodies: usize,
+    /// The pole, the inflection pole and a centre of curvature.
+    symbols: [usize; 3],
+    traced: Vec<PointId>,
+    middle: Point,
+    size: f64,
+}
+
+impl Drawn {
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        layout: &Layout,
+        view: &View,
+        names: &mut Names,
+    ) -> Self {
+        let lines = view.lines;
+        let bodies = mechanism.bodies().len();
+        let mut drawn = Self {
+            lines,
+            link: lines.link.or_else(|| floating(mechanism)),
+            names: Vec::new(),
+            bodies,
+            symbols: [0; 3],
+            traced: Vec::new(),
+            middle: Point::origin(),
+            size: 0.0,
+        };
+        if lines.centrodes || lines.curvature {
+            drawn.symbols = ["P", "J", "K"].map(|symbol| names.add(symbol.to_owned()));
+        }
+        if lines.centres {
+            let number = |body: BodyId| body_number(mechanism, view, body);
+            for first in mechanism.bodies() {
+                for second in mechanism.bodies() {
+                    let named = first < second && (bodies <= MOST_NAMED || first == BodyId::FRAME);
+                    drawn.names.push(named.then(|| {
+                        let [a, b] = [first, second].map(number);
+                        let comma = if a.len() + b.len() > 2 { "," } else { "" };
+                        names.add(low(&format!("P{a}{comma}{b}")))
+                    }));
+                }
+            }
+        }
+        if lines.curvature {
+            let moving = mechanism.point_ids().filter(|point| {
+                let asked = layout.is_tracer(*point) || view.traced.contains(point);
+                asked && layout.moves(*point)
+            });
+            drawn.traced = moving.collect();
+        }
+        drawn
+    }
+
+    /// Takes the rectangle of the drawing.
+    pub(super) fn within(&mut self, base: [f64; 4]) {
+        let [left, bottom, right, top] = base;
+        self.middle = Point::new(0.5 * (left + right), 0.5 * (bottom + top));
+        self.size = bounds::size(base);
+    }
+
+    fn is_near(&self, place: Point) -> bool {
+        (place - self.middle).norm() < REACH * self.size
+    }
+
+    /// What stands still on the frame and on the link: the centrodes.
+    pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
+        let Some(link) = self.link.filter(|_| self.lines.centrodes) else {
+            return;
+        };
+        for piece in Centrodes::of(motion, link).pieces {
+            for near in piece.chunk_by(|a, b| self.is_near(a.fixed) == self.is_near(b.fixed)) {
+                let is_near = near.first().is_some_and(|first| self.is_near(first.fixed));
+                if !is_near || near.len() < 2 {
+                    continue;
+                }
+                let fixed: Vec<Point> = near.iter().map(|rolling| rolling.fixed).collect();
+                let moving = near.iter().map(|rolling| Point::from(rolling.moving));
+                let moving: Vec<Point> = moving.collect();
+                list.body(layout::number(None));
+                list.polyline(Role::Accent3, Look::Line, &fixed);
+                list.body(layout::number(Some(link)));
+                list.polyline(Role::Accent4, Look::Line, &moving);
+            }
+        }
+    }
+
+    /// What changes from pose to pose; circles of one with three derivatives, at a dead point centres by places alone.
+    pub(super) fn draw<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
+        if self.lines.centres {
+            self.centres(list, mechanism, pose, unit);
+        }
+        if N >= 4 && self.lines.curvature {
+            self.circles(list, mechanism, pose, unit);
+        }
+        let Some(link) = self.link.filter(|_| self.lines.centrodes) else {
+            return;
+        };
+        let about = [BodyId::FRAME, mechanism.body_of(Some(link))];
+        let centres = all(mechanism, pose);
+        let pole = centres.iter().find(|centre| centre.bodies == about);
+        if let Some(Centre::At(pole)) = pole.map(|pole| pole.centre) {
+            self.mark(list, pole, self.symbols[0], unit);
+        }
+    }
+
+    /// A place with its name, where it is near enough.
+    fn mark(&self, list: &mut List, at: Point, name: usize, unit: f64) {
+        if self.is_near(at) {
+            list.circle(Role::Ink, Look::Solid, at, 0.7 * unit);
+            list.name(Role::Ink, name, at, [1.1, 1.0]);
+        }
+    }
+
+    fn centres<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
+        let centres = all(mechanism, pose);
+        let of = |[a, b]: [BodyId; 2]| {
+            let bodies = [a.min(b), a.max(b)];
+            let found = centres.iter().find(|centre| centre.bodies == bodies);
+            found.map(|found| found.centre)
+        };
+        let about = self.link.map(|link| mechanism.body_of(Some(link)));
+        let asked = centres
+            .iter()
+            .find(|centre| Some(centre.bodies[1]) == about && centre.bodies[0] == BodyId::FRAME);
+        if let Some(InstantCentre {
+            bodies: [i, j],
+            centre,
+            source: Source::Kennedy(by),
+        }) = asked
+        {
+            for k in by {
+                let through = [of([*i, *k]), of([*k, *j]), Some(*centre)];
+                self.line(list, through.into_iter().flatten(), unit);
+            }
+        }
+        for centre in &centres {
+            let [first, second] = centre.bodies;
+            let name = self.names[first.index() * self.bodies + second.index()];
+            if let (Centre::At(at), Some(name)) = (centre.centre, name)
+                && self.is_near(at)
+            {
+                let is_asked = asked.is_some_and(|asked| asked.bodies == centre.bodies);
+                let (role, look) = if is_asked {
+                    (Role::Velocity, Look::Solid)
+                } else {
+                    (Role::Ink, Look::Hollow)
+                };
+                list.circle(role, look, at, 0.8 * unit);
+                list.name(role, name, at, [1.3, 0.9]);
+            }
+        }
+    }
+
+    /// A line through centres, of which all but one may be at infinity: as far as what is near of them, and a little on.
+    fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
+        let mut places = Vec::new();
+        let mut way = None;
+        for centre in through {
+            match centre {
+                Centre::At(place) => places.push(place),
+                Centre::Infinity(direction) => way = Some(direction),
+                Centre::Anywhere => {}
+            }
+        }
+        let Some(base) = places.first().copied() else {
+            return;
+        };
+        let farthest = places.iter().map(|place| place - base);
+        let farthest = farthest.max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let Some(along) = way.or(farthest).and_then(|way| way.try_normalize(0.0)) else {
+            return;
+        };
+        let reach = REACH * self.size;
+        let at = |place: &Point| (place - base).dot(&along).clamp(-reach, reach);
+        let ends = places.iter().map(at);
+        let [low, high] = ends.fold([0.0_f64; 2], |[low, high], at| [low.min(at), high.max(at)]);
+        let on = if way.is_some() { reach } else { BEYOND * unit };
+        let line = [base + along * (low - on), base + along * (high + on)];
+        list.polyline(Role::Velocity, Look::Thin, &line);
+    }
+
+    fn circles<const N: usize>(
+        &self,
+        list: &mut List,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        unit: f64,
+    ) {
+        let [pole_name, inflection_pole, centre_name] = self.symbols;
+        let circles = self
+            .link
+            .and_then(|link| Circles::of(mechanism, pose, mechanism.body_of(Some(link))));
+        if let Some(circles) = circles {
+            let (centre, radius) = circles.inflection();
+            if self.is_near(circles.pole) && radius < REACH * self.size && radius > 0.1 * unit {
+                list.circle(Role::Accent2, Look::Thin, centre, radius);
+                self.mark(list, circles.pole, pole_name, unit);
+                self.mark(list, circles.pole + circles.diameter, inflection_pole, unit);
+            }
+        }
+        for point in &self.traced {
+            let place: JetPoint<N> = mechanism.place(pose, *point);
+            let Some(bend) = Curvature::of(&place, self.size) else {
+                continue;
+            };
+            let radius = bend.curvature.recip().abs();
+            if let Some(centre) = bend.centre
+                && radius < REACH * self.size
+            {
+                list.circle(Role::Accent1, Look::Thin, centre, radius);
+                list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
+                self.mark(list, centre, centre_name, unit);
+            } else {
+                // Straight as far as can be seen: its tangent.
+                let along: Vector = bend.tangent * (REACH * self.size);
+                list.polyline(
+                    Role::Accent1,
+                    Look::Thin,
+                    &[bend.at - along, bend.at + along],
+                );
+            }
+        }
+    }
+}
+
+/// All centres of a pose; where it has no derivatives those that places tell.
+fn all<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Vec<InstantCentre> {
+    if N >= 2 {
+        mechanism.instant_centres(pose)
+    } else {
+        mechanism.kennedy(pose)
+    }
+}
+
+/// The first link that no pair joins to the frame: a coupler. Else the last one.
+fn floating(mechanism: &Mechanism) -> Option<LinkId> {
+    let joined: Vec<BodyId> = mechanism
+        .joints()
+        .iter()
+        .filter(|joint| joint.bodies().contains(&BodyId::FRAME))
+        .flat_map(|joint| joint.bodies().to_vec())
+        .collect();
+    let links = mechanism.link_ids();
+    let mut own = links.filter(|link| mechanism.root_of(*link) == Some(*link));
+    let coupler = own.clone().find(|link| {
+        let body = mechanism.body_of(Some(*link));
+        !joined.contains(&body) && mechanism.points_of(*link).len() > 1
+    });
+    coupler.or_else(|| own.next_back())
+}
+
+/// The number of a body as the drawing has it.
+fn body_number(mechanism: &Mechanism, view: &View, body: BodyId) -> String {
+    let name = mechanism.body_name(body);
+    let mut noted = view.annotations.numbers.iter();
+    let noted = noted.find(|(link, _)| link == name);
+    noted.map_or_else(|| body.index().to_string(), |(_, number)| number.clone())
+}
+
+/// The same with its digits low.
+fn low(text: &str) -> String {
+    let digit = |c: char| {
+        let low = c
+            .to_digit(10)
+            .and_then(|digit| char::from_u32(0x2080 + digit));
+        low.unwrap_or(c)
+    };
+    text.chars().map(digit).collect()
+}

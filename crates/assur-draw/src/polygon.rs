@@ -1,0 +1,295 @@
+//! A polygon of velocities or accelerations as a drawing of its own, to scale, step by step.
+
+use assur::mechanism::Mechanism;
+use assur::polygons::{Kind, Node, Order, Polygon, Stage};
+use assur::{Point, Vector};
+
+use crate::list::{List, Look, Role};
+use crate::parts;
+
+/// Vectors shorter than this, in units, are points.
+const LEAST: f64 = 0.3;
+/// How far a direction is drawn beyond its beginning before the point on it is found, in units.
+const DIRECTION: f64 = 120.0;
+/// How far below the polygon its scale is, in units, and how much of the width it takes at most.
+const BELOW: f64 = 9.0;
+const BAR: f64 = 0.4;
+/// What the line that shows the scale stands for, and how much larger one sheet is than another, but for powers of ten.
+const SCALES: [f64; 3] = [5.0, 2.0, 1.0];
+const SIZES: [f64; 6] = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
+
+/// One step of the drawing: a vector equation, or points that follow.
+#[derive(Clone, Copy, Debug)]
+pub struct PolygonStep<'a> {
+    /// The stage that it belongs to.
+    pub stage: &'a Stage,
+    /// Which of its equations; none where points follow.
+    pub route: Option<usize>,
+}
+
+impl PolygonStep<'_> {
+    /// Whether its points are known when it is done.
+    pub fn finds(&self) -> bool {
+        self.route
+            .is_none_or(|route| route + 1 == self.stage.routes.len())
+    }
+}
+
+/// The steps in which a polygon is drawn.
+pub fn polygon_steps(polygon: &Polygon) -> Vec<PolygonStep<'_>> {
+    let stages = polygon.stages.iter();
+    let steps = stages.flat_map(|stage| {
+        let routes = (0..stage.routes.len()).map(Some);
+        let follows = stage.routes.is_empty().then_some(None);
+        let routes = routes.chain(follows);
+        routes.map(move |route| PolygonStep { stage, route })
+    });
+    steps.collect()
+}
+
+/// A polygon that is drawn.
+#[derive(Clone, Debug)]
+pub struct PolygonPicture {
+    /// The display list.
+    pub list: List,
+    /// What its labels stand for.
+    pub names: Vec<String>,
+    /// Its rectangle: left, bottom, right, top.
+    pub bounds: [f64; 4],
+    /// How long the line is that shows the scale: a round number.
+    pub bar: f64,
+}
+
+impl PolygonPicture {
+    /// A polygon after so many of its steps, with the names that points have in it.
+    pub fn new(
+        mechanism: &Mechanism,
+        polygon: &Polygon,
+        shown: usize,
+        name: impl Fn(Node) -> String,
+    ) -> Self {
+        let [left, bottom, right, top] = sheet(polygon);
+        let bar = round(BAR * (right - left), &SCALES);
+        let unit = (right - left) / 100.0;
+        let mut drawing = Drawing {
+            list: List::default(),
+            names: Vec::new(),
+            order: polygon.order,
+            unit,
+        };
+        let steps = polygon_steps(polygon);
+        let shown = shown.min(steps.len());
+        for (k, step) in steps[..shown].iter().enumerate() {
+            drawing.step(step, k + 1 == shown);
+        }
+        drawing.images(mechanism, &steps[..shown]);
+        let pole = match polygon.order {
+            Order::Velocity => "p",
+            Order::Acceleration => "π",
+        };
+        drawing.point(pole.to_owned(), Vector::zeros(), Vector::new(-1.0, -1.0));
+        for step in steps[..shown].iter().filter(|step| step.finds()) {
+            for (node, at) in &step.stage.nodes {
+                // What stands still is at the pole, and goes by its name.
+                if at.norm() > LEAST * unit {
+                    drawing.point(name(*node), *at, *at);
+                }
+            }
+        }
+        let base = bottom - BELOW * unit;
+        drawing.scale(Point::new(left, base), bar);
+        Self {
+            list: drawing.list,
+            names: drawing.names,
+            bounds: [left, base - 2.0 * unit, right, top],
+            bar,
+        }
+    }
+}
+
+/// The square in which a polygon is drawn, about its middle: of sizes as far apart as scales are, so that while it moves
+/// the scale seldom changes.
+fn sheet(polygon: &Polygon) -> [f64; 4] {
+    let [left, bottom, right, top] = around(polygon);
+    let size = (right - left).max(top - bottom);
+    let half = if size > 0.0 {
+        0.5 * round(size.recip(), &SIZES).recip()
+    } else {
+        1.0
+    };
+    let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
+    [
+        middle[0] - half,
+        middle[1] - half,
+        middle[0] + half,
+        middle[1] + half,
+    ]
+}
+
+/// The rectangle around a polygon and its pole.
+fn around(polygon: &Polygon) -> [f64; 4] {
+    let stages = polygon.stages.iter();
+    let places = stages.flat_map(|stage| {
+        let legs = stage.routes.iter().flat_map(|route| &route.legs);
+        let ends = legs.flat_map(|leg| leg.ends);
+        ends.chain(stage.nodes.iter().map(|(_, at)| *at))
+    });
+    places.fold([0.0; 4], |[left, bottom, right, top], at| {
+        [
+            left.min(at.x),
+            bottom.min(at.y),
+            right.max(at.x),
+            top.max(at.y),
+        ]
+    })
+}
+
+/// The greatest of these digits, the greatest first, times a power of ten that is no greater.
+fn round(length: f64, digits: &[f64]) -> f64 {
+    let power = 10.0_f64.powf(length.log10().floor());
+    let mut whole = digits.iter().map(|digit| digit * power);
+    whole.find(|round| *round <= length).unwrap_or(length)
+}
+
+struct Drawing {
+    list: List,
+    names: Vec<String>,
+    order: Order,
+    unit: f64,
+}
+
+impl Drawing {
+    /// What points have of velocity or acceleration has its colour, what they have more than others is ink.
+    fn role(&self) -> Role {
+        match self.order {
+            Order::Velocity => Role::Velocity,
+            Order::Acceleration => Role::Acceleration,
+        }
+    }
+
+    fn arrow(&mut self, role: Role, [from, to]: [Vector; 2]) {
+        if (to - from).norm() > LEAST * self.unit {
+            parts::arrow(&mut self.list, role, from.into(), to.into(), self.unit);
+        }
+    }
+
+    fn step(&mut self, step: &PolygonStep<'_>, last: bool) {
+        if let Some(route) = step.route {
+            let legs = &step.stage.routes[route].legs;
+            for leg in legs {
+                let found = leg.known || step.finds() || !last;
+                if found {
+                    let role = match leg.kind {
+                        Kind::Normal | Kind::Coriolis => Role::Secondary,
+                        _ => Role::Ink,
+                    };
+                    self.arrow(role, leg.ends);
+                } else {
+                    let along = leg.direction * (DIRECTION * self.unit);
+                    let [from, to] = [leg.ends[0] - along, leg.ends[0] + along];
+                    let line = [from.into(), to.into()];
+                    self.list.polyline(Role::Secondary, Look::Dashed, &line);
+                }
+            }
+        }
+        if step.finds() {
+            for (_, at) in &step.stage.nodes {
+                self.arrow(self.role(), [Vector::zeros(), *at]);
+            }
+        }
+    }
+
+    /// Thin lines between the points of one link: its image.
+    fn images(&mut self, mechanism: &Mechanism, steps: &[PolygonStep<'_>]) {
+        let found = steps.iter().filter(|step| step.finds());
+        let nodes: Vec<(Node, Vector)> = found.flat_map(|step| step.stage.nodes.clone()).collect();
+        for body in mechanism.bodies().skip(1) {
+            let of_body: Vec<Point> = mechanism
+                .points_on(body)
+                .filter_map(|point| {
+                    let node = Node { point, on: None };
+                    let mut found = nodes.iter();
+                    let found = found.find(|(other, _)| *other == node);
+                    found.map(|(_, at)| Point::from(*at))
+                })
+                .collect();
+            if let [first, _, .., _] = of_body[..] {
+                let ring: Vec<Point> = of_body.into_iter().chain([first]).collect();
+                self.list.polyline(Role::Secondary, Look::Thin, &ring);
+            }
+        }
+    }
+
+    /// A point with its name, which stands off it in a direction.
+    fn point(&mut self, name: String, at: Vector, away: Vector) {
+        self.list
+            .circle(Role::Ink, Look::Solid, at.into(), 0.7 * self.unit);
+        let off = away.normalize() * 1.1;
+        self.names.push(name);
+        let number = self.names.len() - 1;
+        self.list.name(Role::Ink, number, at.into(), [off.x, off.y]);
+    }
+
+    /// The line that shows the scale.
+    fn scale(&mut self, from: Point, length: f64) {
+        let to = from + Vector::new(length, 0.0);
+        let tick = Vector::new(0.0, 1.2 * self.unit);
+        for line in [
+            [from, to],
+            [from - tick, from + tick],
+            [to - tick, to + tick],
+        ] {
+            self.list.polyline(Role::Ink, Look::Line, &line);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use assur::mechanism::{Draft, Mechanism};
+    use assur::motion::{Input, Motion};
+
+    fn four_bar() -> Motion {
+        let draft = Draft::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 1.0, 0.0)
+            .point("C", 3.0, 2.0)
+            .point("D", 4.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["C", "D"])
+            .crank("crank");
+        Motion::new(Mechanism::new(&draft).expect("a four-bar"))
+    }
+
+    #[test]
+    fn scales_are_round() {
+        for (length, expected) in [(1.0, 1.0), (4.9, 2.0), (0.7, 0.5), (230.0, 200.0)] {
+            assert!((round(length, &SCALES) - expected).abs() < 1e-12 * expected);
+        }
+    }
+
+    /// Pole, crank, two equations: the first leaves a direction, the second a point; after each there is more to see.
+    #[test]
+    fn steps_of_a_four_bar() {
+        let motion = four_bar();
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<3>(1.0).expect("a pose");
+        for order in [Order::Velocity, Order::Acceleration] {
+            let polygon = mechanism.polygon(&pose, order, Input::ANALOGUES);
+            let steps = polygon_steps(&polygon);
+            let finds: Vec<bool> = steps.iter().map(PolygonStep::finds).collect();
+            assert_eq!(finds, [true, true, false, true]);
+            let name = |node: Node| mechanism.point_name(node.point).to_lowercase();
+            let drawn = |shown| PolygonPicture::new(mechanism, &polygon, shown, name);
+            let names: Vec<usize> = (0..=5).map(|shown| drawn(shown).names.len()).collect();
+            assert_eq!(names, [1, 1, 2, 2, 3, 3]);
+            let all = drawn(usize::MAX);
+            assert_eq!(all.names[1..], ["b", "c"]);
+            assert!(all.bar > 0.0 && all.bounds.iter().all(|side| side.is_finite()));
+            assert!(all.list.numbers().iter().all(|number| number.is_finite()));
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Polygons of velocities and accelerations of a linkage at an input, as drawings and as the equations that they draw.
+
+use assur::mechanism::{BodyId, FRAME, Pose};
+use assur::polygons::{Kind, Leg, Node, Order, Polygon, Stage};
+use assur_draw::{PolygonPicture, polygon_steps};
+use assur_file::Problem;
+use serde::Serialize;
+
+use crate::moving::Moving;
+
+const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
+
+/// The polygons at an input.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PolygonsHere {
+    /// What is drawn in turn, alike in both.
+    steps: Vec<PolygonStepHere>,
+    /// That of velocities and that of accelerations, after as many steps as were asked for.
+    pictures: [PolygonPictureHere; 2],
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PolygonPictureHere {
+    /// The display list, and what its labels stand for.
+    list: Vec<f32>,
+    names: Vec<String>,
+    /// Left, bottom, right, top.
+    bounds: [f64; 4],
+    /// How long the line is that shows the scale.
+    bar: f64,
+}
+
+/// One step: a vector equation, or points that follow.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PolygonStepHere {
+    /// The pole, an equation, points by the image of their link, points of a group that is no dyad.
+    #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
+    kind: &'static str,
+    /// Of an equation the point looked for and the one it is told from.
+    #[cfg_attr(test, ts(optional = nullable))]
+    target: Option<String>,
+    #[cfg_attr(test, ts(optional = nullable))]
+    from: Option<String>,
+    /// The number of the link that has both, or the line; 0 of the frame.
+    #[cfg_attr(test, ts(optional = nullable))]
+    link: Option<String>,
+    /// What is added to its velocity, and to its acceleration.
+    legs: [Vec<LegHere>; 2],
+    /// The points that are known when it is done, each with the size of its velocity and acceleration.
+    found: Vec<FoundHere>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct LegHere {
+    #[cfg_attr(
+        test,
+        ts(
+            type = "\"turning\" | \"normal\" | \"tangential\" | \"sliding\" | \"coriolis\" | \"relative\""
+        )
+    )]
+    kind: &'static str,
+    length: f64,
+    /// Whether its length is known before the point is found.
+    known: bool,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FoundHere {
+    name: String,
+    rates: [f64; 2],
+}
+
+impl Moving {
+    /// The polygons at an input, after so many steps.
+    ///
+    /// # Errors
+    /// Why there are none.
+    pub(crate) fn polygons(&self, input: f64, shown: usize) -> Result<PolygonsHere, Problem> {
+        let mechanism = self.mechanism();
+        let pose: Pose<3> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
+        let rate = self.input();
+        let polygons = ORDERS.map(|order| mechanism.polygon(&pose, order, rate));
+        let pictures = [0, 1].map(|k| {
+            let strokes = ["", "′"][k];
+            let name = |node: Node| self.node_name(node).to_lowercase() + strokes;
+            let picture = PolygonPicture::new(mechanism, &polygons[k], shown, name);
+            PolygonPictureHere {
+                list: picture.list.numbers().to_vec(),
+                names: picture.names,
+                bounds: picture.bounds,
+                bar: picture.bar,
+            }
+        });
+        Ok(PolygonsHere {
+            steps: self.steps(&polygons),
+            pictures,
+        })
+    }
+
+    /// The steps of both polygons, which are drawn alike.
+    fn steps(&self, polygons: &[Polygon; 2]) -> Vec<PolygonStepHere> {
+        let [first, second] = polygons.each_ref().map(polygon_steps);
+        let both = first.iter().zip(&second);
+        let steps = both.map(|(velocity, acceleration)| {
+            let both = [velocity, acceleration];
+            let stages = both.map(|step| step.stage);
+            let route = velocity.route.map(|route| &stages[0].routes[route]);
+            PolygonStepHere {
+                kind: kind(stages[0]),
+                target: route.and(stages[0].target).map(|node| self.node_name(node)),
+                from: route.map(|route| self.node_name(route.from)),
+                link: route.map(|route| self.body_number(route.body)),
+                legs: both.map(|step| {
+                    let legs = step.route.map(|route| &step.stage.routes[route].legs);
+                    legs.into_iter().flatten().map(leg).collect()
+                }),
+                found: if velocity.finds() {
+                    self.found(stages)
+                } else {
+                    Vec::new()
+                },
+            }
+        });
+        steps.collect()
+    }
+
+    fn found(&self, [velocity, acceleration]: [&Stage; 2]) -> Vec<FoundHere> {
+        let both = velocity.nodes.iter().zip(&acceleration.nodes);
+        let found = both.map(|((node, v), (_, a))| FoundHere {
+            name: self.node_name(*node),
+            rates: [v.norm(), a.norm()],
+        });
+        found.collect()
+    }
+
+    /// A point, with the number of the link whose place at it is meant: `B3`.
+    fn node_name(&self, node: Node) -> String {
+        let point = self.mechanism().point_name(node.point);
+        let number = node.on.map(|body| self.body_number(body));
+        [point, &number.unwrap_or_default()].concat()
+    }
+
+    /// The number of a link as the drawing has it; the frame is 0.
+    fn body_number(&self, body: BodyId) -> String {
+        let name = self.mechanism().body_name(body);
+        if name == FRAME {
+            return "0".to_owned();
+        }
+        let number = self.link_numbers().get(name).cloned();
+        number.unwrap_or_else(|| body.index().to_string())
+    }
+}
+
+fn kind(stage: &Stage) -> &'static str {
+    if stage.step.is_none() {
+        "pole"
+    } else if stage.of_group {
+        "group"
+    } else if stage.routes.is_empty() {
+        "image"
+    } else {
+        "equation"
+    }
+}
+
+fn leg(leg: &Leg) -> LegHere {
+    LegHere {
+        kind: match leg.kind {
+            Kind::Turning => "turning",
+            Kind::Normal => "normal",
+            Kind::Tangential => "tangential",
+            Kind::Sliding => "sliding",
+            Kind::Coriolis => "coriolis",
+            Kind::Relative => "relative",
+        },
+        length: (leg.ends[1] - leg.ends[0]).norm(),
+        known: leg.known,
+    }
+}

@@ -1,0 +1,174 @@
+//! Kennedy's theorem: from the centres that pairs tell to the others, line by line.
+
+use super::projective::{Place, at, towards};
+use super::{InstantCentre, Source};
+use crate::Vector;
+use crate::index::{BodyId, PointId};
+use crate::mechanism::{Joint, Mechanism, Pose};
+
+/// How far off, relative to what is drawn, a centre may be that pairs tell.
+const EXACT: f64 = 1e-15;
+/// Two lines that place their crossing better than this are taken at once, in the order of the links; worse ones only
+/// when there are no others, the best first.
+const CLEAR: f64 = 1e-12;
+/// Lines that place it worse than this hardly cross: they tell nothing.
+const VAGUE: f64 = 1e-8;
+
+/// A centre that is known, of length 1, and how far off it may be.
+#[derive(Clone, Copy)]
+struct Known {
+    place: Place,
+    off: f64,
+}
+
+impl Known {
+    /// What two triples have in common: the line through two places, the place where two lines cross. None where they
+    /// are one, so far as can be told.
+    fn joined(self, other: Self) -> Option<Self> {
+        let product = self.place.cross(&other.place);
+        let sine = product.norm();
+        let off = (self.off + other.off + EXACT) / sine;
+        (off < VAGUE).then(|| Self {
+            place: product / sine,
+            off,
+        })
+    }
+}
+
+/// Which centres are known, of all pairs of bodies.
+struct Table<'a> {
+    mechanism: &'a Mechanism,
+    known: Vec<Option<Known>>,
+    found: Vec<InstantCentre>,
+}
+
+/// The centres of a pose in the order in which they are found.
+pub(super) fn centres<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Vec<InstantCentre> {
+    let bodies = mechanism.bodies().len();
+    let mut table = Table {
+        mechanism,
+        known: vec![None; bodies * bodies],
+        found: Vec::new(),
+    };
+    for joint in mechanism.joints() {
+        table.join(pose, &joint);
+    }
+    loop {
+        let mut best: Option<([BodyId; 2], [BodyId; 2], Known)> = None;
+        let before = table.found.len();
+        for first in mechanism.bodies() {
+            for second in mechanism.bodies().skip(first.index() + 1) {
+                let bodies = [first, second];
+                if table.of(bodies).is_some() {
+                    continue;
+                }
+                match table.crossing(bodies) {
+                    Some((by, place)) if place.off <= CLEAR => {
+                        table.add(bodies, place, Source::Kennedy(by));
+                    }
+                    Some((by, place)) if best.is_none_or(|(.., best)| place.off < best.off) => {
+                        best = Some((bodies, by, place));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if table.found.len() > before {
+            continue;
+        }
+        match best {
+            Some((bodies, by, place)) => table.add(bodies, place, Source::Kennedy(by)),
+            None => return table.found,
+        }
+    }
+}
+
+impl Table<'_> {
+    fn place(&self, [first, second]: [BodyId; 2]) -> usize {
+        first.index() * self.mechanism.bodies().len() + second.index()
+    }
+
+    fn of(&self, bodies: [BodyId; 2]) -> Option<Known> {
+        self.known[self.place(bodies)]
+    }
+
+    fn add(&mut self, [first, second]: [BodyId; 2], known: Known, source: Source) {
+        for bodies in [[first, second], [second, first]] {
+            let place = self.place(bodies);
+            self.known[place] = Some(known);
+        }
+        self.found.push(InstantCentre {
+            bodies: [first.min(second), first.max(second)],
+            centre: self.mechanism.centre_at(known.place),
+            source,
+        });
+    }
+
+    /// Adds what a pair tells.
+    fn join<const N: usize>(&mut self, pose: &Pose<N>, joint: &Joint) {
+        let mechanism = self.mechanism;
+        let hinge = |point: PointId| {
+            let place = mechanism.place(pose, point).place();
+            at(mechanism.scaled(place))
+        };
+        let mut tell = |bodies: [BodyId; 2], place: Place| {
+            let place = place.normalize();
+            // Bodies that are joined twice over have what tells them first.
+            if place.norm_squared().is_finite() && self.of(bodies).is_none() {
+                self.add(bodies, Known { place, off: EXACT }, Source::Joint);
+            }
+        };
+        match joint {
+            Joint::Hinge { point, bodies } => {
+                for (k, first) in bodies.iter().enumerate() {
+                    for second in &bodies[k + 1..] {
+                        tell([*first, *second], hinge(*point));
+                    }
+                }
+            }
+            Joint::Slide { bodies, line, .. } => {
+                if let Some(along) = mechanism.heading(pose, bodies[0], *line) {
+                    let across = Vector::new(-along.y, along.x);
+                    tell(*bodies, towards(across));
+                }
+            }
+            Joint::Mesh {
+                bodies,
+                carrier,
+                teeth,
+            } => {
+                let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier], None));
+                if let [Some(first), Some(second)] = axes {
+                    // Seen from the carrier their angular velocities are as z₂ to −z₁.
+                    let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];
+                    tell(*bodies, pitch);
+                }
+            }
+        }
+    }
+
+    /// Where two of Kennedy's lines cross for two bodies: by the first two links that give a clear crossing, or by
+    /// those that give the clearest.
+    fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
+        let lines = self.mechanism.bodies().filter_map(|by| {
+            let line = self.of([first, by])?.joined(self.of([by, second])?)?;
+            Some((by, line))
+        });
+        let lines: Vec<(BodyId, Known)> = lines.collect();
+        let mut best: Option<([BodyId; 2], Known)> = None;
+        for (k, (by, line)) in lines.iter().enumerate() {
+            for (also, other) in &lines[k + 1..] {
+                let Some(place) = line.joined(*other) else {
+                    continue;
+                };
+                if best.is_none_or(|(_, best)| place.off < best.off) {
+                    best = Some(([*by, *also], place));
+                }
+                if place.off <= CLEAR {
+                    return best;
+                }
+            }
+        }
+        best
+    }
+}

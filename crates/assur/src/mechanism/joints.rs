@@ -1,0 +1,188 @@
+//! The pairs of a mechanism as they join its rigid bodies, and how these move in a pose.
+
+use super::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
+use crate::index::{BodyId, PointId};
+use crate::position::{Anchor, Complex, conjugate, product};
+use crate::{Jet, JetPoint, Point, Vector};
+
+/// A pair and the bodies that it joins.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Joint {
+    /// A hinge of two bodies or more.
+    Hinge {
+        /// Where it is.
+        point: PointId,
+        /// What is hinged there, ascending.
+        bodies: Vec<BodyId>,
+    },
+    /// A slide.
+    Slide {
+        /// The body that has the line, and the one that slides.
+        bodies: [BodyId; 2],
+        /// The point of the second that stays at its distance from the line.
+        point: PointId,
+        /// Two points of the first that give the line.
+        line: [PointId; 2],
+    },
+    /// Wheels in mesh, `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`.
+    Mesh {
+        /// The wheels.
+        bodies: [BodyId; 2],
+        /// What both are hinged on.
+        carrier: BodyId,
+        /// z₁ and z₂, this one below zero where the sense is kept.
+        teeth: [f64; 2],
+    },
+}
+
+impl Joint {
+    /// The bodies that it joins.
+    pub fn bodies(&self) -> &[BodyId] {
+        match self {
+            Self::Hinge { bodies, .. } => bodies,
+            Self::Slide { bodies, .. } | Self::Mesh { bodies, .. } => bodies,
+        }
+    }
+}
+
+impl Mechanism {
+    /// The body that a link is, or is fixed to.
+    pub fn body_of(&self, link: LinkOrFrame) -> BodyId {
+        link.map_or(BodyId::FRAME, |link| self.links[link].body)
+    }
+
+    /// The points of a body that its links list, in their order.
+    pub fn points_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
+        self.bodies[body].iter().map(|(point, _)| *point)
+    }
+
+    /// The pairs between its bodies: hinges in the order of the points, slides, wheels in mesh.
+    pub fn joints(&self) -> Vec<Joint> {
+        let points = self.point_ids().take(self.draft.points.len());
+        let hinges = points.filter_map(|point| {
+            let bodies = self.bodies();
+            let bodies = bodies.filter(|body| self.points_on(*body).any(|other| other == point));
+            let bodies: Vec<BodyId> = bodies.collect();
+            (bodies.len() > 1).then_some(Joint::Hinge { point, bodies })
+        });
+        let slides = self.draft.slides.iter().filter_map(|slide| {
+            let [from, to] = &slide.line;
+            Some(Joint::Slide {
+                bodies: [&slide.on, &slide.link].map(|name| self.body_of(self.link(name))),
+                point: self.point(&slide.point)?,
+                line: [self.point(from)?, self.point(to)?],
+            })
+        });
+        let constraints = self.constraints.iter();
+        let meshes = constraints.filter_map(|constraint| match constraint.kind {
+            ConstraintKind::Mesh {
+                links,
+                carrier,
+                teeth,
+            } => Some(Joint::Mesh {
+                bodies: links.map(|link| self.body_of(link)),
+                carrier: self.body_of(carrier),
+                teeth,
+            }),
+            _ => None,
+        });
+        hinges.chain(slides).chain(meshes).collect()
+    }
+
+    /// The angle of a body in a pose, radians, with its derivatives by the input.
+    pub fn body_angle<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> Jet<N> {
+        pose.state.angle(body)
+    }
+
+    /// How the point of a body moves that is at a place in a pose, whether anything is drawn there or not: the place
+    /// itself is kept, and the derivatives are those of the body.
+    pub fn fixed_to<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        body: BodyId,
+        place: Point,
+    ) -> JetPoint<N> {
+        let (origin, turn) = (&pose.state.origin[body], &pose.state.turn[body]);
+        let way = place.coords - self.origin - origin.value();
+        let local = product(way, conjugate(turn.value()));
+        let place = pose.state.place(Anchor { body, local });
+        (place + Complex::constant(self.origin)).into()
+    }
+
+    /// The direction from one point of a body towards another in a pose, of length 1: of two that are close together
+    /// it has all its digits.
+    pub(crate) fn heading<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        body: BodyId,
+        [from, to]: [PointId; 2],
+    ) -> Option<Vector> {
+        let local = |point: PointId| {
+            let mut points = self.bodies[body].iter();
+            points.find(|(other, _)| *other == point).map(|(_, at)| *at)
+        };
+        let heading = self
+            .turned(pose, body, local(to)? - local(from)?)
+            .normalize();
+        Some(heading).filter(|heading| heading.norm_squared().is_finite())
+    }
+
+    /// A direction of a body, seen from the frame in a pose.
+    pub(crate) fn turned<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        body: BodyId,
+        local: Vector,
+    ) -> Vector {
+        product(local, pose.state.turn[body].value())
+    }
+
+    /// A point that two bodies share, at a place on the first if one is given.
+    pub(crate) fn shared_by(&self, bodies: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
+        self.shared(bodies, at)
+    }
+
+    /// The point of a body at a place on it.
+    pub(crate) fn point_at(&self, body: BodyId, at: Vector) -> Option<PointId> {
+        let mut points = self.bodies[body].iter();
+        points
+            .find(|(_, local)| *local == at)
+            .map(|(point, _)| *point)
+    }
+
+    /// The tracers that a body carries.
+    pub(crate) fn tracers_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
+        let tracers = self.point_ids().skip(self.draft.points.len());
+        tracers.filter(move |tracer| self.points[*tracer].body == body)
+    }
+
+    /// Where a place of the drawing is, seen from where places are told while it is solved, in its size.
+    pub(crate) fn scaled(&self, place: Point) -> Vector {
+        (place.coords - self.origin) / self.scale_of_places()
+    }
+
+    /// The place of the drawing that [`Self::scaled`] takes to this one.
+    pub(crate) fn unscaled(&self, place: Vector) -> Point {
+        (place * self.scale_of_places() + self.origin).into()
+    }
+
+    /// The velocity, by the input, of what is fixed to a body and at the origin of [`Self::scaled`], in the same unit,
+    /// and the angular velocity of the body.
+    pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
+        let origin: JetPoint<N> = pose.state.origin[body].into();
+        let spin = pose.state.angle(body).derivative(1);
+        let at = origin.place().coords;
+        let velocity = origin.derivative(1) - spin * Vector::new(-at.y, at.x);
+        (velocity / self.scale_of_places(), spin)
+    }
+
+    /// The place from which places are told while it is solved: a hinge of the frame, or near the drawing.
+    pub(crate) fn middle(&self) -> Point {
+        self.origin.into()
+    }
+
+    /// The unit of [`Self::scaled`]: a mechanism of one point has no size.
+    pub(crate) fn scale_of_places(&self) -> f64 {
+        if self.size > 0.0 { self.size } else { 1.0 }
+    }
+}

@@ -1,0 +1,183 @@
+//! Which vector equations are drawn for each step of the plan.
+
+use super::Node;
+use crate::Vector;
+use crate::index::{BodyId, PointId, StepId};
+use crate::mechanism::{Joint, Mechanism, arms_of};
+use crate::position::{Arm, Side, Step, Track};
+
+/// How a point is told from a known one.
+pub(super) struct Way {
+    pub(super) from: Node,
+    pub(super) by: By,
+}
+
+pub(super) enum By {
+    /// Both are points of this body.
+    Turning(BodyId),
+    /// It slides along a line in this direction of this body, of which the known one is a point, or against which it
+    /// keeps its angle.
+    Sliding(BodyId, Vector),
+}
+
+/// A point with the ways that lead to it: one of what is driven, or two.
+pub(super) struct Equations {
+    pub(super) target: Node,
+    pub(super) ways: Vec<Way>,
+}
+
+/// A point that bodies have in common, or one of them has.
+fn node(point: PointId) -> Node {
+    Node { point, on: None }
+}
+
+/// The place of a body at which a point is.
+fn on_body(body: BodyId, point: PointId) -> Node {
+    Node {
+        point,
+        on: Some(body),
+    }
+}
+
+/// A point of the body of an arm, which it turns about.
+fn turning(mechanism: &Mechanism, arm: &Arm) -> Option<Way> {
+    let outer = mechanism.shared_by([arm.body, arm.outer.body], Some(arm.from))?;
+    Some(Way {
+        from: node(outer),
+        by: By::Turning(arm.body),
+    })
+}
+
+/// Along a track a point slides on the body that has it.
+fn sliding(point: PointId, track: &Track) -> Way {
+    Way {
+        from: on_body(track.line.body, point),
+        by: By::Sliding(track.line.body, track.heading),
+    }
+}
+
+/// The hinge of a side of a dyad.
+fn hinge(mechanism: &Mechanism, side: &Side) -> Option<PointId> {
+    mechanism.shared_by([side.body, side.outer.body], Some(side.hinge))
+}
+
+/// Which of two bodies has the line along which they slide.
+fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
+    let mut joints = mechanism.joints().into_iter();
+    joints.find_map(|joint| match joint {
+        Joint::Slide {
+            bodies: [on, slides],
+            ..
+        } if both.contains(&on) && both.contains(&slides) => Some(on),
+        _ => None,
+    })
+}
+
+/// The equations of a step; none of a group that is no dyad, and of a body that shows no further point.
+pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
+    match &mechanism.steps()[step] {
+        Step::Geared(geared) => {
+            let wheels = geared.members.iter();
+            let found = wheels
+                .filter_map(|wheel| driven(mechanism, [wheel.at.body, wheel.body], wheel.hinge));
+            found.collect()
+        }
+        Step::Crank(crank) => {
+            let found = driven(mechanism, [crank.at.body, crank.body], crank.hinge);
+            found.into_iter().collect()
+        }
+        other => of_dyad(mechanism, other).into_iter().collect(),
+    }
+}
+
+/// Of a body that turns about a hinge as something else tells: its first other point.
+fn driven(mechanism: &Mechanism, [base, body]: [BodyId; 2], at: Vector) -> Option<Equations> {
+    let hinge = mechanism.shared_by([body, base], Some(at))?;
+    let mut points = mechanism
+        .points_on(body)
+        .chain(mechanism.tracers_on(body))
+        .filter(|point| *point != hinge);
+    Some(Equations {
+        target: node(points.next()?),
+        ways: vec![Way {
+            from: node(hinge),
+            by: By::Turning(body),
+        }],
+    })
+}
+
+fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
+    let found = match step {
+        Step::Slider(slider) => {
+            let point = mechanism.point_at(slider.track.body, slider.track.point)?;
+            Equations {
+                target: node(point),
+                ways: vec![sliding(point, &slider.track)],
+            }
+        }
+        Step::Rrp(dyad) => {
+            let (arm, track) = (&dyad.arm, &dyad.track);
+            let inner = mechanism.shared_by([arm.body, track.body], Some(arm.to))?;
+            Equations {
+                target: node(inner),
+                ways: vec![turning(mechanism, arm)?, sliding(inner, track)],
+            }
+        }
+        Step::Rpr(dyad) => {
+            // The hinge of what slides, as it lies on the body with the line.
+            let [i, j] = &dyad.sides;
+            let on = line_of(mechanism, [i.body, j.body])?;
+            let [block, guide] = if on == j.body { [i, j] } else { [j, i] };
+            let pin = hinge(mechanism, block)?;
+            Equations {
+                target: on_body(guide.body, pin),
+                ways: vec![
+                    Way {
+                        from: node(pin),
+                        by: By::Sliding(guide.body, guide.direction),
+                    },
+                    Way {
+                        from: node(hinge(mechanism, guide)?),
+                        by: By::Turning(guide.body),
+                    },
+                ],
+            }
+        }
+        Step::Prp(dyad) => {
+            let [first, second] = &dyad.tracks;
+            let inner = mechanism.shared_by([first.body, second.body], Some(first.point))?;
+            Equations {
+                target: node(inner),
+                ways: vec![sliding(inner, first), sliding(inner, second)],
+            }
+        }
+        Step::Rpp(dyad) => {
+            let (side, track) = (&dyad.side, &dyad.track);
+            let pin = hinge(mechanism, side)?;
+            let line = if line_of(mechanism, [side.body, track.body])? == side.body {
+                By::Sliding(side.body, side.direction)
+            } else {
+                By::Sliding(track.body, dyad.direction)
+            };
+            Equations {
+                target: on_body(track.body, pin),
+                ways: vec![
+                    Way {
+                        from: node(pin),
+                        by: line,
+                    },
+                    sliding(pin, track),
+                ],
+            }
+        }
+        other => {
+            let arms = arms_of(other)?;
+            let inner = mechanism.shared_by([arms[0].body, arms[1].body], Some(arms[0].to))?;
+            Equations {
+                target: node(inner),
+                ways: vec![turning(mechanism, &arms[0])?, turning(mechanism, &arms[1])?],
+            }
+        }
+    };
+    Some(found)
+}

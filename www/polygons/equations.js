@@ -1,0 +1,90 @@
+// What the steps of the polygons say: vector equations with the numbers that are known by then.
+import { make } from "assur/core/dom.js";
+
+/**
+ * @typedef {import("assur/types/web.js").PolygonStepHere} Step
+ * @typedef {import("assur/types/web.js").LegHere} Leg
+ * @typedef {import("assur/core/words.js").Words} Words
+ */
+
+/** What stands above a letter, and how its direction is to what gives it. */
+const LEGS = Object.freeze({
+  turning: { above: "", across: true },
+  normal: { above: "n", across: false },
+  tangential: { above: "t", across: true },
+  sliding: { above: "", across: false },
+  coriolis: { above: "k", across: true },
+  relative: { above: "r", across: false },
+});
+
+/**
+ * @param {Step} step
+ * @param {boolean} done whether what it leads to is known
+ * @param {readonly [string, string]} units of velocities and accelerations
+ * @param {Words} words
+ * @returns {readonly HTMLElement[]}
+ */
+export function told(step, done, units, words) {
+  const names = step.found.map(({ name }) => name).join(", ");
+  if (step.kind === "pole") return [make("p", {}, [words.text("polygons.pole", { n: names })])];
+  const values = step.found.flatMap((found) => [0, 1].map((order) => {
+    const value = amount(found.rates[order], units[order], words);
+    const of = { "data-point": found.name, "data-order": String(order + 1), "data-value": String(found.rates[order]) };
+    return make("p", of, [...letter(order, "", found.name), ` = ${value}`]);
+  }));
+  if (step.kind === "group") return [make("p", {}, [words.text("polygons.group", { n: names })]), ...values];
+  if (step.kind === "image") return [make("p", {}, [words.text("polygons.image", { n: names })]), ...values];
+  const equations = step.legs.flatMap((legs, order) => [
+    make("p", {}, equation(step, legs, order)),
+    make("p", { class: "addends" }, legs.flatMap((leg, k) => [k > 0 ? "; " : "", ...addend(step, leg, order, done, units[order], words)])),
+  ]);
+  return [...equations, ...(done ? values : [])];
+}
+
+/**
+ * @param {number} value
+ * @param {string} unit
+ * @param {Words} words
+ */
+export function amount(value, unit, words) {
+  const number = words.numbers.short(Math.abs(value) < 1e-12 ? 0 : value);
+  return unit ? `${number} ${unit}` : number;
+}
+
+/**
+ * v or a, with what stands above and below.
+ * @param {number} order
+ * @param {string} above
+ * @param {string} below
+ */
+function letter(order, above, below) {
+  const sign = make("i", {}, [order === 0 ? "v" : "a"]);
+  return above ? [sign, make("sup", {}, [above]), make("sub", {}, [below])] : [sign, make("sub", {}, [below])];
+}
+
+/**
+ * @param {Step} step
+ * @param {readonly Leg[]} legs
+ * @param {number} order
+ */
+function equation({ target, from }, legs, order) {
+  const parts = legs.flatMap(({ kind }) => [" + ", ...letter(order, LEGS[kind].above, `${target}${from}`)]);
+  return [...letter(order, "", target ?? ""), " = ", ...letter(order, "", from ?? ""), ...parts];
+}
+
+/**
+ * One of what is added: how large it is, if that is known, and in which direction.
+ * @param {Step} step
+ * @param {Leg} leg
+ * @param {number} order
+ * @param {boolean} done
+ * @param {string} unit
+ * @param {Words} words
+ */
+function addend({ target, from, link }, { kind, length, known }, order, done, unit, words) {
+  const { above, across } = LEGS[kind];
+  const turns = kind === "turning" || kind === "normal" || kind === "tangential";
+  const line = turns ? `${target}${from}` : words.text("polygons.guide", { n: link ?? "" });
+  const size = known || done ? ` = ${amount(length, unit, words)}` : "";
+  return [...letter(order, above, `${target}${from}`), `${size} ${across ? "⟂" : "∥"}\u00a0${line}`];
+}

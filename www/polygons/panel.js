@@ -1,0 +1,137 @@
+// The polygons of velocities and accelerations where the input is, drawn step by step as at the board, to scale. Loaded when they
+// are asked for.
+import "assur/polygons/style.js";
+import { readDisplayList } from "assur/canvas/display-list.js";
+import { Painter } from "assur/canvas/painter.js";
+import { Places } from "assur/canvas/places.js";
+import { Surface } from "assur/canvas/surface.js";
+import { Transform } from "assur/canvas/transform.js";
+import { byId, make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { subscript } from "assur/core/symbols.js";
+import { titled, unitOf } from "assur/plots/units.js";
+import { amount, told } from "assur/polygons/equations.js";
+
+/**
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/types/web.js").PolygonsHere} Here
+ * @typedef {import("assur/types/web.js").PolygonPictureHere} Picture
+ */
+
+/** Free room around a polygon, in pixels, for the names at its ends. */
+const MARGIN = 26;
+/** More steps than any has: all are shown. */
+const ALL = 1e6;
+/** What the engine says of what is no linkage. */
+const NO_LINKAGE = "bad_state";
+/** What there is to paint is in the coordinates of the frame. */
+const POSES = Object.freeze([Object.freeze([0, 0, 0])]);
+
+export class Polygons {
+  #page;
+  #painter;
+  #shown = ALL;
+  #back = make("button", { type: "button", class: "control", id: "polygons-back", "data-t": "polygons.back" });
+  #next = make("button", { type: "button", class: "control", id: "polygons-next", "data-t": "polygons.next" });
+  #all = make("button", { type: "button", class: "control", id: "polygons-all", "data-t": "polygons.all" });
+  #step = make("p", { id: "polygon-step", role: "status" });
+  #none = make("p", { id: "polygon-none", "data-t": "polygons.none" });
+  #equations = make("ol", { id: "polygon-equations" });
+  #drawn;
+  #sheets;
+  /** @type {Here | null} */
+  #here = null;
+  /** @type {Snapshot | null} */
+  #snapshot = null;
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+    this.#painter = new Painter(page.theme);
+    this.#sheets = ["velocity", "acceleration"].map((name, order) => {
+      const canvas = make("canvas", { id: `polygon-${name}`, role: "img" });
+      const [title, scale] = [make("span"), make("span", { id: `polygon-${name}-scale` })];
+      const surface = new Surface(canvas, () => this.#paint(order));
+      return { canvas, title, scale, surface, places: new Places() };
+    });
+    const figures = this.#sheets.map(({ canvas, title, scale }) => make("figure", { class: "polygon" }, [canvas, make("figcaption", {}, [title, scale])]));
+    const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#step]);
+    this.#drawn = make("div", {}, [steps, make("div", { class: "polygon-sheets" }, figures), this.#equations]);
+    this.element = make("section", { id: "polygons-shown", "data-field": "polygons" }, [make("h2", { "data-t": "polygons.heading" }), this.#none, this.#drawn]);
+    this.#back.addEventListener("click", () => this.#go(-1));
+    this.#next.addEventListener("click", () => this.#go(1));
+    this.#all.addEventListener("click", () => this.#go(ALL));
+    byId("readouts", HTMLTableElement).after(this.element);
+    page.words.fill(this.element);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, frameInput, stale } = snapshot;
+    if (stale) return;
+    this.#snapshot = snapshot;
+    this.#here = null;
+    this.element.hidden = !state.view.polygons;
+    if (this.element.hidden) return;
+    const { value, problems } = attempt(() => this.#page.engine.polygons(frameInput, this.#shown));
+    this.#here = value;
+    // What is no linkage has none anywhere.
+    this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
+    this.#none.hidden = this.#here !== null;
+    this.#drawn.hidden = this.#here === null;
+    if (!this.#here) return;
+    if (snapshot.legible) this.#tell(this.#here, snapshot);
+    this.#sheets.forEach((_, order) => this.#paint(order));
+  }
+
+  /**
+   * One step on, or back; from the last one on to the first, so that it can be shown again.
+   * @param {number} by
+   */
+  #go(by) {
+    const count = this.#here?.steps.length ?? 0;
+    const at = Math.min(this.#shown, count);
+    this.#shown = by === ALL ? ALL : at + by > count ? 1 : Math.max(at + by, 1);
+    this.#page.redraw();
+  }
+
+  /**
+   * @param {Here} here
+   * @param {Snapshot} snapshot
+   */
+  #tell({ steps, pictures }, { state, coordinate, words }) {
+    const at = Math.min(this.#shown, steps.length);
+    write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
+    this.#back.disabled = at <= 1;
+    const physical = state.view.axes === "physical";
+    // As the plots of lengths have them; of numbers of usual size, so that no power of ten is told with the unit.
+    const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
+    const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
+    this.#sheets.forEach(({ canvas, title, scale }, order) => {
+      const said = titled(panels[order], coordinate, words);
+      write(title, said);
+      write(scale, `├─┤ ${amount(pictures[order].bar, order === 0 ? velocity : acceleration, words)}`);
+      canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
+    });
+    const items = steps.slice(0, at).map((step, k) => {
+      const item = make("li", {}, told(step, step.found.length > 0, [velocity, acceleration], words));
+      if (k + 1 === at && at < steps.length) item.setAttribute("aria-current", "step");
+      return item;
+    });
+    this.#equations.replaceChildren(...items);
+  }
+
+  /** @param {number} order */
+  #paint(order) {
+    const picture = this.#here?.pictures[order];
+    const { surface, places } = this.#sheets[order];
+    if (!picture || !this.#snapshot || !surface.begin()) return;
+    surface.clear();
+    const { width, height } = surface;
+    const layers = readDisplayList(Float32Array.from(picture.list), 0, this.#page.engine.roles, picture.names, () => new Path2D());
+    const view = Transform.fit(picture.bounds, width, height, MARGIN);
+    this.#painter.shapes(surface, layers, view, POSES);
+    places.begin(surface);
+    this.#painter.labels(surface, layers, view, POSES, subscript, places, true);
+  }
+}
