@@ -1,10 +1,9 @@
-//! What is added to a drawing: points, links, slides, wheels, drivers.
+//! What is added to a drawing: points, links, slides, what is traced and weighs.
 
 use assur::mechanism::FRAME;
 use assur::{Point, Vector};
 use assur_file::{
-    DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument, TracerDocument,
+    LinkDocument, LinkageDocument, LinkageProblem, PointDocument, SlideDocument, TracerDocument,
 };
 
 use crate::edit::{Edit, End, Line};
@@ -277,136 +276,6 @@ impl Drawing {
         nearest
             .map(|(_, side)| side)
             .ok_or(LinkageProblem::NoLine { link })
-    }
-
-    fn mesh(&mut self, links: &[String; 2], teeth: [f64; 2], internal: bool) -> Done {
-        let [first, second] = links;
-        let carrier = self.carrier(links)?;
-        self.document
-            .gears
-            .retain(|gear| !gear.links.contains(first) || !gear.links.contains(second));
-        self.document.gears.push(GearDocument {
-            links: links.clone(),
-            carrier,
-            teeth,
-            mesh: if internal {
-                MeshDocument::Internal
-            } else {
-                MeshDocument::External
-            },
-        });
-        Ok(())
-    }
-
-    /// The link, or the frame, on which both of two links are hinged.
-    fn carrier(&self, links: &[String; 2]) -> Result<String, LinkageProblem> {
-        let [first, second] = links;
-        let own = [&self.linked(first)?.points, &self.linked(second)?.points];
-        let carries = |points: &[String]| {
-            own.iter()
-                .all(|own| own.iter().any(|one| points.contains(one)))
-        };
-        let mut others = self.document.links.iter();
-        let carrier = others.find(|other| !links.contains(&other.name) && carries(&other.points));
-        let frame = carries(&self.document.frame).then(|| FRAME.to_owned());
-        let carrier = frame.or(carrier.map(|link| link.name.clone()));
-        let links = links.clone();
-        carrier.ok_or(LinkageProblem::NotHinged { links })
-    }
-
-    /// Drives a link, or lets it go. Where there are drivers enough, the last one gives way.
-    fn drive(&mut self, link: &str) -> Done {
-        let LinkageDocument { slides, .. } = &self.document;
-        let by_slide = slides.iter().position(|slide| slide.link == link);
-        let points = &self.linked(link)?.points;
-        let drives = |driver: &DriverDocument| {
-            let slide = driver.slide.and_then(|slide| slides.get(slide));
-            driver.crank.as_deref() == Some(link) || slide.is_some_and(|slide| slide.link == link)
-        };
-        if let Some(driver) = self.document.drivers.iter().position(drives) {
-            self.document.drivers.remove(driver);
-            return Ok(());
-        }
-        let driver = if let Some(slide) = by_slide {
-            DriverDocument {
-                slide: Some(slide),
-                range: Some(self.range(slide)?),
-                ..DriverDocument::default()
-            }
-        } else {
-            let base = if points
-                .iter()
-                .any(|point| self.document.frame.contains(point))
-            {
-                None
-            } else {
-                let shares = |other: &&LinkDocument| {
-                    other.name != link && other.points.iter().any(|point| points.contains(point))
-                };
-                let base = self.document.links.iter().find(shares);
-                let links = || [link.to_owned(), FRAME.to_owned()];
-                Some(
-                    base.ok_or_else(|| LinkageProblem::NotHinged { links: links() })?
-                        .name
-                        .clone(),
-                )
-            };
-            DriverDocument {
-                crank: Some(link.to_owned()),
-                base,
-                ..DriverDocument::default()
-            }
-        };
-        let freedoms = self
-            .document
-            .draft()
-            .counts()
-            .map_or(1, |counts| counts.mobility);
-        let drivers = &mut self.document.drivers;
-        if !drivers.is_empty() && freedoms <= drivers.len() as isize {
-            drivers.pop();
-        }
-        drivers.push(driver);
-        Ok(())
-    }
-
-    /// The way of a driven slide: half the line to either side of where it is drawn.
-    fn range(&self, slide: usize) -> Result<[f64; 2], LinkageProblem> {
-        let SlideDocument { point, line, .. } = &self.document.slides[slide];
-        let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];
-        let length = (to - from).norm();
-        let along = (to - from) / length;
-        let way = if along.x.is_finite() {
-            (self.at(point)? - from).dot(&along)
-        } else {
-            0.0
-        };
-        let half = 0.5 * if length > 0.0 { length } else { self.size() };
-        Ok([way - half, way + half])
-    }
-
-    /// A point becomes one of the frame, or is let go.
-    fn fix(&mut self, point: &str) -> Done {
-        self.at(point)?;
-        let frame = &mut self.document.frame;
-        match frame.iter().position(|one| one == point) {
-            Some(place) => {
-                frame.remove(place);
-            }
-            None => frame.push(point.to_owned()),
-        }
-        Ok(())
-    }
-
-    fn weld(&mut self, [first, second]: &[String; 2]) -> Done {
-        self.linked(second)?;
-        let fixed = self.linked(first)?.fixed_to.as_ref() != Some(second);
-        self.redraw(|link| link.name == *first);
-        let mut links = self.document.links.iter_mut();
-        if let Some(link) = links.find(|link| link.name == *first) {
-            link.fixed_to = fixed.then(|| second.clone());
-        }
-        Ok(())
     }
 
     fn trace(&mut self, link: &str, at: [f64; 2]) -> Done {

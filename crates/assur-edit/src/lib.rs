@@ -6,6 +6,7 @@
 
 mod advice;
 mod draw;
+mod drive;
 mod dyads;
 mod edit;
 mod names;
@@ -65,7 +66,7 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
     }
     document.assembly = None;
     document.check()?;
-    let far = |at: &f64| !(at.abs() <= FARTHEST);
+    let far = |at: &f64| !at.is_finite() || at.abs() > FARTHEST;
     if let Some(point) = document
         .points
         .iter()

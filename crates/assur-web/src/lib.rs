@@ -30,4 +30,6 @@ pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};
 pub use qr::qr_code;
-pub use simulator::{Simulator, catalogue, check_keys, read_state, role_names, shelves, task};
+pub use simulator::{
+    Simulator, blank, catalogue, check_keys, read_state, role_names, shelves, task,
+};
