@@ -52,7 +52,8 @@ fn four_bar() -> Motion {
         .bar("coupler", &["B", "C"])
         .bar("rocker", &["C", "D"])
         .crank("crank");
-    Motion::new(Mechanism::new(&draft).unwrap())
+    let mechanism = Mechanism::new(&draft);
+    Motion::new(mechanism.unwrap_or_else(|defects| panic!("{defects:?}")))
 }
 
 /// Six centres of a four-bar, named by the numbers of links; the lines of crank and rocker cross in that of the coupler

@@ -67,18 +67,16 @@ impl Drawn {
             size: 0.0,
         };
         if lines.centrodes || lines.curvature {
-            drawn.symbols = ["P", "J", "K"].map(|symbol| names.add(symbol.to_owned()));
+            let pole = [BodyId::FRAME, mechanism.body_of(drawn.link)];
+            let pole = centre_name(mechanism, view, pole);
+            drawn.symbols = [pole, "J".to_owned(), "K".to_owned()].map(|symbol| names.add(symbol));
         }
         if lines.centres {
-            let number = |body: BodyId| body_number(mechanism, view, body);
             for first in mechanism.bodies() {
                 for second in mechanism.bodies() {
                     let named = first < second && (bodies <= MOST_NAMED || first == BodyId::FRAME);
-                    drawn.names.push(named.then(|| {
-                        let [a, b] = [first, second].map(number);
-                        let comma = if a.len() + b.len() > 2 { "," } else { "" };
-                        names.add(low(&format!("P{a}{comma}{b}")))
-                    }));
+                    let name = |bodies| names.add(centre_name(mechanism, view, bodies));
+                    drawn.names.push(named.then_some([first, second]).map(name));
                 }
             }
         }
@@ -300,6 +298,13 @@ fn floating(mechanism: &Mechanism) -> Option<LinkId> {
         !joined.contains(&body) && mechanism.points_of(*link).len() > 1
     });
     coupler.or_else(|| own.next_back())
+}
+
+/// What the centre of two bodies is called, by their numbers.
+fn centre_name(mechanism: &Mechanism, view: &View, bodies: [BodyId; 2]) -> String {
+    let [a, b] = bodies.map(|body| body_number(mechanism, view, body));
+    let comma = if a.len() + b.len() > 2 { "," } else { "" };
+    low(&format!("P{a}{comma}{b}"))
 }
 
 /// The number of a body as the drawing has it.
