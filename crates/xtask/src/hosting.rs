@@ -10,7 +10,7 @@ use std::fs;
 use std::io::Write as _;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -99,10 +99,14 @@ fn hosted(built: &Files) -> Result<Files> {
         })
         .map(|(name, content)| (name.as_str(), hashed(name, content)))
         .collect();
-    let mut files: Files = names
-        .iter()
-        .map(|(name, fixed)| (fixed.clone(), built[*name].clone()))
-        .collect();
+    let mut files = Files::new();
+    for (name, fixed) in &names {
+        let content = &built[*name];
+        let other = files.insert(fixed.clone(), content.clone());
+        if other.is_some_and(|other| other != *content) {
+            bail!("{name} has the hash of another file: change any of its bytes");
+        }
+    }
     for (name, content) in built {
         if Path::new(name).parent() == Some(Path::new(NOTES)) || name == ELEMENT {
             files.insert(name.clone(), content.clone());
@@ -136,13 +140,10 @@ fn hosted(built: &Files) -> Result<Files> {
     Ok(files)
 }
 
-/// `files/app/main.0123456789.js`
+/// `files/01234567.js`: the import map is a part of the first download, and so has no more than it needs.
 fn hashed(name: &str, content: &[u8]) -> String {
-    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
-    format!(
-        "{FIXED}{stem}.{}.{ending}",
-        hex(&Sha256::digest(content), 4)
-    )
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+    format!("{FIXED}{}.{ending}", hex(&Sha256::digest(content), 4))
 }
 
 fn hex(digest: &[u8], bytes: usize) -> String {
@@ -159,7 +160,7 @@ fn page(built: &str, names: &BTreeMap<&str, String>) -> Result<String> {
     let imports = names
         .iter()
         .map(|(name, fixed)| (format!("{PREFIX}{name}"), relative(fixed)));
-    let mut page = with_import_map(built, imports.collect())?;
+    let mut page = with_import_map(&bare(built)?, imports.collect())?;
     for (name, fixed) in names {
         page = page.replace(&format!("=\"{name}\""), &format!("=\"{fixed}\""));
     }
@@ -174,6 +175,21 @@ fn page(built: &str, names: &BTreeMap<&str, String>) -> Result<String> {
     page = format!("{before}{words}[document.documentElement.lang]{after}");
     let (before, after) = split_at_literal(&page, "</body>")?;
     Ok(format!("{before}{REGISTRATION}{after}"))
+}
+
+/// The page without comments and indentation.
+fn bare(page: &str) -> Result<String> {
+    let mut said = String::with_capacity(page.len());
+    let mut rest = page;
+    while let Some((before, comment)) = rest.split_once("<!--") {
+        said += before;
+        (_, rest) = comment
+            .split_once("-->")
+            .context("a comment of index.html does not end")?;
+    }
+    said += rest;
+    let lines = said.lines().map(str::trim).filter(|line| !line.is_empty());
+    Ok(lines.map(|line| format!("{line}\n")).collect())
 }
 
 /// What tells this build of the page from all others.
@@ -265,15 +281,15 @@ mod tests {
         let files = hosted(&site(&[])).unwrap();
         let names: Vec<&str> = files.keys().map(String::as_str).collect();
         // SHA-256 of `1` and of `{}`.
-        let (main, words) = ("files/app/main.6b86b273.js", "files/lang/en.44136fa3.json");
+        let (main, words) = ("files/6b86b273.js", "files/44136fa3.json");
         assert_eq!(
             names,
             [
                 "_headers",
                 "assur-mechanism.js",
                 "docs/note.html",
-                main,
                 words,
+                main,
                 "index.html",
                 "service-worker.js"
             ]
@@ -296,7 +312,7 @@ mod tests {
             .unwrap();
         assert_eq!(
             kept,
-            format!("assur-mechanism.js docs/note.html {main} {words}`.split(` `)")
+            format!("assur-mechanism.js docs/note.html {words} {main}`.split(` `)")
         );
     }
 
