@@ -33,6 +33,7 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
         },
         traced: document.traces.iter().filter_map(point).collect(),
         annotations: Annotations::of_linkage(document.ground),
+        ..View::default()
     };
     let figure = Figure::new(motion, &view).map_err(unsolved)?;
     let home = motion.pose::<1>(motion.home()).map_err(unsolved)?;

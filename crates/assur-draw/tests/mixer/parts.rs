@@ -128,7 +128,7 @@ fn a_place_is_on_what_is_drawn_there() {
         (wheel(4), "wheel9"),
         (Point::new(-5.0, 0.0), "crank"),
     ] {
-        let link = drawn.figure.link_at(&pose, place).unwrap();
+        let (link, _) = drawn.figure.link_at(&pose, place).unwrap();
         let name = drawn.motion.mechanism().link_name(link);
         assert_eq!(name, expected, "{place}");
     }
