@@ -27,7 +27,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 49] = [
+const BUILT: [(&str, &[&str]); 54] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -55,6 +55,11 @@ const BUILT: [(&str, &[&str]); 49] = [
             "www/kinds/linkage/course.js",
         ],
     ),
+    ("draw.", &["www/drawing/rail.js"]),
+    ("draw.act.", &["www/drawing/rail.js"]),
+    ("draw.mend.", &["www/drawing/rail.js"]),
+    ("draw.prompt.", &["www/drawing/tools.js"]),
+    ("draw.tool.", &["www/drawing/tools.js"]),
     ("equations.", &["www/kinds/linkage/equations.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
     ("gallery.group.", &["www/gallery/cards.js"]),
@@ -111,6 +116,7 @@ const BUILT: [(&str, &[&str]); 49] = [
             "crates/assur-file/src/problem.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
+            "www/drawing/tools.js",
             "www/embed/embed.js",
             "www/state/codec.js",
             "www/engine.js",

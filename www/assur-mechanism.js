@@ -63,7 +63,7 @@
         const value = this.getAttribute(name);
         if (value !== null) url.searchParams.set(parameter, value);
       }
-      if (!url.searchParams.has("embed")) url.searchParams.set("embed", "drawing");
+      if (!url.searchParams.has("embed")) url.searchParams.set("embed", "stage");
       return url;
     }
   }

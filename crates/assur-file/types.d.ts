@@ -142,7 +142,7 @@ export type Only = "all" | "value" | "first" | "second";
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
-export type Document = { "kind": "drawing", "document": DrawingDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type MixerDocument = { 
 /**
  * What its lengths are in; without it metres.
@@ -277,7 +277,7 @@ band?: number | null,
  * and files of before name one: an assembly is saved as its drawing.
  */
 assembly?: number | null, };
-export type DrawingDocument = LinkageDocument;
+export type DraftDocument = LinkageDocument;
 export type PointDocument = { 
 /**
  * Its name.
@@ -680,7 +680,7 @@ export type Preset = {
 /**
  * Its name.
  */
-id: string, } & ({ "kind": "drawing", "document": DrawingDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type Shelf = { 
 /**
  * Its name.

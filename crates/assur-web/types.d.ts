@@ -1,7 +1,7 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { Mend } from "assur/types/edit.js";
 import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
-export type Summaries = { drawing: DrawingSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AssembliesHere = { 
 /**
  * In the order of their angles.
@@ -257,7 +257,7 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
  * Wheels whose meshes only repeat what the others do.
  */
 passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
-export type DrawingSummary = { 
+export type DraftSummary = { 
 /**
  * Nothing does.
  */

@@ -167,7 +167,7 @@ async fn a_four_bar_takes_eight_presses() {
             [1.0, -1.0],
         ])
         .await;
-    assert_eq!(page.text("out-drawing-w").await, "1");
+    assert_eq!(page.text("out-draft-w").await, "1");
     sheet.mend().await;
     assert_eq!(sheet.presses, 8);
     let state = sheet.saved().await;

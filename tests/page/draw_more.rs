@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use assur_file::{Document, DrawingDocument, LinkageDocument, State};
+use assur_file::{Document, DraftDocument, LinkageDocument, State};
 use serde_json::{Map, Value};
 use thirtyfour::Key;
 
@@ -13,7 +13,7 @@ use crate::draw::Sheet;
 /// The linkage that is drawn, whether it moves or not.
 async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
     match sheet.saved().await.document {
-        Document::Drawing(DrawingDocument(document)) | Document::Linkage(document) => document,
+        Document::Draft(DraftDocument(document)) | Document::Linkage(document) => document,
         other => panic!("{other:?}"),
     }
 }
@@ -313,16 +313,13 @@ async fn a_thousand_edits_are_undone_and_redone() {
     for address in drawn {
         let state = addressed(address.as_str().unwrap());
         match state.document {
-            Document::Drawing(DrawingDocument(document)) => document.check().unwrap(),
+            Document::Draft(DraftDocument(document)) => document.check().unwrap(),
             Document::Linkage(document) => drop(document.mechanism().unwrap()),
             _ => {}
         }
     }
     let empty = addressed(drawn[drawn.len() - 1].as_str().unwrap());
-    assert_eq!(
-        empty.document,
-        Document::Drawing(DrawingDocument::default())
-    );
+    assert_eq!(empty.document, Document::Draft(DraftDocument::default()));
     while asked("walk('redo', 200)").await["over"] != true {}
     assert_eq!(page.ask("return window.chance.address()").await, last);
     assert_eq!(

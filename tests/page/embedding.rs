@@ -24,8 +24,8 @@ async fn at(parameters: &str) -> Page {
 #[tokio::test]
 async fn parameters_say_what_is_shown() {
     for (parameters, parts) in [
-        ("embed=drawing&play=no#jansen", json!(["stage", "bar"])),
-        ("embed=drawing&bar=no#jansen", json!(["stage"])),
+        ("embed=stage&play=no#jansen", json!(["stage", "bar"])),
+        ("embed=stage&bar=no#jansen", json!(["stage"])),
         (
             "embed=plots&play=no#jansen",
             json!(["stage", "plots", "bar"]),
@@ -82,7 +82,7 @@ async fn a_lesson_opens_at_its_step() {
 
 #[tokio::test]
 async fn nothing_is_edited_and_nothing_kept_where_it_is_not_to_be() {
-    let page = at("embed=drawing&edit=no&play=no#mixer-a").await;
+    let page = at("embed=stage&edit=no&play=no#mixer-a").await;
     let document = "return location.hash.includes('d.') || location.hash";
     let before = page.ask(document).await;
     // The other assembly, the gallery, undo, and a drag over the joints.
@@ -118,7 +118,7 @@ async fn nothing_is_edited_and_nothing_kept_where_it_is_not_to_be() {
     page.close().await;
 
     // With editing the same key takes the other assembly.
-    let page = at("embed=drawing&play=no#mixer-a").await;
+    let page = at("embed=stage&play=no#mixer-a").await;
     page.keys("2").await;
     page.until("the other assembly", async || {
         page.address().await.contains("d.assembly=2")
@@ -129,7 +129,7 @@ async fn nothing_is_edited_and_nothing_kept_where_it_is_not_to_be() {
 
 #[tokio::test]
 async fn unknown_parameters_are_sentences_and_no_markup() {
-    let page = at("embed=drawing&play=no&%3Cimg%20src=x%3E=1&lang=%3Cb%3Exx&step=0&edit=no&lesson=mixer#jansen&v.phi_deg=30").await;
+    let page = at("embed=stage&play=no&%3Cimg%20src=x%3E=1&lang=%3Cb%3Exx&step=0&edit=no&lesson=mixer#jansen&v.phi_deg=30").await;
     let said = page.text("notice-text").await;
     for part in [
         "The parameter <img src of the frame is not known.",
@@ -185,7 +185,7 @@ async fn a_page_of_others_shows_it_by_one_script() {
         json!([
             "The leg <b>of</b> Jansen",
             "allow-scripts allow-same-origin allow-downloads",
-            format!("{}?play=no&embed=drawing#jansen&v.phi_deg=30", site.url())
+            format!("{}?play=no&embed=stage#jansen&v.phi_deg=30", site.url())
         ])
     );
     enter(&page, leg).await;

@@ -7,7 +7,7 @@ import { withMechanism, withView } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/types/edit.js").Edit} Edit
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ kind: "drawing" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null }} Drawn
+ * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null }} Drawn
  */
 
 /** Where it stands why an edit is not done. */

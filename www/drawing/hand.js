@@ -8,6 +8,7 @@ import { side } from "assur/stage/paper.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/stage/pointer.js").Place} Place
  * @typedef {import("assur/drawing/tools.js").Target} Target
+ * @typedef {import("assur/state/state.js").LinkageDocument} Document
  * @typedef {readonly [number, number]} Point in the model
  * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
  */
@@ -175,7 +176,7 @@ export class Hand {
   }
 
   #document() {
-    return /** @type {import("assur/state/state.js").Documents["linkage"]} */ (this.#page.store.get().document);
+    return /** @type {Document} */ (this.#page.store.get().document);
   }
 
   /** @param {string} name */

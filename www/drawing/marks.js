@@ -18,7 +18,7 @@ const DASHES = Object.freeze([6, 5]);
  */
 export function paint(context, view, theme, { page, work, selection, hand }) {
   const places = new Map(page.mechanism.joints().map(({ name, x, y }) => [name, view.toScreen(x, y)]));
-  const { links = [] } = /** @type {Partial<import("assur/state/state.js").Documents["linkage"]>} */ (page.store.get().document);
+  const { links = [] } = /** @type {Partial<import("assur/state/state.js").LinkageDocument>} */ (page.store.get().document);
   context.save();
   context.strokeStyle = theme.colours.crank;
   context.fillStyle = theme.colours.crank;

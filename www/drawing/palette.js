@@ -102,8 +102,8 @@ export class Palette {
     for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === tool));
     this.#dyads.hidden = tool !== "dyad";
     this.#wheels.hidden = tool !== "mesh";
-    // Of a dyad the prompt is that of its pair.
-    const letter = tool === "dyad" ? dyad[2 * pressed.length] : "";
-    write(this.#prompt, words.text(letter ? `draw.prompt.dyad_${letter}` : `draw.prompt.${tool}_${pressed.length + 1}`));
+    const prompts = TOOLS.find(({ name }) => name === tool)?.prompts ?? [];
+    const prompt = tool === "dyad" ? prompts.find((name) => name.endsWith(dyad[2 * pressed.length])) : prompts[pressed.length];
+    write(this.#prompt, prompt ? words.text(`draw.prompt.${prompt}`) : "");
   }
 }

@@ -103,7 +103,7 @@ export class DrawingRail {
       this.#mends.replaceChildren();
       return;
     }
-    const told = /** @type {import("assur/types/web.js").DrawingSummary} */ (/** @type {unknown} */ (summary));
+    const told = /** @type {import("assur/types/web.js").DraftSummary} */ (/** @type {unknown} */ (summary));
     const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [sentence(reason, words, state.document)]));
     if (reasons.length === 0) reasons.push(make("p", {}, [words.text("draw.sound")]));
     this.#reasons.replaceChildren(...reasons);
@@ -240,7 +240,7 @@ export class DrawingRail {
       const label = make("b", {}, [name]);
       const inputs = ["x", "y"].map((axis) => make("input", {
         id: `draw-${axis}-${name}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "aria-label": words.text(`field.points.${axis}`, { n: name }),
+        "aria-label": words.text(axis === "x" ? "field.points.x" : "field.points.y", { n: name }),
       }));
       const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#place(name, axis, value)));
       return { name, label, inputs, boxes };

@@ -8,8 +8,8 @@ import { edit, refuse } from "assur/drawing/edit.js";
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
  * @typedef {{ point: string | null, link: string | null, at: Place }} Target what is pressed: a point, else a link, else paper
- * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: number }>} Tool `key`: its letter with Alt; `prompts`: how many
- * things it is told in turn
+ * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: what
+ * it waits for in turn, of a dyad by the pair
  */
 
 /** A line that is so near to level or plumb is so. */
@@ -20,19 +20,19 @@ export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
 
 /** @type {readonly Tool[]} */
 export const TOOLS = Object.freeze([
-  { name: "select", key: "V", icon: "M6 3l12 9-6 1 3 6-2.5 1-3-6L6 18z", prompts: 1 },
-  { name: "bars", key: "B", icon: "M5 19 12 7l7 9M5 19h.01M12 7h.01M19 16h.01", prompts: 2 },
-  { name: "plate", key: "C", icon: "M5 18 11 5l8 10z", prompts: 2 },
-  { name: "slide", key: "K", icon: "M3 17h18M8 9h8v6H8zM12 12h.01", prompts: 2 },
-  { name: "fix", key: "F", icon: "M12 5 7 15h10zM4 15h16M6 15l-2 4M11 15l-2 4M16 15l-2 4", prompts: 1 },
-  { name: "drive", key: "D", icon: "M5.5 13.5a7 7 0 1 1 2.6 5.2M12 12l4-5M4 9l1.5 4.5L10 12", prompts: 1 },
-  { name: "dyad", key: "Y", icon: "M4 18 12 6l8 12M4 18h.01M12 6h.01M20 18h.01M9 19h6", prompts: 2 },
-  { name: "triad", key: "3", icon: "M9 9h6l-3 6zM9 9 4 5M15 9l5-4M12 15v5", prompts: 3 },
-  { name: "wheel", key: "W", icon: "M12 5a7 7 0 1 0 .01 0zM12 12h.01M12 2v3M12 19v3M2 12h3M19 12h3", prompts: 1 },
-  { name: "mesh", key: "M", icon: "M7 7a5 5 0 1 0 .01 0zM17.5 9.5a3 3 0 1 0 .01 0z", prompts: 2 },
-  { name: "tracer", key: "T", icon: "M3 17C5 7 11 4 15 7s3 8-2 8M12 15h.01M18 15v6M15 18h6", prompts: 1 },
-  { name: "mass", key: "S", icon: "M12 4a8 8 0 1 0 .01 0zM12 4v16M4 12h16", prompts: 1 },
-  { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: 1 },
+  { name: "select", key: "V", icon: "M6 3l12 9-6 1 3 6-2.5 1-3-6L6 18z", prompts: ["select_1"] },
+  { name: "bars", key: "B", icon: "M5 19 12 7l7 9M5 19h.01M12 7h.01M19 16h.01", prompts: ["bars_1", "bars_2"] },
+  { name: "plate", key: "C", icon: "M5 18 11 5l8 10z", prompts: ["plate_1", "plate_2"] },
+  { name: "slide", key: "K", icon: "M3 17h18M8 9h8v6H8zM12 12h.01", prompts: ["slide_1", "slide_2"] },
+  { name: "fix", key: "F", icon: "M12 5 7 15h10zM4 15h16M6 15l-2 4M11 15l-2 4M16 15l-2 4", prompts: ["fix_1"] },
+  { name: "drive", key: "D", icon: "M5.5 13.5a7 7 0 1 1 2.6 5.2M12 12l4-5M4 9l1.5 4.5L10 12", prompts: ["drive_1"] },
+  { name: "dyad", key: "Y", icon: "M4 18 12 6l8 12M4 18h.01M12 6h.01M20 18h.01M9 19h6", prompts: ["dyad_R", "dyad_P"] },
+  { name: "triad", key: "3", icon: "M9 9h6l-3 6zM9 9 4 5M15 9l5-4M12 15v5", prompts: ["triad_1", "triad_2", "triad_3"] },
+  { name: "wheel", key: "W", icon: "M12 5a7 7 0 1 0 .01 0zM12 12h.01M12 2v3M12 19v3M2 12h3M19 12h3", prompts: ["wheel_1"] },
+  { name: "mesh", key: "M", icon: "M7 7a5 5 0 1 0 .01 0zM17.5 9.5a3 3 0 1 0 .01 0z", prompts: ["mesh_1", "mesh_2"] },
+  { name: "tracer", key: "T", icon: "M3 17C5 7 11 4 15 7s3 8-2 8M12 15h.01M18 15v6M15 18h6", prompts: ["tracer_1"] },
+  { name: "mass", key: "S", icon: "M12 4a8 8 0 1 0 .01 0zM12 4v16M4 12h16", prompts: ["mass_1"] },
+  { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
 /** What a tool is given to do its work. */

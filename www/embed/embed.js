@@ -1,4 +1,4 @@
-// The page within another one, as the parameters of its address say (docs/embedding.md): `?embed=drawing&edit=no#jansen`. Loaded
+// The page within another one, as the parameters of its address say (docs/embedding.md): `?embed=stage&edit=no#jansen`. Loaded
 // where there is `embed` among them; else the address has no parameters.
 import { addStyle, setData } from "assur/core/dom.js";
 import { LANGUAGES } from "assur/core/words.js";
@@ -17,7 +17,7 @@ const SWITCH = Object.freeze(["yes", "no"]);
 
 /** What a parameter may be. */
 const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegExp>} */ ({
-  embed: ["drawing", "plots", "lesson", "page"],
+  embed: ["stage", "plots", "lesson", "page"],
   lesson: LESSONS.map(({ id }) => id),
   step: /^[1-9]\d?$/,
   edit: SWITCH,
@@ -53,7 +53,7 @@ export class Embedding {
       problems.push({ code: "embed_value", name: "edit", value: "no" });
       delete given.edit;
     }
-    this.#given = { embed: "drawing", ...given };
+    this.#given = { embed: "stage", ...given };
     this.#problems = problems;
     const { embed, edit = "yes", bar = "yes" } = this.#given;
     for (const [name, value] of Object.entries({ embed, edit, bar })) setData(document.documentElement, name, String(value));

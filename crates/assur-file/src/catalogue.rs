@@ -198,7 +198,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
         let other = match document {
             Document::Scheme(_) => Some(Group::Schemes),
             Document::GearTrain(_) => Some(Group::Geared),
-            Document::Drawing(_)
+            Document::Draft(_)
             | Document::Linkage(_)
             | Document::Mixer(_)
             | Document::Synthesis(_) => None,

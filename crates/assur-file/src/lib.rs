@@ -16,7 +16,7 @@ pub use catalogue::{
     Group, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text, gallery,
     presets, schemes, shelves, trains,
 };
-pub use kinds::drawing::DrawingDocument;
+pub use kinds::draft::DraftDocument;
 pub use kinds::gear_train::{
     BodiesDocument, CouplingDocument, DriveDocument, FormDocument, GearTrain, GearTrainDocument,
     GearTrainProblem, MagnetsDocument, MemberDocument, MemberKind, MembersDocument,

@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use ts_rs::{Config, TS};
 
-use crate::kinds::drawing::DrawingDocument;
+use crate::kinds::draft::DraftDocument;
 use crate::kinds::gear_train::{
     BodiesDocument, CouplingDocument, DriveDocument, FormDocument, GearTrainDocument,
     MagnetsDocument, MemberDocument, MemberKind, MembersDocument, ObserverDocument, PolesDocument,
@@ -38,7 +38,7 @@ fn the_scripts_know_what_is_saved() {
         WheelDocument::decl(&config),
         MixerTracerDocument::decl(&config),
         LinkageDocument::decl(&config),
-        DrawingDocument::decl(&config),
+        DraftDocument::decl(&config),
         PointDocument::decl(&config),
         LinkDocument::decl(&config),
         SlideDocument::decl(&config),

@@ -3,7 +3,7 @@
 use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
-use assur_file::{Document, DrawingDocument, LengthUnit, Preset, Problem, Shelf};
+use assur_file::{Document, DraftDocument, LengthUnit, Preset, Problem, Shelf};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -12,7 +12,7 @@ use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, read_value, thrown, to_js};
-use crate::kinds::{as_kind, drawing, open, scheme_task};
+use crate::kinds::{as_kind, draft, open, scheme_task};
 use crate::moving::Moving;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
@@ -153,7 +153,7 @@ impl Simulator {
     /// What cannot be drawn on; why it cannot be edited so.
     pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
         let edit: Edit = read_value(&edit)?;
-        drawing::edit(self.document()?, &edit, input).map_err(thrown)
+        draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
 
     /// Links and points of what is open, drawn at an input, as a linkage of their own: to be
@@ -167,7 +167,7 @@ impl Simulator {
         links: Vec<String>,
         input: f64,
     ) -> Result<JsValue, JsValue> {
-        let part = drawing::part(self.document()?, &points, &links, input).map_err(one)?;
+        let part = draft::part(self.document()?, &points, &links, input).map_err(one)?;
         Ok(to_js(&part))
     }
 
@@ -365,7 +365,7 @@ pub fn task(number: u32) -> JsValue {
 /// An empty sheet to draw on: `{kind, document}`.
 #[wasm_bindgen]
 pub fn blank() -> JsValue {
-    to_js(&Document::Drawing(DrawingDocument::default()))
+    to_js(&Document::Draft(DraftDocument::default()))
 }
 
 /// The catalogue: `{id, kind, document}` for each mechanism of it.

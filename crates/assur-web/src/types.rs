@@ -13,7 +13,7 @@ use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLay
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
-use crate::kinds::drawing::DrawingSummary;
+use crate::kinds::draft::DraftSummary;
 use crate::kinds::gear_train::summary::{
     BodyNumbers, GearTrainSummary, HaltSummary, IdentitySummary, MobilitySummary, PullSummary,
     RatioSummary, ShaftNumbers, SuggestionSummary, TrainConditionSummary, VelocitySummary,
@@ -61,7 +61,7 @@ fn the_scripts_know_what_crosses_the_border() {
         RateSummary::decl(&config),
         DimensionSummary::decl(&config),
         MixerSummary::decl(&config),
-        DrawingSummary::decl(&config),
+        DraftSummary::decl(&config),
         LinkHere::decl(&config),
         SchemeSummary::decl(&config),
         PairSummary::decl(&config),
@@ -129,7 +129,7 @@ fn the_scripts_know_what_crosses_the_border() {
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
                  import { Mend } from \"assur/types/edit.js\";\n\
                  import { KindDocument, LinkageDocument, Only } from \"assur/types/file.js\";\n\
-                 export type Summaries = { drawing: DrawingSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
+                 export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };\n";
     let text: String = types
         .map(|declared| format!("export {declared}\n"))
         .concat();

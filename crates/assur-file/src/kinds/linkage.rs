@@ -9,7 +9,7 @@ use assur::mechanism::{LinkId, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
-use super::drawing::DrawingDocument;
+use super::draft::DraftDocument;
 use super::{Document, Kind};
 use crate::{LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field};
@@ -278,7 +278,7 @@ impl LinkageDocument {
         if self.mechanism().is_ok() {
             Document::Linkage(self)
         } else {
-            Document::Drawing(DrawingDocument(self))
+            Document::Draft(DraftDocument(self))
         }
     }
 

@@ -1,7 +1,7 @@
 //! The kinds of document, a module for each. A kind is added by its module and its line in
 //! the registry below.
 
-pub(crate) mod drawing;
+pub(crate) mod draft;
 pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
@@ -15,7 +15,7 @@ use serde_json::Value;
 
 use crate::state::within;
 use crate::{LengthUnit, Problem};
-use drawing::DrawingDocument;
+use draft::DraftDocument;
 use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
@@ -124,7 +124,7 @@ macro_rules! kinds {
 
 kinds! {
     /// A linkage that does not move yet.
-    "drawing" => Drawing(DrawingDocument),
+    "draft" => Draft(DraftDocument),
     /// A differential by time.
     "gear-train" => GearTrain(GearTrainDocument),
     /// Any linkage.

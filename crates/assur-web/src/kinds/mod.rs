@@ -1,7 +1,7 @@
 //! The kinds of document, a module for each. A kind is added by its module and its line in
 //! the registry below.
 
-pub(crate) mod drawing;
+pub(crate) mod draft;
 pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
@@ -22,7 +22,7 @@ use crate::moving::Moving;
 /// Every problem of the state.
 pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>> {
     Ok(match &state.document {
-        Document::Drawing(document) => Box::new(drawing::Drawing::new(state, document)?),
+        Document::Draft(document) => Box::new(draft::Drawing::new(state, document)?),
         Document::GearTrain(document) => Box::new(gear_train::GearTrain::new(state, document)?),
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),

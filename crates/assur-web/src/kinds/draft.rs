@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use assur::Point;
 use assur_draw::{Sketch, SketchView};
 use assur_edit::{Advice, Edit, Mend, edited, selected};
-use assur_file::{Document, DrawingDocument, LinkageDocument, Problem, State};
+use assur_file::{Document, DraftDocument, LinkageDocument, Problem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
@@ -26,7 +26,7 @@ pub(crate) struct Drawing {
 /// What is said of a drawing that does not move.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct DrawingSummary<'a> {
+pub(crate) struct DraftSummary<'a> {
     /// Nothing does.
     #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
@@ -61,9 +61,9 @@ struct Drawn {
 }
 
 impl Drawing {
-    pub(crate) fn new(state: &State, document: &DrawingDocument) -> Result<Self, Vec<Problem>> {
+    pub(crate) fn new(state: &State, document: &DraftDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
-        let DrawingDocument(document) = document;
+        let DraftDocument(document) = document;
         let advice = Advice::of(document)?;
         let told = advice.as_ref();
         let view = SketchView {
@@ -93,7 +93,7 @@ impl Capabilities for Drawing {
                 role: role.name(),
                 pressed: false,
             });
-        to_js(&DrawingSummary {
+        to_js(&DraftSummary {
             moves: None,
             bounds: sketch.bounds(),
             handles: handles.collect(),

@@ -10,9 +10,9 @@ use crate::{LengthUnit, Problem};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(transparent)]
-pub struct DrawingDocument(pub LinkageDocument);
+pub struct DraftDocument(pub LinkageDocument);
 
-impl Kind for DrawingDocument {
+impl Kind for DraftDocument {
     fn unit(&self) -> LengthUnit {
         self.0.unit()
     }

@@ -3,18 +3,18 @@ import { StatusLine } from "assur/controls/status.js";
 import { withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/state/model.js").OwnSnapshot<"drawing">} Snapshot
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"draft">} Snapshot
  */
 
 /** @type {import("assur/app/views.js").Make} */
 export const views = ({ store }) => [
-  new StatusLine("drawing", [
+  new StatusLine("draft", [
     {
-      name: "drawing-w", title: "status.mobility",
+      name: "draft-w", title: "status.mobility",
       say: (/** @type {Snapshot} */ { summary: { mobility }, words: { numbers } }) => (mobility === null ? null : { text: numbers.exact(mobility), value: mobility }),
     },
     {
-      name: "drawing-drivers", title: "status.drivers",
+      name: "draft-drivers", title: "status.drivers",
       say: (/** @type {Snapshot} */ { summary: { drivers }, words: { numbers } }) => ({ text: numbers.exact(drivers), value: drivers }),
     },
   ]),
