@@ -120,6 +120,50 @@ async fn points_are_dragged_joined_and_parted() {
 }
 
 #[tokio::test]
+async fn the_keyboard_draws_alone() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    page.keys("n").await;
+    page.until("the tools", async || {
+        page.count("#draw-tools:not([hidden])").await == 1
+    })
+    .await;
+    page.settle().await;
+    // The first arrow shows where the pointer is; Enter presses there.
+    let steps = |key: Key, count: usize| vec![key; count];
+    let ways = [
+        steps(Key::Up, 1),
+        steps(Key::Up, 5),
+        steps(Key::Right, 10),
+        steps(Key::Down, 5),
+    ];
+    for way in ways {
+        for key in way {
+            page.keys(key).await;
+        }
+        page.keys(Key::Enter).await;
+        page.settle().await;
+    }
+    page.keys(Key::Enter).await;
+    page.settle().await;
+    assert!(page.text("draw-reasons").await.starts_with("No driver"));
+    page.element("draw-mends").await;
+    page.ask("document.querySelector('#draw-mends button').focus()")
+        .await;
+    page.keys(Key::Enter).await;
+    page.settle().await;
+    assert_eq!(
+        page.text("draw-reasons").await,
+        "It moves: there are as many drivers as degrees of freedom."
+    );
+    // Typed numbers are those of the point that was drawn last.
+    page.ask("document.activeElement.blur()").await;
+    page.keys("7").await;
+    assert_eq!(page.focused().await.as_deref(), Some("draw-x-D"));
+    page.close().await;
+}
+
+#[tokio::test]
 async fn a_hinge_is_not_dragged_onto_its_own_slide() {
     let page = Page::open().await;
     let mut sheet = four_bar(&page).await;

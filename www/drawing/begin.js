@@ -13,7 +13,7 @@ export function toggleDrawing(page) {
   const { store, history, model } = page;
   model.follow(store.get());
   const { summary } = model;
-  if (summary.moves && !summary.traceable) return;
+  if (!(summary.moves ? summary.traceable : "links" in store.get().document)) return;
   // What does not move yet has no other view.
   const on = !summary.moves || !store.get().view.drawing;
   history.step(() => {

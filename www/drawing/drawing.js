@@ -7,6 +7,7 @@ import { Selection } from "assur/drawing/selection.js";
 import { Palette } from "assur/drawing/palette.js";
 import "assur/drawing/style.js";
 import { Work } from "assur/drawing/tools.js";
+import { byId } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 
@@ -89,13 +90,13 @@ export class Drawing {
     if (event.key === "Escape" && this.#work.pressed.length > 0) this.#work.rest();
     else if (typing) return;
     else if (event.key === "Escape" && !this.#selection.empty) this.#selection.clear();
-    else if (event.key === "Enter" && this.#work.pressed.length > 0 && target.closest("button") === null) this.#work.rest();
+    else if (event.key === "Enter" && this.#hand.over && target.closest("button, summary, a") === null) this.#hand.pressHere();
     else if (event.key === "Delete" || event.key === "Backspace") this.#remove();
     else if (event.altKey && this.#palette.byKey(event)) return;
     else if ((event.ctrlKey || event.metaKey) && event.code === "KeyA") this.#all();
     else if ((event.ctrlKey || event.metaKey) && event.code === "KeyD") this.#duplicate();
     else if (/^[\d.,]$/.test(event.key) && !event.ctrlKey && !event.metaKey && this.#rail.type()) return;
-    else if (event.key.startsWith("Arrow") && !this.#selection.empty && target.id !== "scrubber") this.#nudge(event);
+    else if (event.key.startsWith("Arrow") && target.id !== "scrubber") this.#arrow(event);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -149,12 +150,20 @@ export class Drawing {
   }
 
   /**
-   * The arrow keys move what is selected by a step of the grid.
+   * The arrow keys move what is selected by a step of the grid, else the pointer of the keyboard, which Enter presses.
    * @param {KeyboardEvent} event
    */
-  #nudge({ key }) {
-    const by = this.#hand.step;
-    const [x, y] = { ArrowLeft: [-by, 0], ArrowRight: [by, 0], ArrowUp: [0, by], ArrowDown: [0, -by] }[key] ?? [0, 0];
+  #arrow({ key }) {
+    const [right, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key] ?? [0, 0];
+    if (this.#work.tool !== "select" || this.#selection.empty) {
+      // Enter is to press there, and no tool again.
+      const canvas = byId("mechanism", HTMLCanvasElement);
+      canvas.tabIndex = -1;
+      canvas.focus({ preventScroll: true });
+      this.#hand.walk(right, up);
+      return;
+    }
+    const [x, y] = [right * this.#hand.step, up * this.#hand.step];
     const points = this.#selection.all(this.#document()).filter((name) => this.#document().points.some((point) => point.name === name));
     step(this.#page, { edit: "move", points, by: [x, y] });
   }

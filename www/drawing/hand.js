@@ -10,11 +10,15 @@ import { side } from "assur/stage/paper.js";
  * @typedef {import("assur/drawing/tools.js").Target} Target
  * @typedef {import("assur/state/state.js").LinkageDocument} Document
  * @typedef {readonly [number, number]} Point in the model
+ * @typedef {Pick<PointerEvent, "pointerType" | "altKey" | "shiftKey">} Pressed
  * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
  */
 
 /** So near a joint or a link it is meant, in pixels: by a mouse, by a finger. */
 const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
+
+/** What is pressed by a key. */
+const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
 
 /** A square of the paper has so many steps of the grid, by the first digit of its side. */
 const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
@@ -28,6 +32,8 @@ export class Hand {
   frame = null;
   /** @type {Point | null} where the pointer is over the paper */
   over = null;
+  /** Whether that is the keyboard's. */
+  keyed = false;
 
   /**
    * @param {Page} page
@@ -49,6 +55,7 @@ export class Hand {
   hover(at, event) {
     const target = this.#target(at, event);
     this.over = target.at;
+    this.keyed = false;
     this.#page.mechanism.ring(target.point ?? "");
     this.#changed();
   }
@@ -60,9 +67,31 @@ export class Hand {
   }
 
   /**
+   * The keyboard's pointer goes by a step of the grid; it begins in the middle of what is seen.
+   * @param {number} right steps
+   * @param {number} up
+   */
+  walk(right, up) {
+    const { width, height } = this.#page.mechanism.size;
+    const [x, y] = this.over ?? this.#snapped({ x: width / 2, y: height / 2 }, false);
+    this.keyed = true;
+    this.over = this.over ? [round(x + right * this.step, this.step), round(y + up * this.step, this.step)] : [x, y];
+    const [left, top] = this.#view.toScreen(...this.over);
+    this.#page.mechanism.ring(this.#joint({ x: left, y: top }, false)?.name ?? "");
+    this.#changed();
+  }
+
+  /** Presses where the keyboard's pointer is. */
+  pressHere() {
+    if (!this.over) return;
+    const [x, y] = this.#view.toScreen(...this.over);
+    this.press({ x, y }, KEYED);
+  }
+
+  /**
    * A press that went nowhere.
    * @param {Place} at
-   * @param {PointerEvent} event
+   * @param {Pressed} event
    */
   press(at, event) {
     const target = this.#target(at, event);
@@ -186,7 +215,7 @@ export class Hand {
 
   /**
    * @param {Place} at
-   * @param {PointerEvent} event
+   * @param {Pressed} event
    * @returns {Target} what is there
    */
   #target(at, event) {

@@ -49,7 +49,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
     context.lineTo(...view.toScreen(...hand.over));
     context.stroke();
   }
-  if (hand.over && work.tool !== "select") {
+  if (hand.over && (work.tool !== "select" || hand.keyed)) {
     context.setLineDash([]);
     ring(context, view.toScreen(...hand.over), 3 * theme.weight);
   }

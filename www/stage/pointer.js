@@ -101,7 +101,7 @@ export class MechanismPointer {
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, summary }) {
     const { tracers = [] } = /** @type {{ tracers?: readonly unknown[] }} */ (state.document);
-    const drawable = !summary.moves || summary.traceable;
+    const drawable = summary.moves ? summary.traceable : "links" in state.document;
     if (this.#draw.hidden === drawable) this.#draw.hidden = !drawable;
     this.#draw.setAttribute("aria-pressed", String(state.view.drawing));
     const none = !summary.moves || !summary.traceable || tracers.length >= TRACERS.most;

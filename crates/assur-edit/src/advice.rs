@@ -8,6 +8,8 @@ use crate::{Edit, edited};
 
 /// No more edits than these are advised.
 const MOST: usize = 6;
+/// No more edits are tried: each makes a mechanism, with every edit of the drawing.
+const MOST_SOUGHT: usize = 48;
 /// Of more edits than these no pairs are tried: that would take longer than a frame.
 const MOST_TRIED: usize = 16;
 
@@ -174,5 +176,6 @@ fn tried(document: &LinkageDocument) -> Vec<Mend> {
         .links
         .iter()
         .map(|link| Mend::Remove(link.name.clone()));
-    drives.chain(releases).chain(fixes).chain(removes).collect()
+    let all = drives.chain(releases).chain(fixes).chain(removes);
+    all.take(MOST_SOUGHT).collect()
 }
