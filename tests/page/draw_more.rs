@@ -123,6 +123,7 @@ async fn points_are_dragged_joined_and_parted() {
 async fn the_keyboard_draws_alone() {
     let page = Page::open().await;
     page.stop_at("62").await;
+    page.ask("document.activeElement.blur()").await;
     page.keys("n").await;
     page.until("the tools", async || {
         page.count("#draw-tools:not([hidden])").await == 1
