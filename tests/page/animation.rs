@@ -198,7 +198,7 @@ async fn what_is_given_up_leaves_nothing() {
                 == json!(true)
         })
         .await;
-        let other = page.attribute("export-poses-svg", "aria-disabled").await;
+        let other = page.attribute("export-several-svg", "aria-disabled").await;
         assert_eq!(other.as_deref(), Some("true"));
         page.click("export-cancel").await;
         page.until("the end of it", async || {
@@ -206,7 +206,7 @@ async fn what_is_given_up_leaves_nothing() {
         })
         .await;
         assert_eq!(
-            page.attribute("export-poses-svg", "aria-disabled").await,
+            page.attribute("export-several-svg", "aria-disabled").await,
             None
         );
     }
@@ -226,8 +226,8 @@ async fn what_is_given_up_leaves_nothing() {
 async fn poses_lie_over_each_other_in_one_picture() {
     let page = open("jansen", 12).await;
     page.choose("export-poses", "6").await;
-    page.click("export-poses-svg").await;
-    let text = String::from_utf8(page.saved("assur-jansen-poses.svg").await).unwrap();
+    page.click("export-several-svg").await;
+    let text = String::from_utf8(page.saved("assur-jansen-several.svg").await).unwrap();
     let document = Document::parse(&text).unwrap();
     let strengths: Vec<f64> = document
         .descendants()
@@ -242,8 +242,8 @@ async fn poses_lie_over_each_other_in_one_picture() {
             && node.ancestors().any(|above| above.tag_name().name() == "g")
     });
     assert_eq!(named.count(), 0);
-    page.click("export-poses-png").await;
-    let picture = Picture::decode(&page.saved("assur-jansen-poses.png").await);
+    page.click("export-several-png").await;
+    let picture = Picture::decode(&page.saved("assur-jansen-several.png").await);
     let size = document.root_element();
     let width: f64 = size.attribute("width").unwrap().parse().unwrap();
     assert!((picture.width as f64 - 3.0 * width).abs() <= 1.0);

@@ -22,7 +22,7 @@ import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
 import { Player, placed } from "assur/state/player.js";
-import { withMechanism, withView } from "assur/state/state.js";
+import { PARTS, withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
@@ -165,7 +165,7 @@ export class Page {
     const before = model.good;
     this.#player.begin();
     this.history.step(() => {
-      store.update((state) => withView(withMechanism(state, kind, document), { plot: "angles" }));
+      store.update((state) => withView(withMechanism(state, kind, document), PARTS));
       this.mechanism.fit();
       for (const { asked, field } of edits) {
         model.follow(store.get());
@@ -229,8 +229,8 @@ export class Page {
   #render() {
     this.model.follow(this.store.get());
     // What was plotted may have gone with a part of the mechanism.
-    if (this.model.unplottable) {
-      this.store.update((state) => withView(state, { plot: "angles" }));
+    if (this.model.astray) {
+      this.store.update((state) => withView(state, PARTS));
       this.model.follow(this.store.get());
     }
     const state = this.store.get();

@@ -1,7 +1,7 @@
 // Edits of what is drawn: the engine says what becomes of it, and whether it moves then.
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
-import { withMechanism, withView } from "assur/state/state.js";
+import { PARTS, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -31,8 +31,8 @@ export function edit(page, wanted) {
   const { kind, document } = drawn;
   store.update((state) => withView(withMechanism(state, kind, document), { drawing: true, playing: false }));
   model.follow(store.get());
-  if (model.unplottable) {
-    store.update((state) => withView(state, { plot: "angles" }));
+  if (model.astray) {
+    store.update((state) => withView(state, PARTS));
     model.follow(store.get());
   }
   // It is drawn where it is: the driver stands there.

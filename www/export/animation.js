@@ -105,11 +105,11 @@ export function animations(page, theme, name, title) {
     return toWebm(page, theme, wishes(), work);
   });
   const silent = make("span", { id: "export-no-webm", class: "note", "data-t": "export.no_webm" });
-  const posesSvg = button("poses", "svg", async (work) => {
+  const posesSvg = button("several", "svg", async (work) => {
     const { posesAsSvg } = await awaited(import("assur/export/moving-svg.js"));
     return posesAsSvg(page, theme, Number(poses.value), work, title());
   });
-  const posesPng = button("poses", "png", async (work) => {
+  const posesPng = button("several", "png", async (work) => {
     const { posesAsPng } = await awaited(import("assur/export/moving-svg.js"));
     return posesAsPng(page, theme, Number(poses.value), work);
   });
@@ -122,7 +122,7 @@ export function animations(page, theme, name, title) {
     make("div", {}, [moments]),
     head("export-seconds-name", "export.seconds"),
     make("div", {}, [seconds]),
-    head("export-poses", "export.poses"),
+    head("export-several", "export.poses"),
     make("div", {}, [posesSvg, posesPng, head("export-poses-name", "export.poses.count"), poses]),
     make("div", { class: "whole" }, [working, said]),
   ];

@@ -2,7 +2,7 @@
 import { attempt } from "assur/core/problem.js";
 import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
-import { DRAWN } from "assur/state/state.js";
+import { DRAWN, PARTS } from "assur/state/state.js";
 
 /**
  * @template {import("assur/state/state.js").Kind} [K=import("assur/state/state.js").Kind]
@@ -169,9 +169,9 @@ export class Model {
     return this.sound;
   }
 
-  /** Whether the state asks for a plot of what the mechanism has not. */
-  get unplottable() {
-    return this.#refused.some(({ code, field }) => code === "unknown_choice" && field === "plot");
+  /** Whether the state plots, or is about, what the mechanism has not. */
+  get astray() {
+    return this.#refused.some(({ code, field }) => code === "unknown_choice" && field !== undefined && Object.hasOwn(PARTS, field));
   }
 
   /** Whether the mechanism can be assembled where its driver is now. */

@@ -32,6 +32,9 @@ export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "about", "plot", "axes", "omega", "epsilon", "true_time"]),
 );
 
+/** What of the view names a part of the document, and what it says of any other. */
+export const PARTS = Object.freeze({ plot: "angles", about: "" });
+
 /** How many traced points a mechanism may have. */
 export const TRACERS = Object.freeze({ most: 6 });
 

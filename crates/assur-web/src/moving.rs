@@ -68,6 +68,10 @@ impl Moving {
             plotted,
         } = moved;
         let mechanism = motion.mechanism();
+        if !view.about.is_empty() && mechanism.link(&view.about).is_none() {
+            let field = "about".into();
+            return Err(vec![Problem::UnknownChoice { field }]);
+        }
         let point = |name: &String| mechanism.point(name);
         // The path of a point that is plotted is one of those to be seen.
         let of_plot = plotted.iter().filter_map(|one| match one {
