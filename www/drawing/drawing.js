@@ -107,6 +107,13 @@ export class Drawing {
     return /** @type {Document} */ (this.#page.store.get().document);
   }
 
+  /** What is selected, without traced points, which go with their links. */
+  #joints() {
+    const document = this.#document();
+    const points = new Set(document.points.map(({ name }) => name));
+    return this.#selection.all(document).filter((name) => points.has(name));
+  }
+
   #remove() {
     const { points, links } = this.#selection;
     if (this.#selection.empty) return;
@@ -115,9 +122,8 @@ export class Drawing {
 
   #mirror() {
     const document = this.#document();
-    const points = this.#selection.empty ? document.points.map(({ name }) => name) : this.#selection.all(document);
-    const own = points.filter((name) => document.points.some((point) => point.name === name));
-    step(this.#page, { edit: "mirror", points: own });
+    const points = this.#selection.empty ? document.points.map(({ name }) => name) : this.#joints();
+    step(this.#page, { edit: "mirror", points });
   }
 
   #all() {
@@ -164,8 +170,7 @@ export class Drawing {
       return;
     }
     const [x, y] = [right * this.#hand.step, up * this.#hand.step];
-    const points = this.#selection.all(this.#document()).filter((name) => this.#document().points.some((point) => point.name === name));
-    step(this.#page, { edit: "move", points, by: [x, y] });
+    step(this.#page, { edit: "move", points: this.#joints(), by: [x, y] });
   }
 
   /**

@@ -232,13 +232,7 @@ export class Hand {
    * @param {string} [but] that one
    */
   #joint(at, touch, but = "") {
-    let [nearest, least] = [/** @type {import("assur/stage/view.js").Joint | null} */ (null), REACH.joint[Number(touch)]];
-    for (const joint of this.#page.mechanism.joints()) {
-      const [left, top] = this.#view.toScreen(joint.x, joint.y);
-      const off = Math.hypot(left - at.x, top - at.y);
-      if (joint.name !== but && off <= least) [nearest, least] = [joint, off];
-    }
-    return nearest;
+    return this.#page.mechanism.near(at, REACH.joint[Number(touch)], but);
   }
 
   /**

@@ -286,16 +286,8 @@ export class MechanismPointer {
    * @param {string} pointer
    * @returns {Joint | null} the joint next to a pointer
    */
-  #near({ x, y }, pointer) {
-    const reach = pointer === "touch" ? FINGER_REACH : REACH;
-    const { view } = this.#view;
-    let [nearest, least] = [/** @type {Joint | null} */ (null), reach];
-    for (const joint of this.#view.joints()) {
-      const [left, top] = view.toScreen(joint.x, joint.y);
-      const off = Math.hypot(left - x, top - y);
-      if (off <= least) [nearest, least] = [joint, off];
-    }
-    return nearest;
+  #near(at, pointer) {
+    return this.#view.near(at, pointer === "touch" ? FINGER_REACH : REACH);
   }
 
   /** @param {string} joint the joint under the pointer or in hand */

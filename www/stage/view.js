@@ -86,6 +86,23 @@ export class MechanismView {
     return handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
   }
 
+  /**
+   * @param {{ x: number, y: number }} place on the canvas, in pixels
+   * @param {number} reach pixels
+   * @param {string} [but] the name of one that is not meant
+   * @returns {Joint | null} the joint next to the place, if one is within reach
+   */
+  near({ x, y }, reach, but = "") {
+    const { view } = this;
+    let [nearest, least] = [/** @type {Joint | null} */ (null), reach];
+    for (const joint of this.joints()) {
+      const [left, top] = view.toScreen(joint.x, joint.y);
+      const off = Math.hypot(left - x, top - y);
+      if (joint.name !== but && off <= least) [nearest, least] = [joint, off];
+    }
+    return nearest;
+  }
+
   /** @returns {Transform} from the model to the pixels of the canvas */
   get view() {
     const { width, height } = this.#surface;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::{Point, Vector};
+use assur::{Point, Vector, nearest};
 
 use crate::list::{List, Look, Role};
 use assur::sorting::sort_by;
@@ -177,13 +177,6 @@ pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
 /// How far a place is from the line between two others.
 pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     (place - nearest(place, from, to)).norm()
-}
-
-/// The place nearest to another on the line between two.
-pub(crate) fn nearest(place: Point, from: Point, to: Point) -> Point {
-    let along = to - from;
-    let share = (place - from).dot(&along) / along.norm_squared();
-    from + along * share.clamp(0.0, 1.0)
 }
 
 /// How far a place is from a convex plate, given counter-clockwise: zero on it. None

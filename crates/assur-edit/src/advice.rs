@@ -1,10 +1,10 @@
 //! What keeps a drawing from moving, and which edits would let it.
 
-use assur::mechanism::{Defect, FRAME, Mechanism};
+use assur::mechanism::{Defect, Mechanism};
 use assur_file::{LinkageDocument, LinkageProblem, Problem};
 use serde::Serialize;
 
-use crate::{Edit, edited};
+use crate::{Edit, checked, edited};
 
 /// No more edits than these are advised.
 const MOST: usize = 6;
@@ -65,7 +65,7 @@ impl Advice {
     /// # Errors
     /// What is wrong with single fields.
     pub fn of(document: &LinkageDocument) -> Result<Option<Self>, Vec<Problem>> {
-        document.check()?;
+        checked(document)?;
         let draft = document.draft();
         let Err(defects) = Mechanism::new(&draft) else {
             return Ok(None);
@@ -133,27 +133,15 @@ fn moves(document: &LinkageDocument, mend: &Mend) -> bool {
 
 /// The edits that are tried.
 fn tried(document: &LinkageDocument) -> Vec<Mend> {
-    let driven: Vec<&String> = (document.drivers.iter().filter_map(|one| one.crank.as_ref()))
-        .chain(
-            (document.drivers.iter())
-                .filter_map(|one| Some(&document.slides.get(one.slide?)?.link)),
-        )
+    let draft = document.draft();
+    let driven: Vec<&str> = (draft.drivers.iter())
+        .filter_map(|driver| draft.driven(driver))
         .collect();
-    let on_frame = |points: &[String]| points.iter().any(|point| document.frame.contains(point));
-    let slides = |link: &String| {
-        document
-            .slides
-            .iter()
-            .any(|one| one.link == *link && one.on == FRAME)
-    };
-    let drivable = document
-        .links
-        .iter()
-        .filter(|link| on_frame(&link.points) || slides(&link.name));
+    let drivable = draft.drivable().into_iter();
     let drives = drivable
-        .filter(|link| !driven.contains(&&link.name))
-        .map(|link| Mend::Drive(link.name.clone()));
-    let releases = driven.iter().map(|link| Mend::Release((*link).clone()));
+        .filter(|link| !driven.contains(link))
+        .map(|link| Mend::Drive(link.to_owned()));
+    let releases = driven.iter().map(|link| Mend::Release((*link).to_owned()));
     let links = |point: &String| {
         document
             .links

@@ -1,7 +1,7 @@
 //! What is added to a drawing: points, links, slides, what is traced and weighs.
 
 use assur::mechanism::FRAME;
-use assur::{Point, Vector};
+use assur::{Point, Vector, nearest};
 use assur_file::{
     LinkDocument, LinkageDocument, LinkageProblem, PointDocument, SlideDocument, TracerDocument,
 };
@@ -102,6 +102,14 @@ impl Drawing {
             .ok_or_else(|| unknown(name))
     }
 
+    /// Changes the link of a name, if there is one.
+    pub(crate) fn change(&mut self, name: &str, change: impl FnOnce(&mut LinkDocument)) {
+        let mut links = self.document.links.iter_mut();
+        if let Some(link) = links.find(|link| link.name == name) {
+            change(link);
+        }
+    }
+
     /// Where a point is drawn.
     pub(crate) fn at(&self, name: &str) -> Result<Point, LinkageProblem> {
         let mut points = self.document.points.iter();
@@ -195,10 +203,7 @@ impl Drawing {
             self.apart(&[one.clone(), point.to_owned()])?;
         }
         self.redraw(|one| one.name == link);
-        let mut links = self.document.links.iter_mut();
-        if let Some(link) = links.find(|one| one.name == link) {
-            link.points.push(point.to_owned());
-        }
+        self.change(link, |link| link.points.push(point.to_owned()));
         Ok(())
     }
 
@@ -263,18 +268,17 @@ impl Drawing {
     /// The two points of a link whose line is nearest to a place.
     pub(crate) fn side(&self, link: &str, to: Point) -> Result<[String; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
-        let mut nearest: Option<(f64, [String; 2])> = None;
+        let mut best: Option<(f64, [String; 2])> = None;
         for (k, from) in points.iter().enumerate() {
             for other in &points[..k] {
-                let off = distance(to, self.at(other)?, self.at(from)?);
-                if nearest.as_ref().is_none_or(|(least, _)| off < *least) {
-                    nearest = Some((off, [other.clone(), from.clone()]));
+                let off = (to - nearest(to, self.at(other)?, self.at(from)?)).norm();
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, [other.clone(), from.clone()]));
                 }
             }
         }
         let link = link.to_owned();
-        nearest
-            .map(|(_, side)| side)
+        best.map(|(_, side)| side)
             .ok_or(LinkageProblem::NoLine { link })
     }
 
@@ -292,10 +296,7 @@ impl Drawing {
 
     fn mass(&mut self, link: &str, at: Option<[f64; 2]>) -> Done {
         if let Some(old) = self.linked(link)?.centre_of_mass.clone() {
-            let mut links = self.document.links.iter_mut();
-            if let Some(link) = links.find(|one| one.name == link) {
-                link.centre_of_mass = None;
-            }
+            self.change(link, |link| link.centre_of_mass = None);
             let elsewhere = |one: &&LinkDocument| one.points.contains(&old);
             if self.document.links.iter().filter(elsewhere).count() == 1 {
                 self.remove(&[old], &[])?;
@@ -304,10 +305,7 @@ impl Drawing {
         let Some(at) = at else { return Ok(()) };
         let point = self.put(at);
         self.list(link, &point)?;
-        let mut links = self.document.links.iter_mut();
-        if let Some(link) = links.find(|one| one.name == link) {
-            link.centre_of_mass = Some(point);
-        }
+        self.change(link, |link| link.centre_of_mass = Some(point));
         Ok(())
     }
 
@@ -325,22 +323,6 @@ impl Drawing {
         };
         let off = at - first;
         Ok([off.dot(&along), along.perp(&off)])
-    }
-}
-
-/// How far a place is from a line's part between two points.
-pub(crate) fn distance(at: Point, from: Point, to: Point) -> f64 {
-    (at - foot(at, from, to)).norm()
-}
-
-/// The place between two points that is nearest to another.
-pub(crate) fn foot(at: Point, from: Point, to: Point) -> Point {
-    let along = to - from;
-    let square = along.norm_squared();
-    if square > 0.0 {
-        from + along * ((at - from).dot(&along) / square).clamp(0.0, 1.0)
-    } else {
-        from
     }
 }
 

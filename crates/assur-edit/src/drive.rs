@@ -136,10 +136,7 @@ impl Drawing {
         self.linked(second)?;
         let fixed = self.linked(first)?.fixed_to.as_ref() != Some(second);
         self.redraw(|link| link.name == *first);
-        let mut links = self.document.links.iter_mut();
-        if let Some(link) = links.find(|link| link.name == *first) {
-            link.fixed_to = fixed.then(|| second.clone());
-        }
+        self.change(first, |link| link.fixed_to = fixed.then(|| second.clone()));
         Ok(())
     }
 }

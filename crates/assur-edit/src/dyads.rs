@@ -1,9 +1,9 @@
 //! Assur groups that are added whole: the five dyads and a triad.
 
-use assur::{Point, Vector};
+use assur::{Point, Vector, nearest};
 use assur_file::LinkageProblem;
 
-use crate::draw::{Drawing, foot};
+use crate::draw::Drawing;
 use crate::edit::{End, Inner, Line, Outer};
 
 /// The inner joint of a new dyad stands so far off the line of its ends, relative to their distance.
@@ -126,7 +126,7 @@ impl Guide {
                 }
                 Ok(Self {
                     along: Line::Link(link.clone()),
-                    at: foot(at, from, to),
+                    at: nearest(at, from, to),
                     direction: direction.normalize(),
                 })
             }

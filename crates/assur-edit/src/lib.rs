@@ -20,12 +20,10 @@ pub use advice::{Advice, Mend};
 pub use edit::{Edit, End, Inner, Line, Outer};
 pub use selection::selected;
 
+use assur::mechanism::FARTHEST;
 use assur_file::{LinkageDocument, LinkageProblem, Problem};
 
 use draw::Drawing;
-
-/// Coordinates beyond this are no drawing, as the engine has it.
-const FARTHEST: f64 = 1e9;
 
 /// A drawing after an edit, and what the edit has made.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,19 +63,27 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
         link = document.links.get(added).map(|link| link.name.clone());
     }
     document.assembly = None;
-    document.check()?;
-    let far = |at: &f64| !at.is_finite() || at.abs() > FARTHEST;
-    if let Some(point) = document
-        .points
-        .iter()
-        .find(|point| point.at.iter().any(far))
-    {
-        let name = point.name.clone();
-        return Err(vec![LinkageProblem::NotFinite { name }.into()]);
-    }
+    checked(&document)?;
     Ok(Edited {
         document,
         point,
         link,
     })
+}
+
+/// Whether a document can be drawn, which need not move.
+///
+/// # Errors
+/// What is wrong with single fields; a point that is too far to be drawn.
+fn checked(document: &LinkageDocument) -> Result<(), Vec<Problem>> {
+    document.check()?;
+    let far = |at: &f64| !at.is_finite() || at.abs() > FARTHEST;
+    let mut points = document.points.iter();
+    match points.find(|point| point.at.iter().any(far)) {
+        Some(point) => {
+            let name = point.name.clone();
+            Err(vec![LinkageProblem::NotFinite { name }.into()])
+        }
+        None => Ok(()),
+    }
 }

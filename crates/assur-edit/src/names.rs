@@ -8,16 +8,15 @@ const LONGEST: usize = 24;
 
 /// A free name for a point: A to Z, then A1 to Z1 and so on.
 pub(crate) fn new_point(document: &LinkageDocument) -> String {
-    let letters = |round: usize| {
-        ('A'..='Z').map(move |letter| match round {
+    const LETTERS: usize = 26;
+    let name = |k: usize| {
+        let letter = char::from(b'A' + (k % LETTERS) as u8);
+        match k / LETTERS {
             0 => letter.to_string(),
-            _ => format!("{letter}{round}"),
-        })
+            round => format!("{letter}{round}"),
+        }
     };
-    let free = (0..)
-        .flat_map(letters)
-        .find(|name| !is_point(document, name));
-    free.unwrap_or_default()
+    numbered(0, |name| !is_point(document, name), name)
 }
 
 /// A free name for a traced point, as the page gives them: P1, P2, …
@@ -70,9 +69,16 @@ fn of_points(points: &[String]) -> String {
     }
 }
 
+/// The first of numbered names that is free.
 fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> String) -> String {
-    let mut names = (first..).map(name);
-    names.find(|name| free(name)).unwrap_or_default()
+    let mut number = first;
+    loop {
+        let name = name(number);
+        if free(&name) {
+            return name;
+        }
+        number += 1;
+    }
 }
 
 /// The links that are called by their points, to be called so again after an edit.

@@ -1,7 +1,5 @@
 //! Parts of a drawing, to be put elsewhere.
 
-use std::collections::BTreeMap;
-
 use assur::mechanism::FRAME;
 use assur_file::LinkageDocument;
 
@@ -97,36 +95,17 @@ impl Drawing {
             .cloned()
             .collect();
         let links: Vec<String> = other.links.iter().map(|link| link.name.clone()).collect();
-        let mut put = BTreeMap::new();
         for (k, name) in points.iter().enumerate() {
             names::rename_point(&mut other, name, &aside(k));
         }
         for (k, name) in links.iter().enumerate() {
             names::rename_link(&mut other, name, &aside(k));
         }
-        for (k, name) in points.iter().enumerate() {
-            let mut both = self.document.clone();
-            both.points.extend(other.points.iter().cloned());
-            both.tracers.extend(other.tracers.iter().cloned());
-            let free = names::free_point(&both, name);
-            names::rename_point(&mut other, &aside(k), &free);
-            put.insert(name.clone(), free);
-        }
-        for (k, name) in links.iter().enumerate() {
-            let mut both = self.document.clone();
-            both.links.extend(other.links.iter().cloned());
-            let link = other.links.iter().find(|link| link.name == aside(k));
-            let own = link.map(|link| link.points.clone()).unwrap_or_default();
-            let wish = (!called.contains(name)).then_some(name.as_str());
-            let free = names::new_link(&both, &own, wish);
-            names::rename_link(&mut other, &aside(k), &free);
-            self.link = Some(free);
-        }
-        let slides = self.document.slides.len();
+        let document = &mut self.document;
+        let [first, slides] = [document.links.len(), document.slides.len()];
         for driver in &mut other.drivers {
             driver.slide = driver.slide.map(|slide| slide + slides);
         }
-        let document = &mut self.document;
         document.points.extend(other.points);
         document.frame.extend(other.frame);
         document.links.extend(other.links);
@@ -134,7 +113,18 @@ impl Drawing {
         document.gears.extend(other.gears);
         document.drivers.extend(other.drivers);
         document.tracers.extend(other.tracers);
-        self.point = points.last().and_then(|last| put.get(last)).cloned();
+        for (k, name) in points.iter().enumerate() {
+            let free = names::free_point(document, name);
+            names::rename_point(document, &aside(k), &free);
+            self.point = Some(free);
+        }
+        for (k, name) in links.iter().enumerate() {
+            let own = &document.links[first + k].points;
+            let wish = (!called.contains(name)).then_some(name.as_str());
+            let free = names::new_link(document, own, wish);
+            names::rename_link(document, &aside(k), &free);
+            self.link = Some(free);
+        }
     }
 }
 

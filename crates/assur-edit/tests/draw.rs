@@ -555,6 +555,16 @@ fn what_is_made_is_told() {
     assert_eq!(link.as_deref(), Some("EF"));
 }
 
+/// A file may hold what no edit makes.
+#[test]
+fn what_is_too_far_is_not_drawn() {
+    let mut far = four_bar();
+    far.points[2].at[0] = 1e300;
+    let told = Advice::of(&far).unwrap_err();
+    let name = text("C");
+    assert_eq!(told, [LinkageProblem::NotFinite { name }.into()]);
+}
+
 #[test]
 fn what_is_driven_is_not_loose() {
     let free = done(

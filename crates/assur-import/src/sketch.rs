@@ -9,9 +9,6 @@ use assur_file::{LengthUnit, MeshDocument};
 use crate::{ImportProblem, Imported, LeftOut};
 pub(crate) use names::letter;
 
-/// No place is farther out: beyond it, squares of lengths lose their meaning.
-pub(crate) const FARTHEST: f64 = 1e9;
-
 /// What carries something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Body {

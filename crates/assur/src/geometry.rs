@@ -9,6 +9,17 @@ pub type Point = nalgebra::Point2<f64>;
 /// A displacement in the plane.
 pub type Vector = nalgebra::Vector2<f64>;
 
+/// The place nearest to another on the line between two, which may be one.
+pub fn nearest(place: Point, from: Point, to: Point) -> Point {
+    let along = to - from;
+    let square = along.norm_squared();
+    if square > 0.0 {
+        from + along * ((place - from).dot(&along) / square).clamp(0.0, 1.0)
+    } else {
+        from
+    }
+}
+
 /// A moving point: both coordinates with their derivatives by the input angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JetPoint<const N: usize> {

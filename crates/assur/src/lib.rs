@@ -46,6 +46,6 @@ pub use angle::Angle;
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
 };
-pub use geometry::{JetPoint, Point, Vector};
+pub use geometry::{JetPoint, Point, Vector, nearest};
 pub use invalid::{Dimension, Fault, Invalid};
 pub use jet::Jet;

@@ -1,7 +1,7 @@
 //! Blocks and the guides they slide on; the ground that legs stand on.
 
 use assur::mechanism::{DraftDriver, DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
-use assur::{Point, Vector};
+use assur::{Point, Vector, nearest};
 
 use super::View;
 use super::layout::{self, Layout};
@@ -235,7 +235,7 @@ impl Guide {
     pub(super) fn draw_slot(&self, list: &mut List, corners: &[Point], arm: f64, u: f64) {
         let [from, to] = self.ends;
         for corner in corners {
-            let foot = parts::nearest(*corner, from, to);
+            let foot = nearest(*corner, from, to);
             let off = corner - foot;
             let edge = off.normalize() * (BLOCK[1] * u + arm);
             if off.norm() > 2.0 * edge.norm() {

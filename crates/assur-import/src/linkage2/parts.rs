@@ -4,7 +4,7 @@ use assur_file::LengthUnit;
 
 use super::markup::Tag;
 use crate::ImportProblem;
-use crate::sketch::FARTHEST;
+use assur::mechanism::FARTHEST;
 
 /// Layers of what moves; the others are for drawings.
 const MECHANISM: i64 = 0xFFFF_FFF0;

@@ -4,7 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use assur_file::LengthUnit;
 
-use crate::sketch::{Bar, Body, Driver, FARTHEST, Joint, Moves, Sketch};
+use assur::mechanism::FARTHEST;
+
+use crate::sketch::{Bar, Body, Driver, Joint, Moves, Sketch};
 use crate::{ImportProblem, LeftOut};
 
 /// Angles are told in thousandths of a radian.

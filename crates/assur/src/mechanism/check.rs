@@ -8,7 +8,7 @@ use super::tracer;
 use crate::gears::{Mesh, TEETH};
 
 /// Coordinates and lengths beyond this are no drawing.
-const FARTHEST: f64 = 1e9;
+pub const FARTHEST: f64 = 1e9;
 /// Two points of a link closer than this relative to the size of the drawing coincide.
 pub(super) const CLOSEST: f64 = 1e-9;
 

@@ -315,6 +315,26 @@ impl Draft {
         }
     }
 
+    /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
+    pub fn drivable(&self) -> Vec<&str> {
+        let cranks = self.links.iter().filter(|link| self.is_crank(link));
+        let cranks = cranks.map(|link| link.name.as_str());
+        let slides = self.slides.iter().filter(|slide| slide.on == FRAME);
+        let slides = slides.map(|slide| slide.link.as_str());
+        let mut found: Vec<&str> = cranks.chain(slides).collect();
+        for driver in &self.drivers {
+            let driven = self.driven(driver);
+            found.extend(driven.filter(|link| *link != FRAME && !found.contains(link)));
+        }
+        found
+    }
+
+    /// Whether a link can be driven as a crank: hinged on the frame, fixed to no other.
+    pub(super) fn is_crank(&self, link: &DraftLink) -> bool {
+        let hinged = |point: &String| self.frame.contains(point);
+        link.fixed_to.is_none() && link.points.iter().any(hinged)
+    }
+
     /// Where a point is drawn.
     pub(crate) fn place(&self, name: &str) -> Option<Point> {
         let point = self.points.iter().find(|point| point.name == name);

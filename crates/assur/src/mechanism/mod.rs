@@ -37,6 +37,7 @@ use std::f64::consts::TAU;
 pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
 pub(crate) use assembly::Signs;
+pub use check::FARTHEST;
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
@@ -269,29 +270,14 @@ impl Mechanism {
 
     /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
     pub fn drivable(&self) -> Vec<&str> {
-        let cranks = self.cranks().map(|link| self.link_name(link));
-        let slides = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
-        let slides = slides.map(|slide| slide.link.as_str());
-        let mut found: Vec<&str> = cranks.chain(slides).collect();
-        for driver in &self.draft.drivers {
-            let driven = self.draft.driven(driver);
-            found.extend(driven.filter(|link| *link != FRAME && !found.contains(link)));
-        }
-        found
+        self.draft.drivable()
     }
 
     /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
     pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
-        self.link_ids().filter(|link| {
-            let hinged = |point: &PointId| {
-                self.draft
-                    .frame
-                    .iter()
-                    .any(|name| name == self.point_name(*point))
-            };
-            self.draft.links[link.index()].fixed_to.is_none()
-                && self.points_of(*link).iter().any(hinged)
-        })
+        let links = &self.draft.links;
+        self.link_ids()
+            .filter(|link| self.draft.is_crank(&links[link.index()]))
     }
 
     /// Driver and Assur groups. Its links are bodies, by their indices.
