@@ -79,7 +79,7 @@ export class Page {
     };
     const pointer = new MechanismPointer(byId("mechanism", HTMLCanvasElement), this);
     this.pointer = pointer;
-    this.#views = new Views(this, [this.mechanism, pointer, lesson, header, this.notices]);
+    this.#views = new Views(this, [this.mechanism, pointer], [lesson, header, this.notices]);
     byId("help-open", HTMLButtonElement).addEventListener("click", commands.help);
     const keys = {
       ...commands,

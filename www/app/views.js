@@ -3,6 +3,7 @@
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
+import { Pace } from "assur/app/pace.js";
 import { Title } from "assur/app/title.js";
 import { AboutLink } from "assur/controls/about.js";
 import { LengthUnits } from "assur/controls/lengths.js";
@@ -40,8 +41,13 @@ const TOOL_NAMES = Object.freeze(/** @type {(keyof typeof TOOLS)[]} */ (Object.k
 
 export class Views {
   #page;
+  /** @type {readonly View[]} what a hand is at, drawn in every frame */
+  #held;
   /** @type {View[]} */
   #views;
+  /** @type {readonly MotionView[]} */
+  #plots;
+  #paces = { plots: new Pace(), others: new Pace() };
   /** @type {MotionView[]} */
   #moving;
   /** The kind of what is drawn. */
@@ -56,9 +62,10 @@ export class Views {
 
   /**
    * @param {Page} page
+   * @param {readonly View[]} held what a hand is at
    * @param {readonly View[]} views that the page has itself
    */
-  constructor(page, views) {
+  constructor(page, held, views) {
     const { store, engine, theme, chart } = page;
     this.#page = page;
     byId("rail", HTMLFormElement).addEventListener("submit", (event) => event.preventDefault());
@@ -66,13 +73,25 @@ export class Views {
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
+    this.#held = held;
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
-    this.#moving = [chart, cursor, new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page)];
+    this.#plots = [chart, cursor];
+    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page)];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 
   /** @param {AnySnapshot} snapshot */
   render(snapshot) {
+    for (const view of this.#held) view.render(snapshot);
+    const { revision } = snapshot;
+    const { plots, others } = this.#paces;
+    const plotted = !moves(snapshot) || plots.keep(revision, () => this.#plots.forEach((view) => view.render(snapshot)));
+    const written = others.keep(revision, () => this.#write(snapshot));
+    if (!plotted || !written) this.#page.redraw();
+  }
+
+  /** @param {AnySnapshot} snapshot */
+  #write(snapshot) {
     const { state, kind } = snapshot;
     if (!state.view.playing && !this.#described) this.#describe();
     if (kind !== this.#kind) this.#turn(kind);

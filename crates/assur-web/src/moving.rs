@@ -1,7 +1,7 @@
 //! What moves: a linkage with its drawing, its read-outs and its plots.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
@@ -45,7 +45,9 @@ pub(crate) struct Moving {
     /// Whether circles of curvature are drawn, which need a further derivative.
     curvature: bool,
     figure: Figure,
-    chart: Chart,
+    settings: Settings,
+    /// Made when it is first drawn: while a joint is dragged not every linkage is plotted.
+    chart: OnceCell<Chart>,
     explain: Explain,
 }
 
@@ -103,7 +105,8 @@ impl Moving {
             traceable: true,
             others: view.others,
             curvature: view.curvature,
-            chart: figure.chart(&plotted, settings(view)),
+            settings: settings(view),
+            chart: OnceCell::new(),
             plotted,
             figure,
             motion,
@@ -153,7 +156,7 @@ impl Moving {
 
     /// How the input goes, by the axes.
     pub(crate) fn input(&self) -> Input {
-        self.chart.settings().input
+        self.settings.input
     }
 
     /// The numbers of links, by their names.
@@ -179,9 +182,9 @@ impl Moving {
 
     /// Whose colour the curve of a quantity has, if it is plotted.
     pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
-        let mut plotted = self.plotted.iter().zip(self.chart.series());
-        let found = plotted.find(|(plotted, _)| **plotted == quantity);
-        found.map(|(_, series)| series.role.name())
+        let roles = self.figure.plotted_roles(&self.plotted);
+        let at = self.plotted.iter().position(|one| *one == quantity);
+        at.map(|at| roles[at].name())
     }
 
     pub(crate) fn transmitting(&self) -> &[Quantity] {
@@ -386,7 +389,8 @@ impl Moves for Moving {
     }
 
     fn chart(&self, _around: f64) -> Cow<'_, Chart> {
-        Cow::Borrowed(&self.chart)
+        let chart = || self.figure.chart(&self.plotted, self.settings);
+        Cow::Borrowed(self.chart.get_or_init(chart))
     }
 
     fn numbers(&self) -> &BTreeMap<String, String> {

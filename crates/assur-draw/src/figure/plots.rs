@@ -59,7 +59,7 @@ impl Figure {
     }
 
     /// Whose colours the curves have: links their own, each axis its own, the same axis of a further point another.
-    fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
+    pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {
             let own = match quantity {
