@@ -48,6 +48,7 @@ mod one_plot;
 mod overlays;
 mod package;
 mod picture;
+mod picture_behind;
 mod pixels;
 mod plots;
 mod pointer;

@@ -46,7 +46,12 @@ export class Drawing {
     page.mechanism.lay((context, view, theme) => {
       if (this.#on) paint(context, view, theme, { page, work: this.#work, selection: this.#selection, hand: this.#hand });
     });
+    page.mechanism.layUnder((context, view) => {
+      if (this.#on) this.#work.picture.paint(context, view);
+    });
     addEventListener("keydown", (event) => this.#key(event), true);
+    addEventListener("drop", (event) => this.#bring(event, event.dataTransfer), true);
+    addEventListener("paste", (event) => this.#bring(event, event.clipboardData), true);
     for (const kind of /** @type {const} */ (["copy", "cut", "paste"])) addEventListener(kind, (event) => this.#clip(event, kind));
   }
 
@@ -171,6 +176,19 @@ export class Drawing {
     }
     const [x, y] = [right * this.#hand.step, up * this.#hand.step];
     step(this.#page, { edit: "move", points: this.#joints(), by: [x, y] });
+  }
+
+  /**
+   * A picture that is dropped or pasted stands behind the drawing.
+   * @param {Event} event
+   * @param {DataTransfer | null} data
+   */
+  #bring(event, data) {
+    const file = data?.files[0];
+    if (!this.#on || !file?.type.startsWith("image/") || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    this.#palette.take("picture");
+    this.#palette.pictures.take(file);
   }
 
   /**

@@ -109,6 +109,7 @@ export class Hand {
    */
   grab(at, event) {
     const touch = event.pointerType === "touch";
+    if (this.#work.tool === "picture" && this.#work.picture.there) return this.#slide(at);
     if (this.#work.tool !== "select") return null;
     const { point, link } = this.#target(at, event);
     if (point && this.#selection.points.has(point) && this.#selection.points.size > 1) return this.#carry(this.#selection.all(this.#document()), at);
@@ -170,6 +171,24 @@ export class Hand {
   }
 
   /**
+   * The picture behind the drawing is dragged.
+   * @param {Place} from
+   * @returns {Drag}
+   */
+  #slide(from) {
+    let last = this.#snapped(from, true);
+    return {
+      to: (at) => {
+        const [x, y] = this.#snapped(at, true);
+        this.#work.picture.move([x - last[0], y - last[1]]);
+        last = [x, y];
+        this.#page.redraw();
+      },
+      end() {},
+    };
+  }
+
+  /**
    * A frame is drawn around what is to be selected.
    * @param {Place} from
    * @param {boolean} more
@@ -220,6 +239,8 @@ export class Hand {
    */
   #target(at, event) {
     const touch = event.pointerType === "touch";
+    // A picture is marked where its own places are.
+    if (this.#work.tool === "picture") return { point: null, link: null, at: this.#snapped(at, true) };
     const joint = this.#joint(at, touch);
     if (joint) return { point: joint.name, link: this.#linkOf(joint.name), at: [joint.x, joint.y] };
     // With Alt neither the grid nor a link below holds the place.

@@ -49,6 +49,13 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
     context.lineTo(...view.toScreen(...hand.over));
     context.stroke();
   }
+  if (work.tool === "picture") {
+    const marks = work.picture.marks.map(([x, y]) => view.toScreen(x, y));
+    for (const mark of marks) ring(context, mark, RING / 2 * theme.weight);
+    context.beginPath();
+    for (const mark of marks) context.lineTo(...mark);
+    context.stroke();
+  }
   if (hand.over && (work.tool !== "select" || hand.keyed)) {
     context.setLineDash([]);
     ring(context, view.toScreen(...hand.over), 3 * theme.weight);

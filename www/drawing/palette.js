@@ -1,5 +1,6 @@
 // The tools for drawing as buttons over it, and what the one in hand waits for.
 import { byId, make, write } from "assur/core/dom.js";
+import { PictureOptions } from "assur/drawing/picture-options.js";
 import { DYADS, TOOLS } from "assur/drawing/tools.js";
 import { Seen } from "assur/core/seen.js";
 
@@ -64,10 +65,11 @@ export class Palette {
     this.#wheels = make("span", { class: "draw-wheels" }, [
       ...this.#teeth, make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
     ]);
+    this.pictures = new PictureOptions(page, work.picture);
     this.#row = make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons);
     this.element = make("div", { id: "draw-tools", class: "draw-tools" }, [
       this.#row,
-      make("div", { class: "draw-options" }, [this.#dyads, this.#wheels, this.#prompt]),
+      make("div", { class: "draw-options" }, [this.#dyads, this.#wheels, this.pictures.element, this.#prompt]),
     ]);
     byId("mechanism", HTMLCanvasElement).after(this.element);
     page.words.fill(this.element);
@@ -97,13 +99,14 @@ export class Palette {
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ words, state }) {
-    const { tool, pressed, dyad } = this.#work;
-    if (this.#shown.same(words, tool, pressed.length, dyad, state.document)) return;
+    const { tool, pressed, dyad, stage } = this.#work;
+    this.pictures.render(tool === "picture", words);
+    if (this.#shown.same(words, tool, stage, dyad, state.document)) return;
     for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === tool));
     this.#dyads.hidden = tool !== "dyad";
     this.#wheels.hidden = tool !== "mesh";
     const prompts = TOOLS.find(({ name }) => name === tool)?.prompts ?? [];
-    const prompt = tool === "dyad" ? prompts.find((name) => name.endsWith(dyad[2 * pressed.length])) : prompts[pressed.length];
+    const prompt = tool === "dyad" ? prompts.find((name) => name.endsWith(dyad[2 * pressed.length])) : prompts[stage];
     write(this.#prompt, prompt ? words.text(`draw.prompt.${prompt}`) : "");
   }
 }

@@ -1,5 +1,6 @@
 // The tools for drawing: what each does with a place that is pressed. A tool remembers what was pressed before.
 import { edit, refuse } from "assur/drawing/edit.js";
+import { BackPicture } from "assur/drawing/picture.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -32,6 +33,7 @@ export const TOOLS = Object.freeze([
   { name: "mesh", key: "M", icon: "M7 7a5 5 0 1 0 .01 0zM17.5 9.5a3 3 0 1 0 .01 0z", prompts: ["mesh_1", "mesh_2"] },
   { name: "tracer", key: "T", icon: "M3 17C5 7 11 4 15 7s3 8-2 8M12 15h.01M18 15v6M15 18h6", prompts: ["tracer_1"] },
   { name: "mass", key: "S", icon: "M12 4a8 8 0 1 0 .01 0zM12 4v16M4 12h16", prompts: ["mass_1"] },
+  { name: "picture", key: "P", icon: "M4 5h16v14H4zM4 16l5-5 4 4 3-3 4 4M15.5 9h.01", prompts: ["picture_none", "picture_1", "picture_2"] },
   { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
@@ -45,6 +47,8 @@ export class Work {
   /** Of wheels that come into mesh. */
   teeth = /** @type {[number, number]} */ ([20, 40]);
   internal = false;
+  /** What is behind the drawing. */
+  picture = new BackPicture();
   /** @type {Target[]} what was pressed and is not used up */
   pressed = [];
   /** Whether the last point of the bars is one that they have made themselves, and which the frame has not. */
@@ -59,6 +63,12 @@ export class Work {
   take(tool) {
     this.tool = tool;
     this.rest();
+  }
+
+  /** What the tool in hand waits for, of its prompts. */
+  get stage() {
+    if (this.tool !== "picture") return this.pressed.length;
+    return this.picture.there ? 1 + (this.picture.marks.length % 2) : 0;
   }
 
   /** Begins anew. */
@@ -186,6 +196,7 @@ const ACTS = Object.freeze({
     if (link) work.do({ edit: "mass", link, at: [...at] });
     else work.refuse("press_link");
   },
+  picture: ({ picture }, { at }) => picture.mark(at),
   remove: (work, { point, link }) => {
     if (point) work.do({ edit: "remove", points: [point], links: [] });
     else if (link) work.do({ edit: "remove", points: [], links: [link] });

@@ -47,6 +47,8 @@ export class MechanismView {
   #ringed = "";
   /** @type {Laid[]} */
   #laid = [];
+  /** @type {Laid[]} */
+  #under = [];
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -71,6 +73,11 @@ export class MechanismView {
   /** @param {Laid} paint what is painted over the mechanism, and in no exported picture */
   lay(paint) {
     this.#laid.push(paint);
+  }
+
+  /** @param {Laid} paint what is painted between the paper and the mechanism, and in no exported picture */
+  layUnder(paint) {
+    this.#under.push(paint);
   }
 
   /** Paints what is there once more. */
@@ -278,6 +285,7 @@ export class MechanismView {
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
+    for (const paint of this.#under) paint(this.#surface.context, view, this.#theme);
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
     for (const paint of this.#laid) paint(this.#surface.context, view, this.#theme);

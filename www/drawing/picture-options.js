@@ -1,0 +1,98 @@
+// What can be done with the picture behind the drawing: beside the tools, while its tool is in hand.
+import { NumberBox } from "assur/controls/number-box.js";
+import { make } from "assur/core/dom.js";
+import { refuse, unsay } from "assur/drawing/edit.js";
+
+/**
+ * @typedef {import("assur/app/page.js").Page} Page
+ * @typedef {import("assur/drawing/picture.js").BackPicture} BackPicture
+ * @typedef {keyof import("assur/drawing/picture.js").Base} Part
+ */
+
+/** @type {readonly Part[]} */
+const PARTS = Object.freeze(["length", "angle", "x", "y"]);
+
+export class PictureOptions {
+  #page;
+  #picture;
+  #file = make("input", { id: "draw-picture-file", class: "unseen", type: "file", accept: "image/*", tabindex: "-1", "aria-hidden": "true" });
+  #opacity = make("input", { id: "draw-picture-opacity", type: "range", min: "0.1", max: "1", step: "0.05", "data-t-label": "draw.picture.opacity" });
+  #base;
+  #there;
+  /** @type {{ part: Part, box: NumberBox }[]} */
+  #boxes = [];
+
+  /**
+   * @param {Page} page
+   * @param {BackPicture} picture
+   */
+  constructor(page, picture) {
+    this.#page = page;
+    this.#picture = picture;
+    const choose = make("button", { id: "draw-picture-choose", class: "control", type: "button", "data-t": "draw.picture.choose" });
+    const remove = make("button", { id: "draw-picture-remove", class: "control", type: "button", "data-t": "draw.picture.remove" });
+    choose.addEventListener("click", () => this.#file.click());
+    this.#file.addEventListener("change", () => {
+      const file = this.#file.files?.[0];
+      if (file) this.take(file);
+      this.#file.value = "";
+    });
+    remove.addEventListener("click", () => {
+      picture.remove();
+      page.redraw();
+    });
+    this.#opacity.addEventListener("input", () => {
+      picture.opacity = Number(this.#opacity.value);
+      page.redraw();
+    });
+    const fields = PARTS.flatMap((part) => {
+      const input = make("input", {
+        id: `draw-picture-${part}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
+        "data-t-label": `draw.picture.${part}`,
+      });
+      const box = new NumberBox(input, `draw-picture-${part}`, page.drafts, (value) => this.#lay(part, value));
+      this.#boxes.push({ part, box });
+      return make("label", {}, [make("span", { "data-t": `draw.picture.${part}` }), " ", input]);
+    });
+    this.#base = make("span", { class: "draw-base" }, fields);
+    this.#there = make("span", { class: "draw-base" }, [this.#opacity, remove]);
+    this.element = make("span", { id: "draw-picture-options", class: "draw-wheels" }, [choose, this.#file, this.#there, this.#base]);
+  }
+
+  /** @param {File} file that is to stand behind the drawing */
+  async take(file) {
+    const { mechanism } = this.#page;
+    const problem = await this.#picture.take(file, mechanism.view, mechanism.size);
+    if (problem) refuse(this.#page, problem);
+    else unsay(this.#page);
+    this.#page.redraw();
+  }
+
+  /**
+   * @param {boolean} shown
+   * @param {import("assur/core/words.js").Words} words
+   */
+  render(shown, { numbers }) {
+    this.element.hidden = !shown;
+    const { base, there, opacity } = this.#picture;
+    this.#there.hidden = !there;
+    this.#base.hidden = !base;
+    if (document.activeElement !== this.#opacity) this.#opacity.value = String(opacity);
+    if (!base) return;
+    for (const { part, box } of this.#boxes) box.show(base[part], { brief: numbers.short(base[part]), full: numbers.exact(base[part]) }, false);
+  }
+
+  /**
+   * @param {Part} part
+   * @param {number} value
+   * @returns {number} what it is then
+   */
+  #lay(part, value) {
+    const { base } = this.#picture;
+    if (!base) return value;
+    if (this.#picture.lay({ ...base, [part]: value })) unsay(this.#page);
+    else refuse(this.#page, "no_length");
+    this.#page.redraw();
+    return this.#picture.base?.[part] ?? value;
+  }
+}
