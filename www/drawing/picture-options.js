@@ -9,6 +9,9 @@ import { refuse, unsay } from "assur/drawing/edit.js";
  * @typedef {keyof import("assur/drawing/picture.js").Base} Part
  */
 
+/** How much of the paper a picture may cover. */
+const OPACITY = Object.freeze({ least: 0.1, most: 1 });
+
 /** @type {readonly Part[]} */
 const PARTS = Object.freeze(["length", "angle", "x", "y"]);
 
@@ -16,7 +19,7 @@ export class PictureOptions {
   #page;
   #picture;
   #file = make("input", { id: "draw-picture-file", class: "unseen", type: "file", accept: "image/*", tabindex: "-1", "aria-hidden": "true" });
-  #opacity = make("input", { id: "draw-picture-opacity", type: "range", min: "0.1", max: "1", step: "0.05", "data-t-label": "draw.picture.opacity" });
+  #opacity = make("input", { id: "draw-picture-opacity", type: "range", min: String(OPACITY.least), max: String(OPACITY.most), step: "0.05", "data-t-label": "draw.picture.opacity" });
   #base;
   #there;
   /** @type {{ part: Part, box: NumberBox }[]} */
@@ -78,6 +81,7 @@ export class PictureOptions {
     this.#there.hidden = !there;
     this.#base.hidden = !base;
     if (document.activeElement !== this.#opacity) this.#opacity.value = String(opacity);
+    this.#opacity.style.setProperty("--fill", String((opacity - OPACITY.least) / (OPACITY.most - OPACITY.least)));
     if (!base) return;
     for (const { part, box } of this.#boxes) box.show(base[part], { brief: numbers.short(base[part]), full: numbers.exact(base[part]) }, false);
   }
