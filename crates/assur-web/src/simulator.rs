@@ -3,7 +3,9 @@
 use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
-use assur_file::{Document, DraftDocument, LengthUnit, Preset, Problem, Shelf};
+use assur_file::{
+    Document, DraftDocument, LengthUnit, LessonDocument, Preset, Problem, Shelf, in_step,
+};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -388,8 +390,8 @@ pub fn shelves() -> Result<JsValue, JsValue> {
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// A state from outside (an address, a file, what was kept), read and checked:
-/// the same state with the keys we know and no others.
+/// A state from outside (an address, a file, what was kept), read and checked with all that its
+/// lesson shows: the same state with the keys we know and no others.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -397,6 +399,9 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let state = read(&state)?;
     open(&state).map_err(thrown)?;
+    for (step, shown) in state.lesson.iter().flat_map(LessonDocument::shown) {
+        open(&shown).map_err(|problems| thrown(in_step(step, problems)))?;
+    }
     Ok(to_js(&state))
 }
 
