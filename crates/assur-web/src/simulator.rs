@@ -405,6 +405,18 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&state))
 }
 
+/// A lesson read and checked, as far as what it shows is not looked at: the same with the keys we
+/// know and no others.
+///
+/// # Errors
+/// Every problem of the lesson.
+#[wasm_bindgen(js_name = readLesson)]
+pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
+    let lesson: LessonDocument = read_value(&lesson)?;
+    lesson.check().map_err(thrown)?;
+    Ok(to_js(&lesson))
+}
+
 /// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.
 ///
 /// # Errors
