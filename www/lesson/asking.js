@@ -12,7 +12,8 @@ import { answerOf, isAngle, quantities } from "assur/lesson/tasks.js";
  * @typedef {(change: (lesson: Written, index: number) => Written) => boolean} Change
  */
 
-const STROKES = "′";
+/** What follows the name of a derivative, by its order. */
+const STROKES = Object.freeze(["", "′", "″"]);
 
 export class Asking {
   #page;
@@ -95,10 +96,10 @@ export class Asking {
     if (quantity === "input") return coordinate.symbol;
     if (quantity === "mobility") return "W";
     const [name, whole] = quantity.split(":");
-    const bare = name.replace(/′+$/, "");
+    const bare = name.replace(/[′″]$/, "");
     const of = bare.slice(0, bare.lastIndexOf("."));
     const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
-    const order = name.split(STROKES).length - 1;
+    const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
     const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
     const said = short.endsWith(of) || bare.endsWith(".transmission") || bare.endsWith(".pressure") ? short : `${short} (${of})`;
     return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
