@@ -94,7 +94,7 @@ export class Asking {
   #called(quantity, { summary, coordinate, state }) {
     const words = this.#words;
     if (quantity === "input") return coordinate.symbol;
-    if (quantity === "mobility") return "W";
+    if (quantity === "W") return "W";
     const [name, whole] = quantity.split(":");
     const bare = name.replace(/[′″]$/, "");
     const of = bare.slice(0, bare.lastIndexOf("."));

@@ -23,6 +23,9 @@ export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 /** How often numbers are drawn again that make no mechanism. */
 const TRIES = 64;
 
+/** The number of degrees of freedom, as a quantity. */
+const W = "W";
+
 /** What of a motion can be asked beside the values at a place, by what stands after the quantity. */
 const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
 
@@ -131,7 +134,7 @@ export function answerOf(lesson, index, name, engine) {
  * @returns {number | null} its value as readers count
  */
 export function valueOf(quantity, { summary, place, readouts }) {
-  if (quantity === "mobility") return "counts" in summary && "mobility" in summary.counts ? summary.counts.mobility : null;
+  if (quantity === W) return "counts" in summary && "mobility" in summary.counts ? summary.counts.mobility : null;
   if (quantity === "input") return summary.moves === null ? null : place;
   const [name, whole] = quantity.split(":");
   if (whole !== undefined) return wholeOf(name, whole, summary);
@@ -187,9 +190,9 @@ function wholeOf(name, whole, summary) {
  */
 export function quantities(here) {
   const { summary, readouts } = here;
-  if (summary.moves === null) return ["mobility"].filter((name) => valueOf(name, here) !== null);
+  if (summary.moves === null) return [W].filter((name) => valueOf(name, here) !== null);
   const outputs = summary.outputs.map(({ name }) => name);
   const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
   const wholes = [...outputs, ...joints].flatMap((name) => WHOLE.map((whole) => `${name}:${whole}`));
-  return ["input", "mobility", ...wholes, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
+  return ["input", W, ...wholes, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
 }
