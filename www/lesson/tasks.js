@@ -134,7 +134,7 @@ export function answerOf(lesson, index, name, engine) {
  * @returns {number | null} its value as readers count
  */
 export function valueOf(quantity, { summary, place, readouts }) {
-  if (quantity === W) return "counts" in summary && "mobility" in summary.counts ? summary.counts.mobility : null;
+  if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
   if (quantity === "input") return summary.moves === null ? null : place;
   const [name, whole] = quantity.split(":");
   if (whole !== undefined) return wholeOf(name, whole, summary);
