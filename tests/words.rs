@@ -27,7 +27,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 54] = [
+const BUILT: [(&str, &[&str]); 58] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -35,6 +35,7 @@ const BUILT: [(&str, &[&str]); 54] = [
         "field.",
         &[
             "crates/assur-file/src/kinds/mod.rs",
+            "crates/assur-file/src/lesson.rs",
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/state.rs",
@@ -99,7 +100,7 @@ const BUILT: [(&str, &[&str]); 54] = [
         ],
     ),
     ("name.tracers.", &["www/kinds/mixer/lists.js"]),
-    ("notice.", &["www/app/opening.js"]),
+    ("notice.", &["www/app/opening.js", "www/app/notices.js"]),
     // Of a panel: its kind, by what its derivatives are, its order.
     ("plots.", &[]),
     ("plots.overview.", MOVES),
@@ -115,6 +116,7 @@ const BUILT: [(&str, &[&str]); 54] = [
         &[
             "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
+            "crates/assur-file/src/lesson/problem.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
             "www/drawing/tools.js",
@@ -138,6 +140,19 @@ const BUILT: [(&str, &[&str]); 54] = [
         &["www/kinds/mixer/status.js", "www/kinds/linkage/status.js"],
     ),
     ("told.", &["www/app/description.js"]),
+    // The form of a lecturer: its fields and buttons.
+    (
+        "write.",
+        &[
+            "www/lesson/asking.js",
+            "www/lesson/fields.js",
+            "www/lesson/results.js",
+            "www/lesson/writer.js",
+        ],
+    ),
+    ("write.sort.", &["www/lesson/steps.js"]),
+    ("write.vary.", &["www/lesson/varying.js"]),
+    ("write.whole.", &["www/lesson/tasks.js"]),
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
 

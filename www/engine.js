@@ -1,6 +1,6 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { Refusal } from "assur/core/problem.js";
-import { contains } from "assur/state/state.js";
+import { contains, withoutLesson } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
 /**
@@ -131,7 +131,7 @@ export class Engine {
   set(state) {
     const summary = this.ask((simulator) => {
       /** @type {Summaries[K]} */
-      const taken = simulator.set(state);
+      const taken = simulator.set(withoutLesson(state));
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = /** @type {import("assur/types/file.js").LengthUnit} */ (simulator.lengths());
@@ -149,6 +149,14 @@ export class Engine {
    */
   read(value) {
     return this.ask(() => module.readState(value));
+  }
+
+  /**
+   * @param {unknown} value
+   * @returns {import("assur/state/state.js").Written} the same lesson, read and checked as far as what it shows is not looked at
+   */
+  readLesson(value) {
+    return this.ask(() => module.readLesson(value));
   }
 
   /** @param {string} text of JSON, in which no key may stand twice: the browser takes the last one */
@@ -174,14 +182,37 @@ export class Engine {
 
   /**
    * @param {State} state another than the one that is set, which stays
-   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array }} its drawing as it is drawn in the document
+   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} its drawing as it is drawn in the document
    */
   sketch(state) {
+    return this.beside((other) => {
+      const { bounds, home = 0 } = other.set(withoutLesson(state));
+      return { bounds, scene: other.scene(), frame: lists(other.at(home))[0], labels: other.labelNames() };
+    });
+  }
+
+  /**
+   * @param {import("assur/pkg/assur_web.js").Simulator} other that a state is set in
+   * @param {number} input
+   * @returns {Readouts | null} values by name, null where derivatives are unbounded
+   */
+  readoutsOf(other, input) {
+    const [, , values] = lists(other.at(input));
+    const entries = other.readoutNames().map((/** @type {string} */ name, /** @type {number} */ i) => [name, values[i]]);
+    return values.length > 0 ? Object.fromEntries(entries) : null;
+  }
+
+  /**
+   * Puts questions to a simulator of its own; the one that is set stays as it is.
+   * @template T
+   * @param {(other: module.Simulator) => T} questions
+   * @returns {T}
+   */
+  beside(questions) {
     return this.ask(() => {
       const other = new module.Simulator();
       try {
-        const { bounds, home = 0 } = other.set(state);
-        return { bounds, scene: other.scene(), frame: lists(other.at(home))[0] };
+        return questions(other);
       } finally {
         other.free();
       }
@@ -384,6 +415,6 @@ export class Engine {
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
   #recover() {
     this.#simulator = new module.Simulator();
-    if (this.#good) this.#simulator.set(this.#good);
+    if (this.#good) this.#simulator.set(withoutLesson(this.#good));
   }
 }

@@ -676,6 +676,130 @@ mass: number,
  * Viscous damping in the bearings, N·m·s.
  */
 damping: [number, number, number, number], };
+export type LessonDocument = { 
+/**
+ * What it is called.
+ */
+title: string, 
+/**
+ * Who wrote it.
+ */
+author?: string, 
+/**
+ * Its steps in their order.
+ */
+steps: Array<StepDocument>, };
+export type StepDocument = { 
+/**
+ * What it is called.
+ */
+title: string, 
+/**
+ * Paragraphs, one a line; `*emphasis*`, and what follows `_` in a symbol stands low.
+ */
+text: string, 
+/**
+ * Formulas, one a line.
+ */
+formula?: string, 
+/**
+ * What it shows; none: what the step before shows.
+ */
+shows?: ShownDocument | null, 
+/**
+ * What is asked, if anything is.
+ */
+question?: QuestionDocument | null, };
+export type ShownDocument = { 
+/**
+ * What of it is not as usual.
+ */
+view: Partial<View>, 
+/**
+ * Dimensions that are others for every reader.
+ */
+vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+export type VariedDocument = { 
+/**
+ * The dimension as the summary of its document names it, such as `links[0].length`.
+ */
+field: string, 
+/**
+ * The least value.
+ */
+from: number, 
+/**
+ * The greatest value.
+ */
+to: number, 
+/**
+ * By how much one value differs from the next.
+ */
+step: number, };
+export type QuestionDocument = { 
+/**
+ * What is asked.
+ */
+text: string, 
+/**
+ * What is said to an answer that is not right.
+ */
+hint?: string, 
+/**
+ * A number is the answer.
+ */
+number?: NumberDocument | null, 
+/**
+ * One of several options is.
+ */
+choice?: ChoiceDocument | null, 
+/**
+ * The mechanism is to be brought somewhere.
+ */
+reach?: ReachDocument | null, };
+export type NumberDocument = { 
+/**
+ * Its name, such as `rocker.angle` or `C.x′`.
+ */
+quantity?: string | null, 
+/**
+ * The input at which it is asked for, as readers count; none: where the step shows it.
+ */
+at?: number | null, 
+/**
+ * The answer itself, if it is no quantity.
+ */
+value?: number | null, 
+/**
+ * What is written beside a value.
+ */
+unit?: string, 
+/**
+ * By how much an answer may be off.
+ */
+within: number, };
+export type ChoiceDocument = { 
+/**
+ * What there is to choose from.
+ */
+options: Array<string>, 
+/**
+ * Which of them is right, from 0.
+ */
+answer: number, };
+export type ReachDocument = { 
+/**
+ * Its name, as of a number that is asked.
+ */
+quantity: string, 
+/**
+ * The value.
+ */
+value: number, 
+/**
+ * By how much it may be off.
+ */
+within: number, };
 export type Preset = { 
 /**
  * Its name.

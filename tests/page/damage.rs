@@ -13,8 +13,8 @@ use crate::dice::Dice;
 const SHOWN: &str = "1&lesson=mixer&d.l1=0.37&d.l2=0.85&d.l3=0.55&d.l4=0.85&d.z4=36&d.z5=18&d.mesh=external&d.module=0.0165&d.centre_line_deg=-40&d.assembly=1&v.phi_deg=75&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
 
 /// A page opens what is shorter and shallower than this.
-const LONGEST: usize = 100_000;
-const DEEPEST: usize = 8;
+const LONGEST: usize = 400_000;
+const DEEPEST: usize = 12;
 
 /// Pixels by which two pictures of the same may differ: edges are smoothed from what
 /// was drawn before.

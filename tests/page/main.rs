@@ -36,6 +36,7 @@ mod keyboard;
 mod keys;
 mod labels;
 mod layout;
+mod lecturers;
 mod lesson;
 mod lines;
 mod loading;

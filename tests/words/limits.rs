@@ -106,8 +106,9 @@ fn numbers_of_teeth() {
 #[test]
 fn formats_that_can_be_read() {
     let state = |format: f64| {
-        let document = five_bar(1.0);
-        json!({ "format": format, "kind": "linkage", "lesson": "linkage", "document": document })
+        // The first version calls the kind `lesson`, which later ones have for a lesson.
+        let kind = if format == 1.0 { "lesson" } else { "kind" };
+        json!({ "format": format, kind: "linkage", "document": five_bar(1.0) })
     };
     for (lang, _) in LANGUAGES {
         let known = numbers(lang, "problem.unknown_format");

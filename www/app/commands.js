@@ -2,13 +2,13 @@
 import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
-import { LOST } from "assur/app/notices.js";
+import { LONG, LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { withMechanism, withView } from "assur/state/state.js";
+import { withLesson, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -30,7 +30,9 @@ export function commands(page) {
  * @returns {Commands}
  */
 function fileCommands(page) {
-  const { engine, model, notices } = page;
+  const { engine, model, notices, store } = page;
+  // The last mechanism that the engine took, with the lesson as it is.
+  const now = () => withLesson(model.good, store.get().lesson);
   /**
    * Does what is loaded when it is first asked for.
    * @template Part
@@ -44,12 +46,13 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, page.ofNow()))),
-    save: () => saveFile(model.good, engine.fileName(model.good)),
-    copy: () => copyLink(model.good, page.address, () => notices.tell(["copied"])),
+    save: () => saveFile(now(), engine.fileName(model.good)),
+    copy: () => (page.address.holds(now()) ? copyLink(now(), page.address, () => notices.tell(["copied"])) : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
     "new-drawing": () => later(() => import("assur/drawing/begin.js"), ({ newDrawing }) => newDrawing(page)),
     draw: () => later(() => import("assur/drawing/begin.js"), ({ toggleDrawing }) => toggleDrawing(page)),
+    "write-lesson": () => later(() => import("assur/lesson/begin.js"), ({ writeLesson }) => writeLesson(page)),
     gallery: () => later(() => import("assur/gallery/gallery.js"), ({ openGallery }) => openGallery(page)),
     help: () => later(() => import("assur/help/help.js"), ({ openHelp }) => openHelp(page.words)),
   };

@@ -2,7 +2,7 @@
 import { byId, setData } from "assur/core/dom.js";
 
 /** Buttons that do what a command of their name does. */
-const BUTTONS = Object.freeze(["undo", "redo", "gallery", "new-drawing", "open", "save", "copy", "export", "print", "reset", "projector"]);
+const BUTTONS = Object.freeze(["undo", "redo", "gallery", "new-drawing", "write-lesson", "open", "save", "copy", "export", "print", "reset", "projector"]);
 
 export class Header {
   #undo = byId("undo", HTMLButtonElement);

@@ -4,17 +4,21 @@ import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
+ * @typedef {"copied" | "result"} Done what was brought where it can be pasted: a link, the result of a lesson
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** @type {readonly Failure[]} a part of the page did not arrive */
 export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arrived" }] }]);
 
+/** @type {readonly Failure[]} what is shown is too long for a link */
+export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
+
 export class Notices {
   #place = byId("notice", HTMLElement);
   #text = byId("notice-text", HTMLElement);
   #changed;
-  /** @type {readonly (Failure | "copied")[]} */
+  /** @type {readonly (Failure | Done)[]} */
   #told = [];
   /** @type {readonly unknown[]} what is shown, and in which language */
   #shown = [];
@@ -25,7 +29,7 @@ export class Notices {
     byId("notice-close", HTMLButtonElement).addEventListener("click", () => this.clear());
   }
 
-  /** @param {readonly (Failure | "copied")[]} told */
+  /** @param {readonly (Failure | Done)[]} told */
   tell(told) {
     this.#told = told;
     this.#changed();
@@ -40,13 +44,21 @@ export class Notices {
     if (this.#shown[0] === this.#told && this.#shown[1] === words) return;
     this.#shown = [this.#told, words];
     const lines = this.#told.map((one) => {
-      if (one === "copied") return words.text("notice.copied");
+      if (isDone(one)) return words.text(`notice.${one}`);
       const say = one.kind === "import" ? lossOf : sentence;
       const why = one.problems.map((problem) => say(problem, words)).join(" ");
       return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
     });
     this.#place.hidden = lines.length === 0;
-    this.#place.classList.toggle("good", this.#told.every((one) => one === "copied" || one.kind === "import"));
+    this.#place.classList.toggle("good", this.#told.every((one) => isDone(one) || one.kind === "import"));
     this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
+}
+
+/**
+ * @param {Failure | Done} one
+ * @returns {one is Done}
+ */
+function isDone(one) {
+  return typeof one === "string";
 }

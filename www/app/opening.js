@@ -10,7 +10,7 @@ import { putAside, stored } from "assur/state/storage.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link", problems: readonly Problem[], name?: string }>} Failure
  * Of kind `import` it is what was lost on the way; all else was opened.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
@@ -39,9 +39,9 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   let value = null;
   if (problems.length === 0) ({ value, problems } = attempt(() => engine.read(unwrapped.value)));
   if (!value) return { state: null, failure: { kind, problems } };
-  const { kind: of, document, view } = value;
+  const { kind: of, document, view, lesson } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }), failure: null };
+  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, lesson), failure: null };
 }
 
 /**

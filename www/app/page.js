@@ -43,6 +43,8 @@ export class Page {
   #toLesson;
   /** Seconds since numbers were written: at first they are due. */
   #unwritten = WRITING_PERIOD;
+  /** @type {HTMLElement | null} what is printed instead of the worksheet of what is shown */
+  sheet = null;
 
   /**
    * @param {import("assur/engine.js").Engine} engine

@@ -40,7 +40,7 @@ function length({ field }, value, words) {
  * @param {Document | undefined} document that has the field
  * @returns {string} its name, with the number of the entry of a list, the name of the link or point
  */
-function fieldName(field, words, document) {
+export function fieldName(field, words, document) {
   const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
   if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at), words) ?? at });
   const [, numbers, place] = NUMBER.exec(field) ?? [];

@@ -25,7 +25,7 @@ export function printWorksheets(page) {
   const clear = () => document.getElementById("worksheet")?.remove();
   addEventListener("beforeprint", () => {
     clear();
-    document.body.append(worksheet(page));
+    document.body.append(page.sheet ?? worksheet(page));
   });
   addEventListener("afterprint", clear);
 }

@@ -1,7 +1,9 @@
-// A lesson opened from elsewhere than its tab: with the mechanism of its step.
-import { readLesson } from "assur/lesson/offer.js";
+// A lesson opened from elsewhere than its tab: with the mechanism of its step. One that is begun by a lecturer.
+import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
+import { shownNow } from "assur/lesson/steps.js";
+import { withLesson, withView } from "assur/state/state.js";
 
 /**
  * Opens a lesson, with what its step shows.
@@ -16,4 +18,18 @@ export async function begin(page, entry, step) {
   const index = Math.min(Math.max(wanted, 0), steps.length - 1);
   const [show] = steps[index].shows;
   if (open(show, presets, page, { lesson: { id, step: index + 1 } })) page.attend();
+}
+
+/**
+ * The form by which a lecturer writes; where there is no lesson yet, one of a step that shows what there is.
+ * @param {import("assur/app/page.js").Page} page
+ */
+export function writeLesson(page) {
+  page.history.step(() => page.store.update((state) => {
+    const lesson = state.lesson ?? { title: "", steps: [{ title: "", text: "", shows: shownNow(page) }] };
+    const open = state.view.lesson?.id === OWN ? state.view.lesson : { id: OWN, step: 1 };
+    return withView(withLesson(state, lesson), { lesson: open });
+  }));
+  page.lesson.write(true);
+  page.attend();
 }

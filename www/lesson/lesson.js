@@ -2,7 +2,7 @@
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
-import { offered, opened, readLesson } from "assur/lesson/offer.js";
+import { OWN, offered, opened, readLesson } from "assur/lesson/offer.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -21,6 +21,12 @@ export class Lesson {
   #wanted = "";
   /** The lesson of the panel. */
   #shown = "";
+  /** @type {import("assur/state/state.js").Written | undefined} what a lecturer has written of which the panel is */
+  #written;
+  /** @type {import("assur/lesson/writer.js").Writer | null} the form of a lecturer */
+  #writer = null;
+  /** Whether the lecturer's own lesson is written, and not read. */
+  #writing = false;
   #open = false;
   /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to come back to */
   #last = null;
@@ -53,6 +59,14 @@ export class Lesson {
     return (this.#open && this.#panel?.questions()) || [];
   }
 
+  /** @param {boolean} writing whether the lecturer's own lesson is written, or read */
+  write(writing) {
+    this.#writing = writing;
+    this.#called.focused = true;
+    this.#leave();
+    this.#page.redraw();
+  }
+
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, words } = snapshot;
@@ -62,11 +76,15 @@ export class Lesson {
     if (open !== this.#open) this.#reveal(open);
     if (!open) return;
     this.#last = state.view.lesson;
-    if (this.#wanted !== `${lesson.id} ${words.lang}`) this.#load(lesson, words);
-    if (!this.#panel || this.#shown !== lesson.id) return;
-    this.#panel.render(snapshot);
+    const writing = this.#writing && lesson.id === OWN;
+    if (!writing && lesson.id === OWN && this.#written !== state.lesson) this.#leave();
+    this.#written = state.lesson;
+    if (this.#wanted !== wantedOf(lesson, writing, words)) this.#load(lesson, writing, words);
+    const shown = writing ? this.#writer : this.#shown === lesson.id ? this.#panel : null;
+    if (!shown) return;
+    shown.render(snapshot);
     if (this.#called.seen) this.#place.scrollIntoView({ block: "nearest" });
-    if (this.#called.focused) this.#panel.focus();
+    if (this.#called.focused) shown.focus();
     this.#called = { seen: false, focused: false };
   }
 
@@ -89,37 +107,92 @@ export class Lesson {
     if (!open) this.#panel?.close();
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
     // What did not arrive is asked for again.
-    if (!this.#panel) this.#wanted = "";
+    if (!this.#panel && !this.#writer) this.#wanted = "";
+  }
+
+  /** What is shown is so no more. */
+  #leave() {
+    this.#panel?.close();
+    this.#panel = this.#writer = null;
+    this.#wanted = this.#shown = "";
   }
 
   /**
    * @param {Entry} entry
+   * @param {boolean} writing
    * @param {Words} words of the page, in the language that is wanted
    */
-  async #load(entry, words) {
-    const { id } = entry;
-    const { lang } = words;
-    const wanted = `${id} ${lang}`;
+  async #load(entry, writing, words) {
+    const wanted = wantedOf(entry, writing, words);
     this.#wanted = wanted;
     try {
-      const [{ LessonPanel }, { lesson, presets }, text] = await awaited(Promise.all([
-        import("assur/lesson/panel.js"),
-        readLesson(entry),
-        Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
-      ]));
+      const { show } = await awaited(writing ? this.#bringWriter(words) : entry.id === OWN ? this.#bringWritten(words) : this.#bringOurs(entry, words));
       if (this.#wanted !== wanted) return;
-      if (this.#shown !== id) {
-        this.#panel?.close();
-        this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, id, lesson, presets, text);
-      }
-      this.#panel?.speak(text);
+      show();
       this.#page.redraw();
     } catch {
       if (this.#wanted !== wanted) return;
-      this.#panel = null;
-      this.#shown = "";
+      this.#leave();
+      this.#wanted = wanted;
       write(this.#place, words.text("lesson.failed"));
     }
   }
+
+  /** @param {Words} words */
+  async #bringWriter(words) {
+    const { Writer } = await import("assur/lesson/writer.js");
+    return { show: () => {
+      this.#leave();
+      this.#writer = new Writer(this.#place, this.#page, words);
+      this.#wanted = wantedOf({ id: OWN }, true, words);
+    } };
+  }
+
+  /** @param {Words} words */
+  async #bringWritten(words) {
+    const [{ LessonPanel }, { WrittenLesson }] = await Promise.all([import("assur/lesson/panel.js"), import("assur/lesson/written.js")]);
+    const renew = () => {
+      const { lesson } = this.#page.store.get();
+      if (!lesson) return;
+      this.#panel?.close();
+      this.#written = lesson;
+      this.#panel = new LessonPanel(this.#place, this.#page, new WrittenLesson(lesson, this.#page, words, renew), words);
+      this.#shown = OWN;
+      this.#page.redraw();
+    };
+    return { show: renew };
+  }
+
+  /**
+   * @param {Entry} entry
+   * @param {Words} words
+   */
+  async #bringOurs(entry, { lang }) {
+    const { id } = entry;
+    const [{ LessonPanel }, { FolderLesson }, { lesson, presets }, text] = await Promise.all([
+      import("assur/lesson/panel.js"),
+      import("assur/lesson/folder.js"),
+      readLesson(entry),
+      Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
+    ]);
+    return { show: () => {
+      if (this.#shown !== id) {
+        this.#panel?.close();
+        this.#writer = null;
+        this.#shown = id;
+        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page), text);
+      }
+      this.#panel?.speak(text);
+    } };
+  }
+}
+
+/**
+ * @param {Pick<Entry, "id">} entry
+ * @param {boolean} writing
+ * @param {Words} words
+ * @returns {string} by which it is known that another is wanted
+ */
+function wantedOf({ id }, writing, { lang }) {
+  return `${writing ? "write " : ""}${id} ${lang}`;
 }

@@ -4,23 +4,30 @@ import { LESSONS } from "assur/lessons/index.js";
 /**
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean }>} Entry
- * A lesson: the name of its folder, the origins or the kinds of documents that it is about, whether it has presets of its own.
+ * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own.
  */
+
+/** What links call the lesson that is in the state itself: no folder has this name. */
+export const OWN = "own";
+
+/** @type {Entry} */
+const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false });
 
 /**
  * @param {State} state
  * @returns {Entry | undefined} the lesson that is open; none where the state opens none, or one that there is not
  */
-export function opened({ view: { lesson } }) {
+export function opened({ view: { lesson }, lesson: written }) {
+  if (lesson?.id === OWN) return written && WRITTEN;
   return LESSONS.find(({ id }) => id === lesson?.id);
 }
 
 /**
  * @param {State} state
- * @returns {Entry | undefined} the lesson that is open, else the first about what the document came from, else about its kind
+ * @returns {Entry | undefined} the lesson that is open, else the one that a lecturer has written, else the first about what the document came from, else about its kind
  */
 export function offered(state) {
-  return opened(state) ?? first(originOf(state)) ?? first(state.kind);
+  return opened(state) ?? (state.lesson && WRITTEN) ?? first(originOf(state)) ?? first(state.kind);
 }
 
 /** @param {string} subject */
@@ -35,7 +42,7 @@ function originOf({ document }) {
 
 /**
  * @param {Entry} entry
- * @returns {Promise<{ lesson: { kind: import("assur/state/state.js").Kind, steps: readonly import("assur/lesson/panel.js").Step[] }, presets: import("assur/lesson/panel.js").OwnPresets }>}
+ * @returns {Promise<{ lesson: { kind: import("assur/state/state.js").Kind, steps: readonly import("assur/lesson/folder.js").Step[] }, presets: import("assur/lesson/folder.js").OwnPresets }>}
  * its steps and the presets of its own
  */
 export async function readLesson({ id, presets }) {
@@ -45,7 +52,7 @@ export async function readLesson({ id, presets }) {
 
 /**
  * @param {string} lesson
- * @returns {Promise<import("assur/lesson/panel.js").OwnPresets>}
+ * @returns {Promise<import("assur/lesson/folder.js").OwnPresets>}
  */
 async function ownPresets(lesson) {
   const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/presets.json`));

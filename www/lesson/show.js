@@ -6,9 +6,9 @@ import { SWITCHES } from "assur/state/state.js";
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Summary} Summary
- * @typedef {import("assur/lesson/panel.js").OwnPresets} OwnPresets
- * @typedef {import("assur/lesson/panel.js").Show} Show
- * @typedef {import("assur/lesson/panel.js").Whole} Whole
+ * @typedef {import("assur/lesson/folder.js").OwnPresets} OwnPresets
+ * @typedef {import("assur/lesson/folder.js").Show} Show
+ * @typedef {import("assur/lesson/folder.js").Whole} Whole
  * @typedef {import("assur/state/state.js").View} View
  */
 
@@ -16,7 +16,7 @@ import { SWITCHES } from "assur/state/state.js";
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {import("assur/lesson/panel.js").Whole | undefined} what it opens
+ * @returns {import("assur/lesson/folder.js").Whole | undefined} what it opens
  */
 export function opens({ preset }, presets, engine) {
   const whole = presets[preset] ?? engine.preset(preset);

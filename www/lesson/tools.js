@@ -4,7 +4,8 @@ import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
- * @typedef {import("assur/lesson/panel.js").Step} Step
+ * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], equations?: boolean }>} Wanted by a step: controls by their fields,
+ * read-outs by what follows `out-` in their ids, the constraint equations
  * @typedef {import("assur/state/state.js").State["document"]} Document
  * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan what stands here, what holds its place at home, whether it was unfolded
  */
@@ -15,7 +16,7 @@ export class Tools {
   #equations = make("div");
   /** @type {Loan[]} */
   #lent = [];
-  /** @type {Step | null} */
+  /** @type {Wanted | null} */
   #step = null;
   /** @type {(() => Document) | null} */
   #document = null;
@@ -27,7 +28,7 @@ export class Tools {
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#equations]);
 
   /**
-   * @param {Step} step
+   * @param {Wanted} step
    * @param {() => Document} document that there is
    */
   show(step, document) {

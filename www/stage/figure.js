@@ -38,7 +38,7 @@ export class Figure {
   #poses = [];
 
   /**
-   * @param {Engine} engine
+   * @param {Pick<Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] an empty path of the kind its targets take
    * @param {Places} [places] of another's labels, to have them where that has them

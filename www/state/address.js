@@ -1,5 +1,5 @@
 // The address bar: what is shown is in it, and Back returns to the mechanism before.
-import { toAddress } from "assur/state/codec.js";
+import { LONGEST, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
@@ -41,7 +41,7 @@ export class Address {
 
   /** @param {State} state */
   show(state) {
-    guarded(() => history.replaceState(null, "", this.link(state)));
+    guarded(() => history.replaceState(null, "", this.#shown(state)));
   }
 
   /**
@@ -52,6 +52,20 @@ export class Address {
   enter(before, now) {
     if (before.kind === now.kind && before.document === now.document) return;
     this.show(before);
-    guarded(() => history.pushState(null, "", this.link(now)));
+    guarded(() => history.pushState(null, "", this.#shown(now)));
+  }
+
+  /**
+   * Whether its link can be opened again: a long lesson is for a file.
+   * @param {State} state
+   */
+  holds(state) {
+    return addressed(this.link(state)).length <= LONGEST;
+  }
+
+  /** @param {State} state */
+  #shown(state) {
+    const link = this.link(state);
+    return addressed(link).length <= LONGEST ? link : link.split("#")[0];
   }
 }

@@ -12,11 +12,13 @@ import { Refusal } from "assur/core/problem.js";
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
+/** What holds a lesson that a lecturer has written; in the first version it is the kind. */
+const LESSON = "lesson";
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
 /** Longer and deeper ones are none of ours. */
-const LONGEST = 100_000;
-const DEEPEST = 8;
+export const LONGEST = 400_000;
+const DEEPEST = 12;
 
 /** Where the driver stands: left out of a short address while it moves. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
@@ -31,11 +33,12 @@ function unreadable() {
  * @param {{ id: string, usual: State["view"] } | null} preset of the catalogue that the document is, with the view that is left out
  * @returns {string} what follows the # of an address
  */
-export function toAddress({ kind, document, view }, preset) {
-  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view)].join("&");
+export function toAddress({ kind, document, view, lesson }, preset) {
+  const written = lesson ? [`${LESSON}=${encode(lesson)}`] : [];
+  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...written].join("&");
   const usual = /** @type {Record<string, unknown>} */ (preset.usual);
   const unusual = Object.entries(view).filter(([key, value]) => value !== usual[key] && !(view.playing && PLACES.includes(key)));
-  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual))].join("&");
+  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...written].join("&");
 }
 
 /**
@@ -68,14 +71,14 @@ export function fromAddress(hash, preset) {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
   };
+  const own = (/** @type {string | undefined} */ name) => Object.fromEntries(entries.filter(([key]) => key === name));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
     // Else what is said of the document would be passed over.
     if (Object.keys(document).length > 0) throw unreadable();
-    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view } });
+    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(LESSON) });
   }
-  const named = Object.fromEntries(entries.filter(([key]) => key === kind));
-  return shallow({ format: Number(version), ...named, document, view });
+  return shallow({ format: Number(version), ...own(LESSON), ...own(kind), document, view });
 }
 
 /**

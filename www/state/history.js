@@ -1,9 +1,9 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { OVERLAYS, withMechanism, withView } from "assur/state/state.js";
+import { OVERLAYS, withLesson, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: State["kind"], document: State["document"], shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], lesson: State["lesson"], shown: Partial<State["view"]> }>} Moment
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
@@ -104,7 +104,7 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withMechanism(now, next.kind, next.document), next.shown));
+      this.#store.update((now) => withView(withLesson(withMechanism(now, next.kind, next.document), next.lesson), next.shown));
     } finally {
       this.#walking = false;
     }
@@ -115,8 +115,8 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ kind, document, view }) {
-  return { kind, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+function moment({ kind, document, lesson, view }) {
+  return { kind, document, lesson, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -124,5 +124,5 @@ function moment({ kind, document, view }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  return one.document === other.document && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
+  return one.document === other.document && one.lesson === other.lesson && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -14,11 +14,12 @@
  * @typedef {Document["kind"]} Kind of document
  * @typedef {{ [K in Kind]: Extract<Document, { kind: K }>["document"] }} Documents
  * @typedef {{ [K in Kind]: Partial<Documents[K]> }[Kind]} Change of a document
+ * @typedef {Frozen<import("assur/types/file.js").LessonDocument>} Written a lesson that a lecturer has written
  */
 
 /**
  * @template {Kind} [K=Kind]
- * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View }> : never} State
+ * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View, lesson?: Written }> : never} State
  */
 
 /** What can be laid over the drawing. */
@@ -85,10 +86,11 @@ export function usualView(view) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {Partial<View>} view
+ * @param {Written} [lesson]
  * @returns {State}
  */
-export function initialState(kind, document, view) {
-  return stateOf(kind, document, usualView(view));
+export function initialState(kind, document, view, lesson) {
+  return stateOf(kind, document, usualView(view), lesson);
 }
 
 /**
@@ -96,9 +98,27 @@ export function initialState(kind, document, view) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {View} view
+ * @param {Written} [lesson]
  */
-function stateOf(kind, document, view) {
-  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view }));
+function stateOf(kind, document, view, lesson) {
+  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...(lesson && { lesson }) }));
+}
+
+/**
+ * @param {State} state
+ * @returns {State} without its lesson, which the engine needs not
+ */
+export function withoutLesson({ kind, document, view }) {
+  return stateOf(kind, document, view);
+}
+
+/**
+ * @param {State} state
+ * @param {Written | undefined} lesson
+ * @returns {State} the same state where nothing changes
+ */
+export function withLesson(state, lesson) {
+  return lesson === state.lesson ? state : stateOf(state.kind, state.document, state.view, lesson);
 }
 
 /**
@@ -110,7 +130,7 @@ function stateOf(kind, document, view) {
  * @returns {State}
  */
 export function withMechanism(state, kind, document) {
-  return stateOf(kind, document, state.view);
+  return stateOf(kind, document, state.view, state.lesson);
 }
 
 /**

@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod kinds;
+mod lesson;
 mod problem;
 mod state;
 mod text;
@@ -32,6 +33,10 @@ pub use kinds::scheme::{
 };
 pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, SynthesisProblem};
 pub use kinds::{Document, Kind, Moved};
+pub use lesson::{
+    ChoiceDocument, LessonDocument, LessonProblem, NumberDocument, QuestionDocument, ReachDocument,
+    ShownDocument, StepDocument, VariedDocument, in_step,
+};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};
 pub use text::keys_once;

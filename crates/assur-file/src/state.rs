@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::kinds::{Document, Moved};
+use crate::lesson::LessonDocument;
 use crate::text::json;
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, Problem};
@@ -27,6 +28,9 @@ pub struct State {
     pub document: Document,
     /// How it is looked at.
     pub view: View,
+    /// The lesson that a lecturer has written about it, if one has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lesson: Option<LessonDocument>,
 }
 
 /// What says how the rest of a state is to be read.
@@ -67,6 +71,7 @@ impl State {
                 format,
                 document: Document::read("kind", &kind, value)?,
                 view: within(value, "view")?.unwrap_or_default(),
+                lesson: within::<Option<_>>(value, "lesson")?.flatten(),
             });
         }
         if format != FIRST_FORMAT {
@@ -86,6 +91,7 @@ impl State {
             format: FORMAT,
             document,
             view,
+            lesson: None,
         })
     }
 
@@ -121,7 +127,7 @@ impl State {
         self.document.linkage()
     }
 
-    /// Checks format and view. The document is checked by making its mechanism.
+    /// Checks format, view and lesson. The document is checked by making its mechanism.
     ///
     /// # Errors
     /// Every problem at once, each naming its field.
@@ -129,7 +135,10 @@ impl State {
         let Self { format, .. } = *self;
         let format = (format != FORMAT).then_some(Problem::UnknownFormat { format });
         let view = self.view.check().err().into_iter().flatten();
-        let problems: Vec<Problem> = format.into_iter().chain(view).collect();
+        let lesson = self.lesson.iter();
+        let lesson = lesson.filter_map(|lesson| lesson.check().err()).flatten();
+        let problems = format.into_iter().chain(view).chain(lesson);
+        let problems: Vec<Problem> = problems.collect();
         if problems.is_empty() {
             Ok(())
         } else {

@@ -20,6 +20,10 @@ use crate::kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
 };
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
+use crate::lesson::{
+    ChoiceDocument, LessonDocument, NumberDocument, QuestionDocument, ReachDocument, ShownDocument,
+    StepDocument, VariedDocument,
+};
 use crate::view::{Axes, Only, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
 
@@ -65,6 +69,14 @@ fn the_scripts_know_what_is_saved() {
         MagnetsDocument::decl(&config),
         PolesDocument::decl(&config),
         BodiesDocument::decl(&config),
+        LessonDocument::decl(&config),
+        StepDocument::decl(&config),
+        ShownDocument::decl(&config),
+        VariedDocument::decl(&config),
+        QuestionDocument::decl(&config),
+        NumberDocument::decl(&config),
+        ChoiceDocument::decl(&config),
+        ReachDocument::decl(&config),
         Preset::decl(&config),
         Shelf::decl(&config),
         Group::decl(&config),

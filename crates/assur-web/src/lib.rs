@@ -31,5 +31,5 @@ pub use design::Design;
 pub use imported::{is_import, read_import};
 pub use qr::qr_code;
 pub use simulator::{
-    Simulator, blank, catalogue, check_keys, read_state, role_names, shelves, task,
+    Simulator, blank, catalogue, check_keys, read_lesson, read_state, role_names, shelves, task,
 };

@@ -3,7 +3,9 @@
 use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
-use assur_file::{Document, DraftDocument, LengthUnit, Preset, Problem, Shelf};
+use assur_file::{
+    Document, DraftDocument, LengthUnit, LessonDocument, Preset, Problem, Shelf, in_step,
+};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -388,8 +390,8 @@ pub fn shelves() -> Result<JsValue, JsValue> {
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// A state from outside (an address, a file, what was kept), read and checked:
-/// the same state with the keys we know and no others.
+/// A state from outside (an address, a file, what was kept), read and checked with all that its
+/// lesson shows: the same state with the keys we know and no others.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -397,7 +399,22 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let state = read(&state)?;
     open(&state).map_err(thrown)?;
+    for (step, shown) in state.lesson.iter().flat_map(LessonDocument::shown) {
+        open(&shown).map_err(|problems| thrown(in_step(step, problems)))?;
+    }
     Ok(to_js(&state))
+}
+
+/// A lesson read and checked, as far as what it shows is not looked at: the same with the keys we
+/// know and no others.
+///
+/// # Errors
+/// Every problem of the lesson.
+#[wasm_bindgen(js_name = readLesson)]
+pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
+    let lesson: LessonDocument = read_value(&lesson)?;
+    lesson.check().map_err(thrown)?;
+    Ok(to_js(&lesson))
 }
 
 /// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.

@@ -13,7 +13,7 @@ const SECTION = Object.freeze(["all_assemblies"]);
 /** How many assemblies a group of revolute pairs has over the complex numbers, by its class and the number of its links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
-/** @type {import("assur/lesson/panel.js").Lesson<"linkage">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
 export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "dyad",

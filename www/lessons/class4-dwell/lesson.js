@@ -10,7 +10,7 @@ const REGULATED = 4.112;
 
 const CLASSES = Object.freeze({ II: "ii", III: "iii", IV: "iv" });
 
-/** @type {import("assur/lesson/panel.js").Lesson<"linkage">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
 export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "structure",

@@ -8,7 +8,7 @@
 /** The six ratios u_ij⁽ᵏ⁾, by i and j. */
 const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);
 
-/** @type {import("assur/lesson/panel.js").Lesson<"gear-train">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"gear-train">} */
 export const LESSON = Object.freeze({ kind: "gear-train", steps: [
   {
     id: "parts",

@@ -10,7 +10,7 @@ import { degrees } from "assur/core/angles.js";
 /** What differs between two cases is compared with the crank upright. */
 const COMPARED = Object.freeze({ at: () => Math.PI / 2, overlays: ["traces", "transmission"] });
 
-/** @type {import("assur/lesson/panel.js").Lesson<"mixer">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"mixer">} */
 export const LESSON = Object.freeze({ kind: "mixer", steps: [
   {
     id: "machine",

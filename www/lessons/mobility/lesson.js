@@ -8,7 +8,7 @@
 /** What the count says, by what the rank of the constraints says. */
 const COUNTS = Object.freeze(["low", "right", "high"]);
 
-/** @type {import("assur/lesson/panel.js").Lesson<"scheme">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"scheme">} */
 export const LESSON = Object.freeze({ kind: "scheme", steps: [
   {
     id: "arm",

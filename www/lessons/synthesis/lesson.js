@@ -9,7 +9,7 @@ import { degrees } from "assur/core/angles.js";
 /** Which of the lengths the shortest one is, in the order of the links. */
 const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
 
-/** @type {import("assur/lesson/panel.js").Lesson<"synthesis">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"synthesis">} */
 export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   {
     id: "directions",

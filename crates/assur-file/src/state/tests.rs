@@ -43,6 +43,7 @@ fn state() -> State {
             projector: true,
             lang: "en".to_owned(),
         },
+        lesson: None,
     }
 }
 

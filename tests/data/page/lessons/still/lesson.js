@@ -1,6 +1,6 @@
 // A lesson about what does not move, with a step that shows the same in motion.
 
-/** @type {import("assur/lesson/panel.js").Lesson<"scheme">} */
+/** @type {import("assur/lesson/folder.js").Lesson<"scheme">} */
 export const LESSON = Object.freeze({ kind: "scheme", steps: [
   {
     id: "count",

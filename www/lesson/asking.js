@@ -1,0 +1,136 @@
+// What a lecturer's question is: its sort, the quantity that is asked for, the option that is right.
+import { make, write } from "assur/core/dom.js";
+import { symbol } from "assur/core/symbols.js";
+import { withQuantity, withRight } from "assur/lesson/fields.js";
+import { QUESTIONS, sortOf, withStep } from "assur/lesson/steps.js";
+import { answerOf, isAngle, quantities } from "assur/lesson/tasks.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/steps.js").Written} Written
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {(change: (lesson: Written, index: number) => Written) => boolean} Change
+ */
+
+/** What follows the name of a derivative, by its order. */
+const STROKES = Object.freeze(["", "′", "″"]);
+
+export class Asking {
+  #page;
+  #words;
+  #sort = make("select", { id: "write-sort", class: "control" });
+  #quantity = make("select", { id: "write-quantity", class: "control" });
+  #right = make("select", { id: "write-right", class: "control" });
+  #rows;
+  #now = make("p", { id: "write-now", class: "lesson-note" });
+  /** @type {readonly unknown[]} what the list of quantities was made of */
+  #listed = [];
+  /** @type {readonly unknown[]} of what the answer was told last */
+  #told = [];
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {Words} words
+   * @param {Change} change
+   */
+  constructor(page, words, change) {
+    this.#page = page;
+    this.#words = words;
+    this.#sort.append(...Object.keys(QUESTIONS).map((sort) => make("option", { value: sort }, [words.text(`write.sort.${sort}`)])));
+    this.#sort.addEventListener("change", () => change((lesson, index) => {
+      const { question } = lesson.steps[index];
+      const quantity = question?.number?.quantity ?? question?.reach?.quantity ?? (this.#quantity.options[0]?.value || "input");
+      return withStep(lesson, index, { question: QUESTIONS[this.#sort.value](question?.text ?? "", question?.hint, quantity) });
+    }));
+    this.#quantity.addEventListener("change", () => change((lesson, index) => withQuantity(lesson, index, this.#quantity.value)));
+    this.#right.addEventListener("change", () => change((lesson, index) => withRight(lesson, index, Number(this.#right.value))));
+    const row = (/** @type {string} */ id, /** @type {HTMLElement} */ control) =>
+      make("div", { class: "write-row" }, [make("label", { for: `write-${id}` }, [words.text(`write.${id}`)]), control]);
+    this.#rows = { quantity: row("quantity", this.#quantity), right: row("right", this.#right) };
+    this.element = make("div", { class: "write-rows" }, [row("sort", this.#sort), this.#rows.quantity]);
+    this.below = make("div", { class: "write-rows" }, [this.#rows.right, this.#now]);
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Written} lesson
+   * @param {number} index
+   * @returns {string} the sort of the question
+   */
+  render(snapshot, lesson, index) {
+    const { question } = lesson.steps[index];
+    const sort = sortOf(question);
+    this.#sort.value = sort;
+    this.#rows.quantity.hidden = sort !== "number" && sort !== "reach";
+    this.#rows.right.hidden = sort !== "choice";
+    const wanted = question?.number?.quantity ?? question?.reach?.quantity ?? "";
+    this.#list(snapshot, wanted);
+    this.#options(question?.choice?.options ?? [], question?.choice?.answer ?? 0);
+    this.#tell(lesson, index, sort);
+    return sort;
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {string} wanted which is listed whether it is there or not
+   */
+  #list(snapshot, wanted) {
+    const { summary, readouts, state } = snapshot;
+    const listed = [summary, readouts !== null, state.view.axes, wanted];
+    if (listed.some((part, i) => part !== this.#listed[i])) {
+      this.#listed = listed;
+      const names = quantities(snapshot);
+      const all = wanted === "" || names.includes(wanted) ? names : [wanted, ...names];
+      this.#quantity.replaceChildren(...all.map((name) => make("option", { value: name }, [this.#called(name, snapshot)])));
+    }
+    if (wanted !== "") this.#quantity.value = wanted;
+  }
+
+  /**
+   * @param {string} quantity
+   * @param {Snapshot} snapshot
+   * @returns {string} what it is called
+   */
+  #called(quantity, { summary, coordinate, state }) {
+    const words = this.#words;
+    if (quantity === "input") return coordinate.symbol;
+    if (quantity === "W") return "W";
+    const [name, whole] = quantity.split(":");
+    const bare = name.replace(/[′″]$/, "");
+    const of = bare.slice(0, bare.lastIndexOf("."));
+    const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
+    const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
+    const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
+    const said = short.endsWith(of) || bare.endsWith(".transmission") || bare.endsWith(".pressure") ? short : `${short} (${of})`;
+    return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
+  }
+
+  /**
+   * @param {readonly string[]} options
+   * @param {number} answer
+   */
+  #options(options, answer) {
+    if (options.join("\n") !== [...this.#right.options].map(({ text }) => text).join("\n")) {
+      this.#right.replaceChildren(...options.map((option, i) => make("option", { value: String(i) }, [option])));
+    }
+    this.#right.value = String(answer);
+  }
+
+  /**
+   * Says what the answer is where the engine knows it.
+   * @param {Written} lesson
+   * @param {number} index
+   * @param {string} sort
+   */
+  #tell(lesson, index, sort) {
+    const told = [lesson, index];
+    if (told.every((part, i) => part === this.#told[i])) return;
+    this.#told = told;
+    this.#now.hidden = sort !== "number";
+    if (sort !== "number") return;
+    const { numbers } = this.#words;
+    const value = answerOf(lesson, index, "", this.#page.engine);
+    const unit = isAngle(lesson.steps[index].question?.number?.quantity ?? "") ? "°" : "";
+    write(this.#now, value === null ? this.#words.text("write.no_answer") : this.#words.text("write.answer_now", { value: numbers.upTo(value, 4) + unit }));
+  }
+}

@@ -1,0 +1,90 @@
+// Numbers that look drawn by lot and are the same for the same name, in every browser and for ever: tests pin them.
+
+/** Of the hash FNV-1a of 32 bits. */
+const BASIS = 0x811c9dc5;
+const PRIME = 0x01000193;
+
+/** Digits of a value that was counted up by steps. */
+const DIGITS = 12;
+
+/**
+ * @param {string} text
+ * @param {number} [seed]
+ * @returns {number} a whole number of 32 bits
+ */
+export function hash(text, seed = 0) {
+  let state = BASIS ^ seed;
+  for (const byte of new TextEncoder().encode(text)) state = Math.imul(state ^ byte, PRIME);
+  return mixed(state);
+}
+
+/**
+ * @param {number} state
+ * @returns {number} of 32 bits, each of which depends on all before
+ */
+function mixed(state) {
+  let bits = state;
+  bits = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b);
+  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
+  return (bits ^ (bits >>> 16)) >>> 0;
+}
+
+/**
+ * @param {number} seed
+ * @returns {() => number} numbers from 0 to below 1, one after the other
+ */
+export function generator(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x9e3779b9) | 0;
+    return mixed(state) / 2 ** 32;
+  };
+}
+
+/**
+ * @param {string} name as it is typed
+ * @returns {string} the same for all ways to type it
+ */
+export function nameKey(name) {
+  return name.normalize("NFKC").trim().replace(/\s+/g, " ").toLowerCase();
+}
+
+/**
+ * @param {string} name of a reader
+ * @param {number} step of a lesson
+ * @returns {() => number} the reader's own numbers in it
+ */
+export function ownNumbers(name, step) {
+  return generator(hash(`${step} ${nameKey(name)}`));
+}
+
+/**
+ * @param {{ readonly from: number, readonly to: number, readonly step: number }} range
+ * @param {number} share from 0 to below 1
+ * @returns {number} one of the values of a range
+ */
+export function valueIn({ from, to, step }, share) {
+  // The last value may be off by rounding.
+  const count = Math.floor((to - from) / step + 1e-9) + 1;
+  return Number((from + Math.floor(share * count) * step).toPrecision(DIGITS));
+}
+
+/**
+ * @param {unknown} value of JSON
+ * @returns {string} of sixteen characters, by which it is told from others
+ */
+export function digest(value) {
+  const text = canonical(value);
+  return [1, 2].map((seed) => hash(text, seed).toString(16).padStart(8, "0")).join("");
+}
+
+/**
+ * @param {unknown} value
+ * @returns {string} the same in whatever order its keys stand
+ */
+function canonical(value) {
+  if (Array.isArray(value)) return `[${value.map(canonical).join()}]`;
+  if (typeof value !== "object" || value === null) return JSON.stringify(value) ?? "null";
+  const entries = Object.entries(value).filter(([, one]) => one !== undefined).sort(([one], [other]) => (one < other ? -1 : 1));
+  return `{${entries.map(([key, one]) => `${JSON.stringify(key)}:${canonical(one)}`).join()}}`;
+}

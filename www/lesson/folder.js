@@ -1,0 +1,172 @@
+// A lesson of ours, from its folder: what its steps show and ask, in the words of the reader's language.
+import { parseNumber } from "assur/core/numbers.js";
+import { open } from "assur/lesson/show.js";
+
+/**
+ * @typedef {import("assur/state/state.js").Documents} Documents
+ * @typedef {import("assur/state/state.js").Kind} Kind
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {import("assur/engine.js").Summaries} Summaries
+ * @typedef {import("assur/core/numbers.js").Numbers} Numbers
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/panel.js").Told} Told
+ * @typedef {import("assur/lesson/panel.js").Verdict} Verdict
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Readonly<{
+ *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
+ *   at?: (summary: Summaries[K]) => number | undefined,
+ * }>} Show
+ * What a button opens instead of the document there is: a preset, with dimensions `set` (by their names, as in `controls`) or another link
+ * to `drive` it, the crank's angle in it or its motion, what is laid over the drawing, and what is plotted. The words of the button are `ID.show.NAME`, or "Show it".
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Readonly<{
+ *   answer: (summary: Summaries[K]) => number | string | undefined,
+ *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
+ *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
+ * }>} Question
+ * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
+ * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms;
+ * `hides`: the read-outs that tell the answer, which the page withholds until it was given, or the reader gives up.
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Readonly<{
+ *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean,
+ *   controls?: readonly string[], readouts?: readonly string[], equations?: boolean,
+ * }>} Step
+ * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
+ * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step. In the step itself stand its `controls`, by their fields, its `readouts`,
+ * by what follows `out-` in their ids, and the constraint `equations`.
+ */
+
+/**
+ * @template {Kind} [K=Kind]
+ * @typedef {Readonly<{ kind: K, steps: readonly (Step<K> | { [J in Kind]: Step<J> & { kind: J } }[Kind])[] }>} Lesson
+ * What `lesson.js` of a lesson's folder exports as `LESSON`. Steps are told apart by their ids, which progress is kept by.
+ */
+
+/**
+ * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: Documents[K] }> }[Kind]} Whole
+ * @typedef {Readonly<Record<string, Whole>>} OwnPresets what `presets.json` of a lesson's folder holds, by name
+ */
+
+/** What the panel is told of a lesson of ours. */
+export class FolderLesson {
+  #lesson;
+  #presets;
+  #page;
+
+  /**
+   * @param {string} id of the lesson
+   * @param {{ kind: Kind, steps: readonly Step[] }} lesson
+   * @param {OwnPresets} presets
+   * @param {import("assur/app/page.js").Page} page
+   */
+  constructor(id, lesson, presets, page) {
+    this.id = this.name = id;
+    this.#lesson = lesson;
+    this.#presets = presets;
+    this.#page = page;
+  }
+
+  /**
+   * @param {Words} words of the page, and those of the lesson
+   * @returns {readonly Told[]}
+   */
+  tell(words) {
+    return this.#lesson.steps.map((step) => this.#step(step, words));
+  }
+
+  /** @param {Words} words */
+  async openErrata({ lang }) {
+    const { openErrata } = await import("assur/lesson/errata.js");
+    await openErrata(this.id, lang);
+  }
+
+  /**
+   * @param {Step} step
+   * @param {Words} words
+   * @returns {Told}
+   */
+  #step(step, words) {
+    const { id, formula, shows, question, errata = false } = step;
+    const { choices, unit = "", within, hides = [] } = question;
+    const tolerance = within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(within, 3) + unit })}` : "";
+    return {
+      id,
+      title: words.text(`${id}.title`),
+      text: words.text(`${id}.text`),
+      formula: typeof formula === "string" ? formula : formula(words.numbers),
+      shows: shows.map((show) => ({
+        id: show.name ? `lesson-show-${show.name}` : "lesson-show",
+        text: words.text(show.name ? `${id}.show.${show.name}` : "lesson.show"),
+        open: () => open(show, this.#presets, this.#page),
+      })),
+      errata,
+      tools: step,
+      question: {
+        text: words.text(`${id}.question`) + tolerance,
+        unit,
+        hides,
+        options: choices ? choices.map((choice) => ({ value: choice, text: words.text(`${id}.choice.${choice}`) })) : null,
+        judge: (given, snapshot) => judge(question, given, snapshot, step.kind ?? this.#lesson.kind),
+        hint: () => words.text(`${id}.hint`),
+        right: (snapshot) => right(step, snapshot, words),
+      },
+    };
+  }
+}
+
+/**
+ * @param {Step} step
+ * @param {Snapshot} snapshot
+ * @param {Words} words
+ * @returns {string} what is said to a right answer
+ */
+function right({ id, question }, { summary }, words) {
+  const exact = question.answer(summary);
+  if (typeof exact !== "number") return words.text(`${id}.right`);
+  const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
+  if (question.whole) return words.counted(`${id}.right`, exact, Object.fromEntries(places));
+  return words.text(`${id}.right`, { value: words.numbers.upTo(exact, 3) + (question.unit ?? "") });
+}
+
+/**
+ * @param {Question} question
+ * @param {string} given
+ * @param {Snapshot} snapshot
+ * @param {Kind} asked the kind of document that the question is about
+ * @returns {Verdict}
+ */
+function judge({ answer, choices, within = 0, round = false }, given, { summary, stale, kind }, asked) {
+  if (stale) return "stale";
+  const exact = kind === asked ? answer(summary) : undefined;
+  if (exact === undefined) return "none";
+  if (typeof exact === "string") {
+    if (!choices?.includes(given)) return "unanswered";
+    return given === exact ? "right" : "not_yet";
+  }
+  return judged(given, exact, within, round);
+}
+
+/**
+ * @param {string} given
+ * @param {number} exact
+ * @param {number} within
+ * @param {boolean} round whether 360° more or less is the same
+ * @returns {Verdict} on an answer that is a number
+ */
+export function judged(given, exact, within, round) {
+  const value = parseNumber(given);
+  if (value === null) return "unread";
+  const off = value - exact;
+  const turns = round ? 360 * Math.round(off / 360) : 0;
+  return Math.abs(off - turns) <= within ? "right" : "not_yet";
+}

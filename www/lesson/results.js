@@ -1,0 +1,129 @@
+// What a lecturer does with a class: sheets for a list of names, and a table of the results that came back.
+import { make } from "assur/core/dom.js";
+import { fromCode } from "assur/lesson/code.js";
+import { sheets } from "assur/lesson/sheets.js";
+import { digestOf, verdictOn } from "assur/lesson/written.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/state.js").Written} Written
+ */
+
+/** More than a class has. */
+const MOST = 200;
+
+const SIGNS = Object.freeze({ right: "✓", wrong: "✗", open: "–" });
+
+export class Results {
+  #page;
+  #words;
+  #codes = make("textarea", { id: "write-codes", class: "control", rows: "4", spellcheck: "false" });
+  #names = make("textarea", { id: "write-names", class: "control", rows: "4" });
+  #table = make("div", { id: "write-table", class: "write-table", role: "status" });
+  /** @type {Written | null} */
+  #lesson = null;
+  element;
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {Words} words
+   */
+  constructor(page, words) {
+    this.#page = page;
+    this.#words = words;
+    const button = (/** @type {string} */ id, /** @type {() => void} */ act) => {
+      const made = make("button", { id: `write-${id}`, class: "control", type: "button" }, [words.text(`write.${id}`)]);
+      made.addEventListener("click", act);
+      return made;
+    };
+    const print = (/** @type {boolean} */ answers) => () => {
+      if (!this.#lesson) return;
+      page.sheet = sheets(this.#lesson, lines(this.#names.value), answers, page, words);
+      window.print();
+      page.sheet = null;
+    };
+    this.element = make("details", { class: "write-results" }, [
+      make("summary", { id: "write-class" }, [words.text("write.class")]),
+      make("label", { for: "write-names" }, [words.text("write.names")]), this.#names,
+      make("div", { class: "lesson-buttons" }, [button("print_tasks", print(false)), button("print_answers", print(true))]),
+      make("label", { for: "write-codes" }, [words.text("write.codes")]), this.#codes,
+      this.#table,
+    ]);
+    this.#codes.addEventListener("input", () => this.#list());
+  }
+
+  /** @param {Written} lesson */
+  render(lesson) {
+    if (lesson === this.#lesson) return;
+    this.#lesson = lesson;
+    this.#list();
+  }
+
+  /** Writes the table of all codes: what each said is judged anew. */
+  #list() {
+    const lesson = this.#lesson;
+    const codes = lines(this.#codes.value);
+    if (!lesson || codes.length === 0) {
+      this.#table.replaceChildren();
+      return;
+    }
+    const words = this.#words;
+    const asked = lesson.steps.flatMap(({ question }, i) => (question ? [i] : []));
+    const heads = [words.text("write.result_name"), ...asked.map((i) => words.numbers.exact(i + 1)), words.text("write.result_right")];
+    const own = digestOf(lesson, this.#page.engine);
+    this.#table.replaceChildren(make("table", {}, [
+      make("thead", {}, [make("tr", {}, heads.map((head) => make("th", { scope: "col" }, [head])))]),
+      make("tbody", {}, codes.map((code, line) => this.#row(code, line, lesson, own, asked))),
+    ]));
+  }
+
+  /**
+   * @param {string} code
+   * @param {number} line of it, from 0
+   * @param {Written} lesson
+   * @param {string} own digest of the lesson
+   * @param {readonly number[]} asked steps that ask
+   */
+  #row(code, line, lesson, own, asked) {
+    const words = this.#words;
+    const result = fromCode(code);
+    const bad = (/** @type {string} */ key, name = "") =>
+      make("tr", { class: "bad" }, [make("td", { colspan: String(asked.length + 2) }, [words.text(key, { line: words.numbers.exact(line + 1), name })])]);
+    if (!result) return bad("write.bad_code");
+    if (result.lesson !== own || result.answers.length !== lesson.steps.length) return bad("write.other_lesson", result.name);
+    const verdicts = asked.map((i) => {
+      const given = result.answers[i] ?? "";
+      if (given === "") return { sign: SIGNS.open, given, right: false };
+      const right = verdictOn(lesson, i, given, result.name, this.#page.engine) === "right";
+      return { sign: right ? SIGNS.right : SIGNS.wrong, given: saidOf(lesson, i, given), right };
+    });
+    const count = words.text("write.of", {
+      right: words.numbers.exact(verdicts.filter(({ right }) => right).length), all: words.numbers.exact(asked.length),
+    });
+    return make("tr", {}, [
+      make("th", { scope: "row" }, [result.name]),
+      ...verdicts.map(({ sign, given, right }) => make("td", { "data-right": String(right) }, [[sign, given].join(" ").trim()])),
+      make("td", {}, [count]),
+    ]);
+  }
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index
+ * @param {string} given
+ * @returns {string} what was answered, in words
+ */
+function saidOf({ steps }, index, given) {
+  const { choice, reach } = steps[index].question ?? {};
+  if (reach) return "";
+  return choice ? (choice.options[Number(given)] ?? given) : given;
+}
+
+/**
+ * @param {string} text
+ * @returns {string[]} its lines that say something
+ */
+function lines(text) {
+  return text.split("\n").map((line) => line.trim()).filter((line) => line !== "").slice(0, MOST);
+}

@@ -1,0 +1,93 @@
+// Changes of a lesson that a lecturer writes.
+import { RESTING } from "assur/lesson/tasks.js";
+import { usualView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {Written["steps"][number]} Step
+ * @typedef {NonNullable<Step["question"]>} Question
+ */
+
+/** What of the view is the reader's, and no step's to say. */
+export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"]);
+
+/**
+ * @param {import("assur/app/page.js").Page} page
+ * @returns {NonNullable<Step["shows"]>} what is on the page now
+ */
+export function shownNow({ model: { good: { kind, document, view } } }) {
+  const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));
+  const own = Object.entries(view).filter(([key, value]) => !READERS.includes(key) && value !== usual[key]);
+  return /** @type {NonNullable<Step["shows"]>} */ ({ kind, document, view: Object.fromEntries(own) });
+}
+
+/**
+ * @template {object} T
+ * @param {T} whole
+ * @param {Partial<T>} change
+ * @returns {T} without what is left empty
+ */
+export function changed(whole, change) {
+  const entries = Object.entries({ ...whole, ...change });
+  return /** @type {T} */ (Object.fromEntries(entries.filter(([, value]) => value !== undefined && value !== null)));
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index
+ * @param {Partial<Step>} change
+ * @returns {Written}
+ */
+export function withStep(lesson, index, change) {
+  return { ...lesson, steps: lesson.steps.map((step, i) => (i === index ? changed(step, change) : step)) };
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index after which one comes
+ * @returns {Written}
+ */
+export function withNewStep(lesson, index) {
+  return { ...lesson, steps: lesson.steps.toSpliced(index + 1, 0, { title: "", text: "" }) };
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of the one that goes; the last one stays, empty
+ * @returns {Written}
+ */
+export function withoutStep(lesson, index) {
+  const steps = lesson.steps.toSpliced(index, 1);
+  return { ...lesson, steps: steps.length > 0 ? steps : [{ title: "", text: "" }] };
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index
+ * @param {1 | -1} by
+ * @returns {Written} with the step earlier or later
+ */
+export function withMoved(lesson, index, by) {
+  const step = lesson.steps[index];
+  return { ...lesson, steps: lesson.steps.toSpliced(index, 1).toSpliced(index + by, 0, step) };
+}
+
+/** How a question begins, by its sort. */
+export const QUESTIONS = Object.freeze(/** @type {Record<string, (text: string, hint: string | undefined, quantity: string) => Question | undefined>} */ ({
+  none: () => undefined,
+  number: (text, hint, quantity) => changed(/** @type {Question} */ ({ text, hint, number: { quantity, within: 0.1 } }), {}),
+  fixed: (text, hint) => changed(/** @type {Question} */ ({ text, hint, number: { value: 0, within: 0.1 } }), {}),
+  choice: (text, hint) => changed(/** @type {Question} */ ({ text, hint, choice: { options: ["1", "2"], answer: 0 } }), {}),
+  reach: (text, hint, quantity) => changed(/** @type {Question} */ ({ text, hint, reach: { quantity, value: 0, within: 1 } }), {}),
+}));
+
+/**
+ * @param {Question | null | undefined} question
+ * @returns {string} its sort, one of the keys of {@link QUESTIONS}
+ */
+export function sortOf(question) {
+  if (question?.choice) return "choice";
+  if (question?.reach) return "reach";
+  if (!question?.number) return "none";
+  return question.number.quantity ? "number" : "fixed";
+}

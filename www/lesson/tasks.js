@@ -1,0 +1,198 @@
+// What a lecturer's lesson asks of the engine: what a step shows to a reader, with the reader's own numbers, and the answers.
+import { degrees } from "assur/core/angles.js";
+import { ownNumbers, valueIn } from "assur/lesson/chance.js";
+import { Coordinate } from "assur/state/coordinate.js";
+import { initialState, withDocument } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/state/state.js").View} View
+ * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {Written["steps"][number]} Step
+ * @typedef {NonNullable<Step["shows"]>} Shows
+ * @typedef {Readonly<{ state: State, own: readonly Readonly<{ field: string, value: number }>[] }>} Task
+ * What a step shows, with the dimensions that are the reader's own.
+ */
+
+/** How a step is looked at that does not say. */
+export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
+
+/** How often numbers are drawn again that make no mechanism. */
+const TRIES = 64;
+
+/** The number of degrees of freedom, as a quantity. */
+const W = "W";
+
+/** What of a motion can be asked beside the values at a place, by what stands after the quantity. */
+const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of a step
+ * @returns {{ shows: Shows, index: number } | null} what it shows, which may be what a step before it does
+ */
+export function shownBy({ steps }, index) {
+  const at = steps.findLastIndex(({ shows }, i) => i <= index && shows);
+  const shows = steps[at]?.shows;
+  return shows ? { shows, index: at } : null;
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of a step
+ * @param {string} name of the reader; without one the lecturer's own numbers stay
+ * @param {Engine} engine
+ * @returns {Task | null} none where nothing is shown, or no numbers were found that make a mechanism
+ */
+export function taskOf(lesson, index, name, engine) {
+  const found = shownBy(lesson, index);
+  if (!found) return null;
+  const { shows: { kind, document, view, vary = [] }, index: at } = found;
+  const state = initialState(kind, document, { ...RESTING, ...view });
+  if (vary.length === 0 || name.trim() === "") return { state, own: [] };
+  const next = ownNumbers(name, at);
+  return engine.beside((other) => {
+    for (let tries = 0; tries < TRIES; tries++) {
+      const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
+      const fit = taken(() => withOwn(state, own, other));
+      if (fit) return { state: fit, own };
+    }
+    return null;
+  });
+}
+
+/**
+ * @param {State} state
+ * @param {Task["own"]} own
+ * @param {Simulator} other
+ * @returns {State | null} with these dimensions; what goes on and on must still do
+ */
+function withOwn(state, own, other) {
+  /** @type {Summary} */
+  const first = other.set(state);
+  let summary = first;
+  let now = state;
+  for (const { field, value } of own) {
+    const { document } = other.setDimension(field, value, summary.moves === null ? 0 : summary.home);
+    now = withDocument(now, document ?? {});
+    summary = other.set(now);
+  }
+  if (summary.moves === null || first.moves === null) return now;
+  if (summary.cycle.full !== first.cycle.full) return null;
+  const coordinate = coordinateOf(summary);
+  other.at(coordinate.input(coordinate.of(now)));
+  return now;
+}
+
+/**
+ * @template T
+ * @param {() => T} work with a simulator
+ * @returns {T | null} null where it refuses
+ */
+function taken(work) {
+  try {
+    return work();
+  } catch (thrown) {
+    if (Array.isArray(thrown)) return null;
+    throw thrown;
+  }
+}
+
+/** @param {Extract<Summary, { moves: "angle" | "length" | "time" }>} summary */
+function coordinateOf({ moves, cycle, input }) {
+  return new Coordinate(moves, cycle, input);
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of a step whose answer is a number
+ * @param {string} name of the reader
+ * @param {Engine} engine
+ * @returns {number | null} what the engine says; none where there is no such quantity
+ */
+export function answerOf(lesson, index, name, engine) {
+  const { quantity, at, value } = lesson.steps[index].question?.number ?? {};
+  if (value !== undefined && value !== null) return value;
+  const task = quantity ? taskOf(lesson, index, name, engine) : null;
+  if (!task || !quantity) return null;
+  return engine.beside((other) => taken(() => {
+    /** @type {Summary} */
+    const summary = other.set(task.state);
+    if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
+    const coordinate = coordinateOf(summary);
+    const place = at ?? coordinate.of(task.state);
+    return valueOf(quantity, { summary, place, readouts: engine.readoutsOf(other, coordinate.input(place)) });
+  }));
+}
+
+/**
+ * @param {string} quantity
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "place" | "readouts">} here
+ * @returns {number | null} its value as readers count
+ */
+export function valueOf(quantity, { summary, place, readouts }) {
+  if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
+  if (quantity === "input") return summary.moves === null ? null : place;
+  const [name, whole] = quantity.split(":");
+  if (whole !== undefined) return wholeOf(name, whole, summary);
+  const value = readouts?.[name];
+  return value === undefined ? null : counted(value, name);
+}
+
+/**
+ * @param {number} value
+ * @param {string} quantity
+ * @returns {number} in degrees where it is an angle
+ */
+function counted(value, quantity) {
+  return isAngle(quantity) ? degrees(value) : value;
+}
+
+/**
+ * @param {string} quantity
+ * @returns {boolean} whether it is an angle, in degrees
+ */
+export function isAngle(quantity) {
+  return /\.(angle|transmission|pressure)(:swing|:worst)?$/.test(quantity);
+}
+
+/**
+ * @param {string} quantity
+ * @returns {boolean} whether 360° more or less is the same
+ */
+export function isRound(quantity) {
+  return quantity.endsWith(".angle");
+}
+
+/**
+ * @param {string} name
+ * @param {string} whole one of {@link WHOLE}
+ * @param {Summary} summary
+ * @returns {number | null}
+ */
+function wholeOf(name, whole, summary) {
+  if (whole === "worst") {
+    const worst = "transmissions" in summary ? summary.transmissions.find(({ joint, what }) => `${joint}.${what}` === name)?.worst : undefined;
+    return worst === undefined ? null : degrees(worst);
+  }
+  const output = summary.moves === null ? undefined : summary.outputs.find((one) => one.name === name);
+  if (whole === "time_ratio") return output?.time_ratio ?? null;
+  const stroke = whole === "swing" ? output?.swing[0]?.stroke : undefined;
+  return stroke === undefined ? null : counted(stroke, name);
+}
+
+/**
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "place">} here
+ * @returns {string[]} all quantities that there are
+ */
+export function quantities(here) {
+  const { summary, readouts } = here;
+  if (summary.moves === null) return [W].filter((name) => valueOf(name, here) !== null);
+  const outputs = summary.outputs.map(({ name }) => name);
+  const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
+  const wholes = [...outputs, ...joints].flatMap((name) => WHOLE.map((whole) => `${name}:${whole}`));
+  return ["input", W, ...wholes, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
+}

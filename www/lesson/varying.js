@@ -1,0 +1,126 @@
+// Dimensions that are others for every student: which, and between which values.
+import { fieldName } from "assur/controls/problems.js";
+import { make, write } from "assur/core/dom.js";
+import { parseNumber } from "assur/core/numbers.js";
+import { withStep } from "assur/lesson/steps.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/steps.js").Step} Step
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {Readonly<{ field: string, from: number, to: number, step: number }>} Range
+ */
+
+const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
+
+/** A dimension first varies by so much of itself, to both sides. */
+const SHARE = 0.1;
+/** In so many steps. */
+const STEPS = 20;
+
+export class Varying {
+  #page;
+  #words;
+  #change;
+  #list = make("div", { class: "write-rows" });
+  #add = make("select", { id: "write-vary", class: "control" });
+  #row;
+  /** @type {readonly unknown[]} what the rows were made of */
+  #built = [];
+  element;
+
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {Words} words
+   * @param {import("assur/lesson/asking.js").Change} change
+   */
+  constructor(page, words, change) {
+    this.#page = page;
+    this.#words = words;
+    this.#change = change;
+    this.#add.addEventListener("change", () => this.#begin(this.#add.value));
+    this.#row = make("div", { class: "write-row" }, [make("label", { for: "write-vary" }, [words.text("write.vary")]), this.#add]);
+    this.element = make("div", { class: "write-rows" }, [this.#list, this.#row]);
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Step} step
+   */
+  render({ state, summary }, { shows }) {
+    // Dimensions are listed of what is on the page: of the step as long as that shows it.
+    const own = shows && "dimensions" in summary && state.document === shows.document;
+    const ranges = shows?.vary ?? [];
+    this.#row.hidden = !own;
+    const typing = this.#list.contains(document.activeElement) && ranges.length === this.#list.childElementCount;
+    const built = [ranges, own ? summary : null, this.#words];
+    if (typing || built.every((part, i) => part === this.#built[i])) return;
+    this.#built = built;
+    this.#list.replaceChildren(...ranges.map((range, i) => this.#entry(range, i, ranges, shows?.document)));
+    const free = own ? summary.dimensions.filter(({ field }) => !ranges.some((range) => range.field === field)) : [];
+    const options = free.map(({ field }) => make("option", { value: field }, [fieldName(field, this.#words, shows?.document)]));
+    this.#add.replaceChildren(make("option", { value: "" }, [this.#words.text("write.vary_none")]), ...options);
+  }
+
+  /**
+   * @param {Range} range
+   * @param {number} at
+   * @param {readonly Range[]} ranges
+   * @param {import("assur/state/state.js").State["document"] | undefined} shown
+   */
+  #entry(range, at, ranges, shown) {
+    const words = this.#words;
+    const said = fieldName(range.field, words, shown);
+    const inputs = BOUNDS.map((bound) => {
+      const input = make("input", { id: `write-vary-${at}-${bound}`, class: "control number", type: "text", inputmode: "decimal", "aria-label": `${said}: ${words.text(`write.vary.${bound}`)}` });
+      input.value = words.numbers.exact(range[bound]);
+      input.addEventListener("input", () => {
+        const value = parseNumber(input.value);
+        const now = this.#page.store.get();
+        const taken = value !== null && this.#change((lesson, index) => {
+          const shows = lesson.steps[index].shows;
+          if (!shows) return lesson;
+          return withStep(lesson, index, { shows: { ...shows, vary: (shows.vary ?? []).map((one, i) => (i === at ? { ...one, [bound]: value } : one)) } });
+        });
+        input.toggleAttribute("aria-invalid", false);
+        if (!taken && now === this.#page.store.get()) input.setAttribute("aria-invalid", "true");
+      });
+      return make("label", { class: "write-bound" }, [make("span", {}, [words.text(`write.vary.${bound}`)]), input]);
+    });
+    const remove = make("button", { id: `write-vary-${at}-remove`, class: "control icon", type: "button" }, ["×"]);
+    remove.ariaLabel = remove.title = words.text("write.vary_remove", { name: said });
+    remove.addEventListener("click", () => {
+      this.#put(ranges.filter((_, i) => i !== at));
+      this.#add.focus();
+    });
+    const name = make("span");
+    write(name, said);
+    return make("div", { class: "write-varied" }, [name, ...inputs, remove]);
+  }
+
+  /** @param {string} field */
+  #begin(field) {
+    const { summary, good } = this.#page.model;
+    const found = "dimensions" in summary ? summary.dimensions.find((one) => one.field === field) : undefined;
+    if (!found || !good) return;
+    const size = Math.max(Math.abs(found.value), 0.1);
+    const step = 10 ** Math.floor(Math.log10((2 * SHARE * size) / STEPS)) ;
+    const rounded = (/** @type {number} */ value) => Number((Math.round(value / step) * step).toPrecision(12));
+    const range = { field, from: rounded(found.value - SHARE * size), to: rounded(found.value + SHARE * size), step: Number(step.toPrecision(12)) };
+    const { lesson } = this.#page.store.get();
+    this.#page.history.step(() => this.#put(null, range));
+    if (lesson) this.#add.focus();
+  }
+
+  /**
+   * @param {readonly Range[] | null} ranges null: those that there are
+   * @param {Range[]} more
+   */
+  #put(ranges, ...more) {
+    this.#change((lesson, index) => {
+      const { shows } = lesson.steps[index];
+      if (!shows) return lesson;
+      return withStep(lesson, index, { shows: { ...shows, vary: [...(ranges ?? shows.vary ?? []), ...more] } });
+    });
+  }
+}

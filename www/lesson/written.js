@@ -1,0 +1,218 @@
+// A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
+import { make } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
+import { attempt } from "assur/core/problem.js";
+import { parseNumber } from "assur/core/numbers.js";
+import { digest, hash, nameKey } from "assur/lesson/chance.js";
+import { toCode } from "assur/lesson/code.js";
+import { judged } from "assur/lesson/folder.js";
+import { OWN } from "assur/lesson/offer.js";
+import { READERS } from "assur/lesson/steps.js";
+import "assur/lesson/style.js";
+import { RESTING, answerOf, isAngle, isRound, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
+import { keep, kept } from "assur/state/storage.js";
+import { usualView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/panel.js").Told} Told
+ * @typedef {import("assur/lesson/panel.js").Question} Question
+ * @typedef {import("assur/lesson/progress.js").Progress} Progress
+ * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
+ */
+
+/** Characters of a name. */
+const LONGEST_NAME = 80;
+
+/** What a step that is reached has in a code. */
+export const REACHED = "1";
+
+/**
+ * @param {Written} lesson
+ * @param {import("assur/engine.js").Engine} engine
+ * @returns {string} by which it is told from others, however it was written down
+ */
+export function digestOf(lesson, engine) {
+  return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of a step with a question
+ * @param {string} given
+ * @param {string} name of who gave it
+ * @param {import("assur/engine.js").Engine} engine
+ * @returns {import("assur/lesson/panel.js").Verdict}
+ */
+export function verdictOn(lesson, index, given, name, engine) {
+  const { number, choice } = lesson.steps[index].question ?? {};
+  if (choice) {
+    if (given === "") return "unanswered";
+    return given === String(choice.answer) ? "right" : "not_yet";
+  }
+  if (!number) return given === REACHED ? "right" : "not_yet";
+  if (parseNumber(given) === null) return "unread";
+  const exact = answerOf(lesson, index, name, engine);
+  return exact === null ? "none" : judged(given, exact, number.within, isRound(number.quantity ?? ""));
+}
+
+/**
+ * Opens what a step shows, with the numbers of a reader.
+ * @param {Written} lesson
+ * @param {number} index
+ * @param {string} name
+ * @param {import("assur/app/page.js").Page} page
+ */
+export function openShown(lesson, index, name, page) {
+  const found = shownBy(lesson, index);
+  if (!found) return;
+  const { kind, document, view } = found.shows;
+  const task = taskOf(lesson, index, name, page.engine);
+  // Language, lesson and the like stay the reader's.
+  const look = Object.entries(usualView({ ...RESTING, ...view })).filter(([key]) => !READERS.includes(key));
+  page.choose(kind, task?.state.document ?? document, [], () => Object.fromEntries(look));
+}
+
+export class WrittenLesson {
+  id = OWN;
+  #lesson;
+  #page;
+  #renew;
+  #words;
+  #digest;
+  #reader;
+  /** @type {Progress | null} */
+  #progress = null;
+  #code = make("input", { id: "lesson-code", class: "control", type: "text", readonly: "" });
+  #result = make("div", { class: "lesson-result" });
+
+  /**
+   * @param {Written} lesson
+   * @param {import("assur/app/page.js").Page} page
+   * @param {Words} words
+   * @param {() => void} renew what is shown: another reader has other numbers
+   */
+  constructor(lesson, page, words, renew) {
+    this.#lesson = lesson;
+    this.#page = page;
+    this.#words = words;
+    this.#renew = renew;
+    this.#digest = digestOf(lesson, page.engine);
+    this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, LONGEST_NAME);
+  }
+
+  /** By what name progress in it is kept: that of each reader by itself. */
+  get name() {
+    return `${OWN}.${this.#digest}.${hash(nameKey(this.#reader)).toString(36)}`;
+  }
+
+  /**
+   * @param {Words} words
+   * @returns {readonly Told[]}
+   */
+  tell(words) {
+    this.#words = words;
+    return this.#lesson.steps.map(({ title, text, formula = "", question }, index) => ({
+      id: String(index + 1),
+      title,
+      text,
+      formula,
+      shows: this.#shows(index),
+      question: question ? this.#question(question, index) : null,
+      errata: false,
+      tools: {},
+    }));
+  }
+
+  /** @param {number} index */
+  #shows(index) {
+    const open = () => openShown(this.#lesson, index, this.#reader, this.#page);
+    return shownBy(this.#lesson, index) ? [{ id: "lesson-show", text: this.#words.text("lesson.show"), open }] : [];
+  }
+
+  /**
+   * @param {Asked} asked
+   * @param {number} index
+   * @returns {Question}
+   */
+  #question({ text, hint = "", number, choice, reach }, index) {
+    const words = this.#words;
+    const { engine } = this.#page;
+    const unit = number?.unit || (isAngle(number?.quantity ?? "") || number?.quantity === "input" ? "°" : "");
+    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(number.within, 6) + unit })}` : "";
+    /** @type {Partial<Question>} */
+    const reached = reach ? {
+      reached: ({ stale, ...here }) => {
+        const value = stale ? null : valueOf(reach.quantity, here);
+        return value !== null && judged(String(value), reach.value, reach.within, isRound(reach.quantity)) === "right";
+      },
+    } : {};
+    return {
+      text: text + tolerance,
+      unit,
+      hides: [],
+      options: choice ? choice.options.map((option, i) => ({ value: String(i), text: option })) : null,
+      judge: (given) => (reach ? "right" : verdictOn(this.#lesson, index, given, this.#reader, engine)),
+      hint: () => hint,
+      right: () => {
+        const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
+        return exact === null ? "" : words.text("written.exactly", { value: words.numbers.upTo(exact, 4) + unit });
+      },
+      ...reached,
+    };
+  }
+
+  /**
+   * @param {HTMLElement[]} panel
+   * @param {Progress} progress
+   */
+  frame(panel, progress) {
+    this.#progress = progress;
+    const { title, author, steps } = this.#lesson;
+    const words = this.#words;
+    const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
+    const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button" }, [words.text("written.write")]);
+    rewrite.addEventListener("click", () => this.#page.lesson.write(true));
+    if (!steps.some(({ question }) => question)) return [head, ...panel, rewrite];
+    const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
+    reader.value = this.#reader;
+    reader.addEventListener("change", () => {
+      keep(`lesson.${OWN}.${this.#digest}`, reader.value);
+      this.#reader = reader.value;
+      this.#renew();
+      document.getElementById("lesson-reader")?.focus();
+    });
+    const own = steps.some(({ shows }) => shows?.vary?.length);
+    const note = own ? [make("p", { class: "lesson-note" }, [words.text(this.#reader.trim() ? "written.own" : "written.name_first")])] : [];
+    const copy = make("button", { id: "lesson-copy", class: "control", type: "button" }, [words.text("written.copy")]);
+    copy.addEventListener("click", async () => {
+      this.#code.select();
+      await navigator.clipboard?.writeText(this.#code.value).then(() => this.#page.notices.tell(["result"]), () => {});
+    });
+    const save = make("button", { id: "lesson-save", class: "control", type: "button" }, [words.text("written.save")]);
+    save.addEventListener("click", () => download(new Blob([`${this.#code.value}\n`], { type: "text/plain" }), "assur-result.txt"));
+    this.#result.replaceChildren(
+      make("label", { for: "lesson-code" }, [words.text("written.code")]), this.#code,
+      make("div", { class: "lesson-buttons" }, [copy, save]),
+    );
+    const whose = make("div", { class: "lesson-whose" }, [make("label", { for: "lesson-reader" }, [words.text("written.reader")]), reader, ...note]);
+    return [head, whose, ...panel, this.#result, rewrite];
+  }
+
+  /** Writes the code of what is answered now. */
+  answered() {
+    const progress = this.#progress;
+    if (!progress) return;
+    const answers = this.#lesson.steps.map(({ question }, i) => {
+      const id = String(i + 1);
+      if (!question) return null;
+      if (question.reach) return progress.isSolved(id) ? REACHED : "";
+      return progress.given(id);
+    });
+    this.#result.hidden = this.#reader.trim() === "" || !answers.some((answer) => answer);
+    if (this.#result.hidden) return;
+    const code = toCode({ lesson: this.#digest, name: this.#reader.trim(), answers: answers.map((answer) => answer && answer.slice(0, 60)) });
+    if (this.#code.value !== code) this.#code.value = code;
+  }
+}
