@@ -40,6 +40,7 @@ const BUILT: [(&str, &[&str]); 54] = [
             "crates/assur-file/src/state.rs",
             "crates/assur-file/src/view.rs",
             "crates/assur-web/src/moving.rs",
+            "crates/assur-web/src/pair.rs",
             "www/kinds/mixer/rail.js",
             "www/kinds/mixer/lists.js",
             "www/kinds/linkage/rail.js",

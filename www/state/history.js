@@ -1,5 +1,5 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { OVERLAYS, withMechanism, withView } from "assur/state/state.js";
+import { UNDONE, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -116,7 +116,7 @@ export class History {
  * @returns {Moment}
  */
 function moment({ kind, document, view }) {
-  return { kind, document, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+  return { kind, document, shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -124,5 +124,5 @@ function moment({ kind, document, view }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  return one.document === other.document && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
+  return one.document === other.document && UNDONE.every((name) => one.shown[name] === other.shown[name]);
 }

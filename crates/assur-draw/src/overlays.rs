@@ -140,13 +140,63 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
             &[c, at(from + turn, 1.35 * radius)],
         );
     }
-    let arc: Vec<Point> = (0..=24)
-        .map(|i| at(from + turn * f64::from(i) / 24.0, radius))
+    arc(list, Role::Ink, Look::Line, c, radius, [from, turn], name);
+}
+
+/// An arc with a name at its middle, from an angle by a turn.
+fn arc(
+    list: &mut List,
+    role: Role,
+    look: Look,
+    centre: Point,
+    radius: f64,
+    [from, turn]: [f64; 2],
+    name: usize,
+) {
+    let at = |angle: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
+    let points: Vec<Point> = (0..=24)
+        .map(|i| at(from + turn * f64::from(i) / 24.0))
         .collect();
-    list.polyline(Role::Ink, Look::Line, &arc);
+    list.polyline(role, look, &points);
     let middle = from + 0.5 * turn;
     let off = [2.6 * middle.cos(), 1.0 * middle.sin()];
-    list.name(Role::Ink, name, at(middle, radius), off);
+    list.name(role, name, at(middle), off);
+}
+
+/// How far two points are apart: a line between them with a stroke across each end, its name beside its middle.
+pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f64) {
+    let way = b - a;
+    let length = way.norm();
+    if length <= 0.0 {
+        return;
+    }
+    let across = Vector::new(-way.y, way.x) / length;
+    list.polyline(Role::Accent3, Look::Thin, &[a, b]);
+    for end in [a, b] {
+        let stroke = across * (1.5 * unit);
+        list.polyline(Role::Accent3, Look::Thin, &[end - stroke, end + stroke]);
+    }
+    let off = [2.6 * across.x, across.y];
+    list.name(Role::Accent3, name, a + way * 0.5, off);
+}
+
+/// The angle at the second of three points between the others: its legs and an arc, the name at its middle.
+pub(crate) fn corner(list: &mut List, [a, b, c]: [Point; 3], name: usize, unit: f64) {
+    let direction = |to: Point| (to.y - b.y).atan2(to.x - b.x);
+    let from = direction(a);
+    let turn = direction(c) - from;
+    let turn = turn - TAU * (turn / TAU).round();
+    list.polyline(Role::Accent4, Look::Thin, &[a, b, c]);
+    let radius = 11.0 * unit;
+    arc(
+        list,
+        Role::Accent4,
+        Look::Thin,
+        b,
+        radius,
+        [from, turn],
+        name,
+    );
 }
 
 #[cfg(test)]

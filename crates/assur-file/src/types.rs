@@ -20,7 +20,7 @@ use crate::kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
 };
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
-use crate::view::{Axes, Only, OpenLesson, SpeedUnit};
+use crate::view::{Against, Axes, Only, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
 
 #[test]
@@ -29,6 +29,7 @@ fn the_scripts_know_what_is_saved() {
     let types = [
         View::decl(&config),
         OpenLesson::decl(&config),
+        Against::decl(&config),
         Only::decl(&config),
         Axes::decl(&config),
         SpeedUnit::decl(&config),

@@ -16,6 +16,7 @@ mod here;
 mod imported;
 mod kinds;
 mod moving;
+mod pair;
 mod polygons;
 mod profile;
 mod qr;
