@@ -70,7 +70,10 @@ async fn measures_are_chosen_by_lists() {
     let seen = texts(&page).await;
     assert!(seen.iter().any(|text| text.contains("d B-D")), "{seen:?}");
     page.until("the address", async || {
-        page.address().await.contains("B-C-D.corner")
+        let address = page.address().await;
+        address.contains("B-C-D.corner")
+            && address.contains("phi_deg=62")
+            && address.contains("plot=B-D")
     })
     .await;
     page.reload().await;
@@ -83,7 +86,7 @@ async fn measures_are_chosen_by_lists() {
     page.keys(Key::Escape + "").await;
     page.click("measure-remove-0").await;
     assert_eq!(page.count("#measured button").await, 1);
-    assert_eq!(page.written("plot").await, "B-D.distance");
+    assert_eq!(page.written("plot").await, "angles");
     page.click("undo").await;
     assert_eq!(page.count("#measured button").await, 2);
     page.close().await;

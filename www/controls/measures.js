@@ -2,7 +2,7 @@
 import { byId, make, setData } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
-import { withView } from "assur/state/state.js";
+import { PARTS, withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
@@ -14,6 +14,21 @@ const MOST = 8;
 
 /** So near a point a press takes it, in pixels. */
 const REACH = 26;
+
+/**
+ * @param {import("assur/state/state.js").State} state
+ * @param {string} name of a measure
+ * @returns the state without it: what is plotted of it is so no more
+ */
+function without(state, name) {
+  const { measures, plot, against } = state.view;
+  const own = Object.values(against ?? {}).some((column) => column.replace(/\.d{0,2}(?=distance|corner)/, ".") === name);
+  return withView(state, {
+    measures: measures.filter((one) => one !== name),
+    plot: plot === name ? PARTS.plot : plot,
+    against: own ? PARTS.against : against,
+  });
+}
 
 export class Measures {
   #page;
@@ -70,9 +85,7 @@ export class Measures {
       id: `measure-remove-${index}`, class: "control icon", type: "button",
       "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": called,
     }, ["×"]);
-    remove.addEventListener("click", () => {
-      this.#page.store.update((state) => withView(state, { measures: state.view.measures.filter((one) => one !== name) }));
-    });
+    remove.addEventListener("click", () => this.#page.store.update((state) => without(state, name)));
     return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("b", { class: "name" }, [called]), remove]);
   }
 

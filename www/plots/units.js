@@ -78,7 +78,7 @@ export function unitOf(panel, { moves }, words) {
 }
 
 /**
- * @param {Scale} panel
+ * @param {Panel} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} what a panel shows, and in which unit
