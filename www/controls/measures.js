@@ -80,13 +80,13 @@ export class Measures {
   #row(name, index) {
     const dot = name.lastIndexOf(".");
     const [letter, role] = name.endsWith(".distance") ? ["d", "accent3"] : ["θ", "accent4"];
-    const called = `${letter} ${subscript(name.slice(0, dot))}`;
+    const points = subscript(name.slice(0, dot));
     const remove = make("button", {
       id: `measure-remove-${index}`, class: "control icon", type: "button",
-      "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": called,
+      "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${points}`,
     }, ["×"]);
     remove.addEventListener("click", () => this.#page.store.update((state) => without(state, name)));
-    return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("b", { class: "name" }, [called]), remove]);
+    return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("span", { class: "name" }, [make("b", {}, [letter])]), make("span", {}, [points]), remove]);
   }
 
   /** @param {readonly string[]} points */
@@ -133,9 +133,12 @@ export class Measures {
 
   /** @param {boolean} on whether presses in the drawing choose points from now on */
   #picking(on) {
+    // The tools for drawing have the pointer while they are out.
+    const drawing = this.#snapshot?.state.view.drawing ?? false;
+    if (on && drawing) return;
     this.#picked = on ? [] : null;
     this.#pick.setAttribute("aria-pressed", String(on));
-    this.#page.pointer.lend(on ? this : null);
+    if (!drawing) this.#page.pointer.lend(on ? this : null);
     this.#page.mechanism.ring("");
     setData(byId("mechanism", HTMLElement), "tracing", String(on));
   }

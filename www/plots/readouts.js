@@ -53,7 +53,10 @@ export class ReadoutTable {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
     // What derivatives of what is listed are called: of angles, of lengths, of both.
-    const sorts = ["angle", "load_angle", "x", "y", "distance", "corner"].filter((sort) => listed.some(({ what }) => what === sort));
+    const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
+    const usual = found("angle", "load_angle", "x", "y");
+    // Measures are led by their own letters: beside others the heads would only be wide.
+    const sorts = usual.length > 0 ? usual : found("distance", "corner");
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
