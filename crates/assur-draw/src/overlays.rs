@@ -204,6 +204,43 @@ mod tests {
     use super::*;
     use assur::Jet;
 
+    /// A distance is a line with a stroke across each end and its name beside the middle; between points at one place
+    /// there is nothing.
+    #[test]
+    fn distances_are_drawn_across() {
+        let mut list = List::default();
+        let (a, b) = (Point::new(1.0, 1.0), Point::new(5.0, 1.0));
+        distance(&mut list, [a, a], 7, 0.1);
+        assert!(list.numbers().is_empty());
+        distance(&mut list, [a, b], 7, 0.1);
+        let (role, thin) = (f32::from(Role::Accent3 as u8), f32::from(Look::Thin as u8));
+        let line = |points: [f32; 4]| [[2.0, role, thin, 2.0].as_slice(), &points].concat();
+        let expected = [
+            line([1.0, 1.0, 5.0, 1.0]),
+            line([1.0, 0.85, 1.0, 1.15]),
+            line([5.0, 0.85, 5.0, 1.15]),
+            vec![4.0, role, 7.0, 3.0, 1.0, 0.0, 1.0],
+        ];
+        assert_eq!(list.numbers(), expected.concat());
+    }
+
+    /// The arc of an angle is the shorter way round, whichever leg is first.
+    #[test]
+    fn corners_are_within_half_a_turn() {
+        let [a, b, c] = [[0.0, -1.0], [0.0, 0.0], [-1.0, 1.0]].map(Point::from);
+        for legs in [[a, b, c], [c, b, a]] {
+            let mut list = List::default();
+            corner(&mut list, legs, 7, 0.01);
+            // After the legs: the head of the arc, its 25 points, the name.
+            let arc = &list.numbers()[4 + 6 + 4..][..50];
+            for at in arc.chunks(2) {
+                let (x, y) = (f64::from(at[0]), f64::from(at[1]));
+                assert!((x.hypot(y) - 0.11).abs() < 1e-6, "{x} {y}");
+                assert!(x < 1e-6, "{x} {y}");
+            }
+        }
+    }
+
     /// The longest of the usual vectors has the length meant, the scale is one that can
     /// be; also where nothing moves, and where a tenth grows without bound.
     #[test]
