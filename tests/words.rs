@@ -39,6 +39,7 @@ const BUILT: [(&str, &[&str]); 54] = [
             "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/state.rs",
             "crates/assur-file/src/view.rs",
+            "crates/assur-web/src/measures.rs",
             "crates/assur-web/src/moving.rs",
             "crates/assur-web/src/pair.rs",
             "www/kinds/mixer/rail.js",

@@ -15,6 +15,7 @@ mod handle;
 mod here;
 mod imported;
 mod kinds;
+mod measures;
 mod moving;
 mod pair;
 mod polygons;

@@ -16,14 +16,12 @@ use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::measures::measures;
 use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
 /// Why there is no pose at an input, or none of its derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
-
-/// So many measures may a view have.
-const MOST_MEASURES: usize = 8;
 
 /// A linkage in motion with all that is drawn of it.
 pub(crate) struct Moving {
@@ -457,26 +455,6 @@ impl Moves for Moving {
     fn table(&self, steps: u32) -> SweepTable {
         SweepTable::of(self, steps)
     }
-}
-
-/// What a view measures.
-///
-/// # Errors
-/// What is no measure, one that is there already, or more than can be told apart.
-fn measures(view: &View, mechanism: &Mechanism) -> Result<Vec<Quantity>, Vec<Problem>> {
-    let mut found = Vec::new();
-    for name in &view.measures {
-        let quantity = Quantity::named(mechanism, name);
-        let quantity = quantity.filter(|one| one.is_measured() && !found.contains(one));
-        match quantity.filter(|_| found.len() < MOST_MEASURES) {
-            Some(quantity) => found.push(quantity),
-            None => {
-                let field = "measures".into();
-                return Err(vec![Problem::UnknownChoice { field }]);
-            }
-        }
-    }
-    Ok(found)
 }
 
 /// What a view lays over the drawing.
