@@ -24,8 +24,10 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
  * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
- * of each series of the plots the value and both derivatives; the last two are null where derivatives are unbounded.
+ * of each series of the plots the value and both derivatives, or of what is plotted against each other abscissa and ordinate; the last two are null where derivatives are unbounded.
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
+ * @typedef {import("assur/types/web.js").AgainstLayout} Field where one quantity is plotted against another
+ * @typedef {import("assur/types/web.js").AxisLayout} FieldAxis
  * @typedef {import("assur/types/web.js").ChartRequest} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
  * @typedef {{ input?: number, document?: import("assur/state/state.js").Change }} Changed where the input goes, which fields of the document become others
@@ -75,6 +77,8 @@ export class Engine {
   points = [];
   /** @type {readonly string[]} the links whose angles are read */
   links = [];
+  /** @type {readonly string[]} what is read with its derivatives */
+  quantities = [];
 
   /** @returns {readonly Shelf[]} where the mechanisms of the catalogue are shown */
   shelves() {
@@ -368,7 +372,7 @@ export class Engine {
   /**
    * @param {import("assur/canvas/painter.js").Context} context
    * @param {ChartRequest} request
-   * @returns {{ panels: Panel[] }}
+   * @returns {{ panels: Panel[], against: Field | null }}
    */
   chart(context, request) {
     return this.ask((simulator) => simulator.chart(/** @type {CanvasRenderingContext2D} */ (context), request));
@@ -410,6 +414,7 @@ export class Engine {
     const of = (/** @type {string} */ what) => names.filter((name) => name.endsWith(what)).map((name) => name.slice(0, -what.length));
     this.points = of(".x");
     this.links = of(".angle");
+    this.quantities = of("″");
   }
 
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */

@@ -82,9 +82,17 @@ curvature: boolean,
  */
 about: string, 
 /**
+ * What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
+ */
+measures: Array<string>, 
+/**
  * What is plotted: `angles`, or the name of a point (`C2`).
  */
 plot: string, 
+/**
+ * What is plotted against each other instead, if anything is.
+ */
+against?: Against | null, 
 /**
  * Which of the plots is shown alone, if one is.
  */
@@ -138,6 +146,15 @@ id: string,
  * The step, counted from 1.
  */
 step: number, };
+export type Against = { 
+/**
+ * The abscissa; `input` is the input.
+ */
+x: string, 
+/**
+ * The ordinate.
+ */
+y: string, };
 export type Only = "all" | "value" | "first" | "second";
 export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";

@@ -131,7 +131,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -160,7 +164,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -197,7 +205,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -244,7 +256,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -393,7 +409,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -574,7 +594,11 @@ numbers: { [key in string]: string }, listed: Array<ListedSummary>,
 /**
  * What can be plotted together, by its name as a choice.
  */
-overviews: Array<string>, plotted: Array<string>, handles: Array<HandleSummary>, 
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
 /**
  * Whether points of its links can be traced.
  */
@@ -608,9 +632,9 @@ export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 
 /**
- * `angle`, `load_angle`, `x`, `y`, `transmission` or `pressure`.
+ * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
  */
-what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure", of: Array<string>, 
+what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner", of: Array<string>, 
 /**
  * The number by which the angle is called.
  */
@@ -653,7 +677,25 @@ only: Only,
  * The input around which a motion is plotted that goes on and on.
  */
 around: number, };
-export type ChartLayout = { panels: Array<PanelLayout>, };
+export type ChartLayout = { panels: Array<PanelLayout>, 
+/**
+ * What is plotted against each other instead of the panels, where anything is and has room.
+ */
+against: AgainstLayout | null, };
+export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
+/**
+ * What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
+ */
+curve: Array<Array<number>>, };
+export type AxisLayout = { 
+/**
+ * None for the input.
+ */
+name: string | null, 
+/**
+ * The number by which the angle is called, where it is.
+ */
+number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type TickLayout = { value: number, at: number, };
 export type SeriesLayout = { name: string, 
@@ -681,7 +723,7 @@ name: string,
  * None where the name is all that is told.
  */
 quantity: SweepQuantity | null, };
-export type SweepQuantity = { kind: "angle" | "x" | "y", of: string, order: number, };
+export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner", of: string, order: number, };
 export type SweepRow = { 
 /**
  * Degrees of a crank, else in the unit of the lengths.

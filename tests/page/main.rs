@@ -3,6 +3,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod access;
+mod against;
 mod animation;
 mod assemblies;
 mod assemblies_lesson;
@@ -40,6 +41,7 @@ mod lecturers;
 mod lesson;
 mod lines;
 mod loading;
+mod measures;
 mod mobility;
 mod mobility_hands;
 mod mobility_lesson;

@@ -4,6 +4,8 @@ import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
 import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
+import { isLength } from "assur/core/symbols.js";
+import { described } from "assur/plots/against.js";
 import { whose } from "assur/plots/readouts.js";
 import { titled, writtenLevel, written } from "assur/plots/units.js";
 
@@ -14,6 +16,7 @@ import { titled, writtenLevel, written } from "assur/plots/units.js";
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null }} Charted
  */
 
 /** So long nothing changes before it is told, in milliseconds: nobody listens to every value of a drag. */
@@ -31,7 +34,7 @@ export class Description {
   #timer = 0;
 
   /**
-   * @param {{ readonly panels: readonly Panel[] }} chart
+   * @param {Charted} chart
    * @param {boolean} asked whether the first rest is a reader's doing, of which it hears
    */
   constructor(chart, asked) {
@@ -43,7 +46,7 @@ export class Description {
   render(snapshot) {
     const { state, words, revision, problems, place } = snapshot;
     const { playing } = state.view;
-    if (this.#shown.same(words, revision, this.#chart.panels, playing || place, ...problems.map(({ code }) => code))) return;
+    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing) write(this.#drawing, words.text("told.moving"));
     this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
@@ -52,7 +55,7 @@ export class Description {
   /** @param {Snapshot} snapshot */
   #tell(snapshot) {
     const { state, words, revision, problems, place } = snapshot;
-    write(this.#plots, plots(snapshot, this.#chart.panels));
+    write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
     // Problems are told as they arise, by an element of their own.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
@@ -82,7 +85,7 @@ function angleText(angle, words) {
 function pose({ summary, coordinate, input, readouts, words }) {
   const values = summary.listed.map((one) => {
     const value = readouts?.[one.name];
-    const length = one.what === "x" || one.what === "y";
+    const length = isLength(one.what);
     return `${listedName(one, words)} ${value === undefined ? "—" : length ? words.numbers.fixed(value, 3) : angleText(value, words)}`;
   });
   return words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
@@ -119,9 +122,11 @@ function positions({ summary, coordinate, input, words }) {
 
 /**
  * @param {Snapshot} snapshot
- * @param {readonly Panel[]} panels
+ * @param {Charted} chart
  */
-function plots({ summary: { listed }, coordinate, place, words }, panels) {
+function plots(snapshot, { panels, against }) {
+  if (against) return described(against, snapshot);
+  const { summary: { listed }, coordinate, place, words } = snapshot;
   const { x0, x1 } = panels[0] ?? {};
   const ends = x0 === undefined ? Object.values(coordinate.axis(place)) : [x0, x1].map((input) => coordinate.place(input));
   const [from, to] = ends.map((end) => coordinate.written(end, words, 1));

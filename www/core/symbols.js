@@ -8,8 +8,24 @@ const LETTERS = Object.freeze({
   x: Object.freeze(["x", "ẋ", "ẍ"]),
   y: Object.freeze(["y", "ẏ", "ÿ"]),
   transmission: Object.freeze(["μ", "μ\u0307", "μ\u0308"]),
+  distance: Object.freeze(["d", "d\u0307", "d\u0308"]),
+  corner: Object.freeze(["θ", "θ\u0307", "θ\u0308"]),
   pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
 });
+
+/** What is said with the points that it is of. */
+const OF_POINTS = Object.freeze(["transmission", "pressure", "distance", "corner"]);
+
+/** What is a length: all else is an angle. */
+const LENGTHS = Object.freeze(["x", "y", "distance"]);
+
+/**
+ * @param {string} what a quantity is
+ * @returns {boolean} whether it is a length
+ */
+export function isLength(what) {
+  return LENGTHS.includes(what);
+}
 
 /**
  * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number an angle goes by its link or its joint.
@@ -23,7 +39,7 @@ export function symbol({ name, number }, order, physical, words) {
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
   const index = number ? subscript(number) : "";
-  const named = what === "transmission" || what === "pressure" ? ` ${subscript(of)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
+  const named = OF_POINTS.includes(what) ? ` ${subscript(of)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
 }
 

@@ -1,6 +1,7 @@
 // The table of a sweep as CSV: numbers so short that they read back as the very same.
 import { degrees, radians } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
+import { isLength } from "assur/core/symbols.js";
 
 /**
  * @typedef {import("assur/engine.js").SweepTable} SweepTable
@@ -23,6 +24,8 @@ const COLUMNS = Object.freeze({
   angle: Object.freeze(["export.column.angle", "export.column.omega", "export.column.epsilon"]),
   x: Object.freeze(["export.column.x", "export.column.vx", "export.column.ax"]),
   y: Object.freeze(["export.column.y", "export.column.vy", "export.column.ay"]),
+  distance: Object.freeze(["export.column.distance", "export.column.distance_v", "export.column.distance_a"]),
+  corner: Object.freeze(["export.column.corner", "export.column.corner_v", "export.column.corner_a"]),
 });
 
 /** Digits of a dimension: no more than what it was before it was drawn. */
@@ -69,14 +72,14 @@ function named({ name, quantity }, { moves }, { degrees: inDegrees, worded }, wo
   if (worded) {
     const angle = words.text(inDegrees ? "unit.deg" : "unit.rad");
     const length = words.unit || words.text("unit.length");
-    const unit = kind === "angle" ? angle : length;
+    const unit = isLength(kind) ? length : angle;
     const power = order > 1 ? "²" : "";
     const per = order > 0 ? `/${moves === "angle" ? angle : length}${power}` : "";
     return words.text(COLUMNS[kind][order], { of: called(of, words), unit: `${unit}${per}` });
   }
   const angle = inDegrees ? "deg" : "rad";
   const length = lengthName(words);
-  const unit = kind === "angle" ? angle : length;
+  const unit = isLength(kind) ? length : angle;
   const by = moves === "angle" ? angle : length;
   const power = order > 1 ? `${order}` : "";
   const per = order > 0 ? `_per_${by}${power}` : "";
@@ -108,7 +111,7 @@ function inputName({ field, moves }, words) {
  */
 function scale({ quantity }, { moves }, choices) {
   if (!quantity || !choices.degrees) return 1;
-  const of = quantity.kind === "angle" ? 1 : 0;
+  const of = isLength(quantity.kind) ? 0 : 1;
   const by = moves === "angle" ? quantity.order : 0;
   // What is of an angle by an angle is the same number in both.
   return of < by ? radians(1) ** (by - of) : degrees(1) ** (of - by);

@@ -4,6 +4,7 @@ import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { derived } from "assur/core/units.js";
 import { subscript } from "assur/core/symbols.js";
+import { PairChoice } from "assur/plots/pairs.js";
 import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
 
@@ -29,11 +30,13 @@ export class PlotBar {
   #unit = byId("omega-unit", HTMLSelectElement);
   #input = byId("input", HTMLElement);
   #note = byId("input-note", HTMLElement);
+  #pairs;
   #omega;
   #epsilon;
   /** @type {readonly string[]} the points that can be chosen */
   #points = [];
   #overviews = "";
+  #measures = "";
   #joints = "";
   /** @type {readonly unknown[]} what was shown last */
   #shown = [];
@@ -41,10 +44,15 @@ export class PlotBar {
   /**
    * @param {import("assur/app/page.js").Page} page
    */
-  constructor({ store, engine, model, drafts }) {
+  constructor(page) {
+    const { store, engine, model, drafts } = page;
     this.#engine = engine;
+    this.#pairs = new PairChoice(page);
     const look = (/** @type {Partial<View>} */ change) => store.update((state) => withView(state, change));
-    this.#plot.addEventListener("change", () => look({ plot: this.#plot.value }));
+    this.#plot.addEventListener("change", () => {
+      const against = this.#pairs.pair(this.#plot.value);
+      look(against ? { against } : { against, plot: this.#plot.value });
+    });
     this.#only.addEventListener("change", () => look({ only: /** @type {View["only"]} */ (this.#only.value) }));
     this.#axes.addEventListener("change", () => look({ axes: /** @type {View["axes"]} */ (this.#axes.value) }));
     this.#unit.addEventListener("change", () => {
@@ -62,21 +70,24 @@ export class PlotBar {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ state: { view }, summary, coordinate, words, problems }) {
+  render(snapshot) {
+    const { state: { view }, summary, coordinate, words, problems } = snapshot;
     const { overviews } = summary;
     const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
-    const { plot, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
+    const { plot, against, measures, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), ...wrong];
+    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), against, measures.join(), summary, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
     const anew = words !== this.#shown[7] || points !== this.#points || joints(transmissions) !== this.#joints;
-    if (anew || overviews.join() !== this.#overviews) this.#offer(points, overviews, transmissions, words);
+    if (anew || measures.join() !== this.#measures || overviews.join() !== this.#overviews) this.#offer(snapshot, points, transmissions);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
     this.#plot.value = plot;
+    this.#pairs.show(against, this.#plot, snapshot);
     this.#only.value = only;
+    this.#only.hidden = against !== null;
     this.#axes.value = axes;
     this.#unit.value = unit;
     this.#axes.hidden = moves === "time";
@@ -117,12 +128,13 @@ export class PlotBar {
   }
 
   /**
+   * @param {Snapshot} snapshot
    * @param {readonly string[]} points
-   * @param {readonly string[]} overviews what is plotted together
    * @param {readonly Transmission[]} transmissions
-   * @param {Words} words
    */
-  #offer(points, overviews, transmissions, words) {
+  #offer(snapshot, points, transmissions) {
+    const { summary: { overviews }, state: { view: { measures } }, words } = snapshot;
+    this.#measures = measures.join();
     this.#joints = joints(transmissions);
     this.#points = points;
     this.#overviews = overviews.join();
@@ -133,8 +145,21 @@ export class PlotBar {
       ...this.#engine.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
       ...points.map((point) => option(point, "plots.point", subscript(point))),
       ...transmissions.map(({ what, joint }) => make("option", { value: `${joint}.${what}` }, [whose({ what, of: [joint] }, words)])),
+      ...measures.map((name) => make("option", { value: name }, [measure(name, words)])),
+      this.#pairs.offered(snapshot),
     );
   }
+}
+
+/**
+ * @param {string} name of a measure
+ * @param {Words} words
+ * @returns {string} what it is
+ */
+function measure(name, words) {
+  const dot = name.lastIndexOf(".");
+  const what = name.endsWith(".distance") ? "distance" : "corner";
+  return whose({ what, of: [name.slice(0, dot)] }, words);
 }
 
 /**

@@ -2,11 +2,13 @@
 import { Surface } from "assur/canvas/surface.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { drawAgainstText } from "assur/plots/against.js";
 import { drawMarks } from "assur/plots/marks.js";
 import { drawChartText } from "assur/plots/text.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Field} Field
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
@@ -23,6 +25,8 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
+  /** @type {Field | null} what is plotted against each other instead of them */
+  against = null;
   /** @type {readonly (readonly import("assur/plots/marks.js").Box[])[]} where the labels are, of each panel */
   labels = [];
   /** @type {Overlay | null} */
@@ -56,7 +60,7 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    ({ panels: this.panels, labels: this.labels } = this.#paint(this.#surface, snapshot, this.#theme, false));
+    ({ panels: this.panels, against: this.against, labels: this.labels } = this.#paint(this.#surface, snapshot, this.#theme, false));
     this.redrawn();
   }
 
@@ -94,10 +98,11 @@ export class ChartView {
     // Not as the text that was written last left it.
     context.lineJoin = "round";
     const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
-    const panels = drawn.value?.panels ?? [];
+    const { panels, against } = drawn.value ?? { panels: [], against: null };
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);
     const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
-    return { panels, labels };
+    if (against) drawAgainstText(context, against, snapshot, theme);
+    return { panels, against, labels };
   }
 }

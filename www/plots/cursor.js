@@ -4,14 +4,16 @@ import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { drawAgainstCursor } from "assur/plots/against.js";
 import { across, down, shows } from "assur/plots/panel.js";
-import { placedTags } from "assur/plots/tags.js";
+import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
  * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/engine.js").Field} Field
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
@@ -39,7 +41,7 @@ export class ChartCursor {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Theme} theme
-   * @param {{ readonly panels: readonly Panel[], readonly labels: readonly (readonly Box[])[] }} chart
+   * @param {{ readonly panels: readonly Panel[], readonly against: Field | null, readonly labels: readonly (readonly Box[])[] }} chart
    * @param {Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
@@ -69,7 +71,12 @@ export class ChartCursor {
     this.#surface.clear();
     const hovered = this.#hovered;
     const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
-    const { panels, labels } = this.#chart;
+    const { panels, against, labels } = this.#chart;
+    if (against) {
+      const { context } = this.#surface;
+      drawAgainstCursor(context, against, snapshot.plotted, snapshot, this.#theme, { tagged: hovered === null });
+      if (hovered !== null) drawAgainstCursor(context, against, ghost, snapshot, this.#theme, { tagged: true, input: hovered });
+    }
     // Two sets of numbers would cover each other: under a pointer only its own are written.
     const phi = snapshot.input;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
@@ -176,20 +183,9 @@ export class ChartCursor {
    * @param {number} left
    * @param {number} top
    * @param {number} width
-   * @param {Dot} dot
+   * @param {Dot} tag
    */
-  #tag(left, top, width, { text, colour, ink }) {
-    const { context } = this.#surface;
-    context.textAlign = "left";
-    context.textBaseline = "middle";
-    context.beginPath();
-    context.roundRect(left, top, width, this.#tall, 5);
-    context.fillStyle = this.#theme.colours.paper;
-    context.fill();
-    context.lineWidth = 1;
-    context.strokeStyle = colour;
-    context.stroke();
-    context.fillStyle = ink;
-    context.fillText(text, left + 5, top + this.#tall / 2 + 0.5);
+  #tag(left, top, width, tag) {
+    paintTag(this.#surface.context, { left, top, width, tall: this.#tall }, tag, this.#theme);
   }
 }

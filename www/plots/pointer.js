@@ -1,6 +1,7 @@
 // Hands on the plots: a click or a drag drives to the input under the pointer, hovering shows the values there, a double
 // click shows one plot alone.
 import { setData } from "assur/core/dom.js";
+import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";
 import { withView } from "assur/state/state.js";
 
@@ -115,10 +116,14 @@ export class ChartPointer {
    * @param {number} beyond
    * @returns {number | null} the input under the pointer; null where there is no axis
    */
-  #angle(event, beyond) {
-    const [panel] = this.#chart.panels;
+  #angle({ clientX, clientY }, beyond) {
+    const { left: x, top: y } = this.#canvas.getBoundingClientRect();
+    const { panels, against } = this.#chart;
+    const { coordinate } = this.#model;
+    if (against) return inputAt(against, clientX - x, clientY - y, beyond, coordinate.input(coordinate.of(this.#store.get())));
+    const [panel] = panels;
     if (!panel) return null;
-    const left = event.clientX - this.#canvas.getBoundingClientRect().left;
+    const left = clientX - x;
     if (left < panel.left - beyond || left > panel.left + panel.width + beyond) return null;
     return angleAt(panel, left);
   }

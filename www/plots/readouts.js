@@ -49,11 +49,14 @@ export class ReadoutTable {
   }
 
   /** @param {Snapshot} snapshot */
-  #build({ state: { view }, summary: { listed, plotted }, coordinate, words }) {
+  #build({ state: { view }, summary: { listed, curves }, coordinate, words }) {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
     // What derivatives of what is listed are called: of angles, of lengths, of both.
-    const sorts = ["angle", "load_angle", "x", "y"].filter((sort) => listed.some(({ what }) => what === sort));
+    const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
+    const usual = found("angle", "load_angle", "x", "y");
+    // Measures are led by their own letters: beside others the heads would only be wide.
+    const sorts = usual.length > 0 ? usual : found("distance", "corner");
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
@@ -68,7 +71,7 @@ export class ReadoutTable {
         return output;
       });
       const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [whose(one, words)])];
-      return row(one.role, plotted.includes(one.name), title, cells);
+      return row(one.role, curves.includes(one.name), title, cells);
     });
     const [input] = this.#table.tBodies[0].rows;
     this.#table.tBodies[0].replaceChildren(input, ...rows);
@@ -91,6 +94,8 @@ function row(role, curve, title, cells) {
 function letter({ what, number }) {
   if (what === "transmission") return "μ";
   if (what === "pressure") return "α";
+  if (what === "distance") return "d";
+  if (what === "corner") return "θ";
   if (what === "angle") return `φ${subscript(number ?? "")}`;
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
@@ -103,6 +108,7 @@ function letter({ what, number }) {
 export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");
   if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of[0], words) });
+  if (what === "distance" || what === "corner") return `${words.text(what === "distance" ? "readouts.distance" : "readouts.corner")} ${subscript(of.join("-"))}`;
   const point = subscript(of[0]);
   if (what === "transmission") return `${words.text("readouts.transmission")} ${point}`;
   return what === "pressure" ? `${words.text("readouts.pressure")} ${point}` : point;

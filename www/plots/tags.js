@@ -10,6 +10,26 @@ const FARTHEST = 3;
 const APART = 2;
 
 /**
+ * @param {CanvasRenderingContext2D} context with the font of the plots
+ * @param {{ left: number, top: number, width: number, tall: number }} box
+ * @param {{ text: string, colour: string, ink: string }} tag
+ * @param {import("assur/canvas/theme.js").Theme} theme
+ */
+export function paintTag(context, { left, top, width, tall }, { text, colour, ink }, theme) {
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.beginPath();
+  context.roundRect(left, top, width, tall, 5);
+  context.fillStyle = theme.colours.paper;
+  context.fill();
+  context.lineWidth = 1;
+  context.strokeStyle = colour;
+  context.stroke();
+  context.fillStyle = ink;
+  context.fillText(text, left + 5, top + tall / 2 + 0.5);
+}
+
+/**
  * @typedef {object} Tags
  * @property {readonly number[]} middles of the tags as they would stand by themselves, in rising order
  * @property {readonly number[]} widths

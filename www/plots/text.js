@@ -3,7 +3,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
-import { inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
+import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -90,10 +90,10 @@ const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "sym
  * @returns {[text: string, role?: string][]}
  */
 function names(panel, words, naming) {
-  const { kind, order, physical, series } = panel;
+  const { order, physical, series } = panel;
   const [{ name }] = series;
   // Of several points each curve says whose it is.
-  const points = kind === "length" ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
+  const points = coordinates(panel) ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
   const several = new Set(points).size > 1;
   if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
   const symbols = series.map((one, i) => {
@@ -103,7 +103,7 @@ function names(panel, words, naming) {
   });
   /** @type {[string, string?][]} */
   const listed = symbols.flatMap((one, i) => (i > 0 ? [[", "], one] : [one]));
-  return kind === "length" && !several ? [[`${points[0]}: `], ...listed] : listed;
+  return points.length > 0 && !several ? [[`${points[0]}: `], ...listed] : listed;
 }
 
 /**

@@ -3,6 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { derived } from "assur/core/units.js";
 
 /** @typedef {import("assur/engine.js").Panel} Panel */
+/** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale of a panel, or of any axis */
 
 /** Numbers beyond these would not fit beside an axis: it is labelled in thousands, millions, thousandths … */
 const LARGE = 1e5;
@@ -10,21 +11,29 @@ const SMALL = 1e-2;
 
 /**
  * The power of ten that the numbers of a panel are written in.
- * @param {Panel} panel
+ * @param {Scale} panel
  */
 export function power(panel) {
   const most = Math.max(Math.abs(panel.y0), Math.abs(panel.y1));
   return inDegrees(panel) || (most < LARGE && most >= SMALL) ? 0 : 3 * Math.floor(Math.log10(most) / 3);
 }
 
-/** @param {Panel} panel */
+/**
+ * @param {Panel} panel
+ * @returns {boolean} whether its curves are coordinates of points
+ */
+export function coordinates({ series }) {
+  return series.some(({ name }) => /\.[xy]$/.test(name));
+}
+
+/** @param {Scale} panel */
 export function inDegrees({ kind, order }) {
   return kind === "angle" && order === 0;
 }
 
 /**
  * A value of a panel as its labels say it: with four digits of what the axis spans.
- * @param {Panel} panel
+ * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
  * @param {boolean} [moving] whether it is another one in the next frame: then with as many digits as the eye can follow
@@ -38,7 +47,7 @@ export function written(panel, value, numbers, moving = false) {
 
 /**
  * A value that a curve of a panel has throughout.
- * @param {Panel} panel
+ * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
  */
@@ -47,7 +56,7 @@ export function writtenLevel(panel, value, numbers) {
 }
 
 /**
- * @param {Panel} panel
+ * @param {Scale} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate by which derivatives are, if not by time
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the unit of a panel's numbers, with the power of ten they are written in; nothing where they have neither
@@ -76,6 +85,7 @@ export function unitOf(panel, { moves }, words) {
  */
 export function titled(panel, coordinate, words) {
   const { kind, order, physical } = panel;
+  if (kind === "length" && order === 0 && !coordinates(panel)) return [words.text("readouts.distance"), unitOf(panel, coordinate, words)].filter(Boolean).join(", ");
   const by = order === 0 ? "value" : physical ? "by_time" : "analogue";
   return words.text(`plots.${kind}.${by}.${order}`, { unit: unitOf(panel, coordinate, words) });
 }

@@ -5,7 +5,7 @@ import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { readable } from "assur/core/numbers.js";
-import { subscript } from "assur/core/symbols.js";
+import { isLength, subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
 
 /**
@@ -150,7 +150,10 @@ function labelText(label, { frameInput, coordinate, readouts, words, state }) {
   if (readout === undefined) return low(called(label, words));
   const decimals = readable(1, state?.view.playing ?? false);
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;
-  return readouts ? `${symbol} = ${words.numbers.fixed(degrees(readouts[readout]), decimals)}°` : symbol;
+  const value = readouts?.[readout];
+  if (value === undefined) return symbol;
+  const length = isLength(readout.slice(readout.lastIndexOf(".") + 1));
+  return `${symbol} = ${length ? words.length(words.numbers.short(value)) : `${words.numbers.fixed(degrees(value), decimals)}°`}`;
 }
 
 /** @param {string} label */

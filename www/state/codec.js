@@ -1,5 +1,6 @@
 // How the state travels: in an address and in a file. Only the wrapping is read here; what is in it the engine checks.
 import { Refusal } from "assur/core/problem.js";
+import { contains } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -37,7 +38,7 @@ export function toAddress({ kind, document, view, lesson }, preset) {
   const written = lesson ? [`${LESSON}=${encode(lesson)}`] : [];
   if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...written].join("&");
   const usual = /** @type {Record<string, unknown>} */ (preset.usual);
-  const unusual = Object.entries(view).filter(([key, value]) => value !== usual[key] && !(view.playing && PLACES.includes(key)));
+  const unusual = Object.entries(view).filter(([key, value]) => !contains(usual, { [key]: value }) && !(view.playing && PLACES.includes(key)));
   return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...written].join("&");
 }
 

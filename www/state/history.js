@@ -1,5 +1,5 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { OVERLAYS, withLesson, withMechanism, withView } from "assur/state/state.js";
+import { UNDONE, withLesson, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -116,7 +116,7 @@ export class History {
  * @returns {Moment}
  */
 function moment({ kind, document, lesson, view }) {
-  return { kind, document, lesson, shown: Object.fromEntries(OVERLAYS.map((name) => [name, view[name]])) };
+  return { kind, document, lesson, shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -124,5 +124,5 @@ function moment({ kind, document, lesson, view }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  return one.document === other.document && one.lesson === other.lesson && OVERLAYS.every((name) => one.shown[name] === other.shown[name]);
+  return one.document === other.document && one.lesson === other.lesson && UNDONE.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -7,7 +7,7 @@
 
 /**
  * @typedef {Frozen<import("assur/types/file.js").View>} Saved the view as it is saved
- * @typedef {Omit<Saved, "lesson"> & { readonly lesson: NonNullable<Saved["lesson"]> | null }} View
+ * @typedef {Omit<Saved, "lesson" | "against"> & { readonly [K in "lesson" | "against"]: NonNullable<Saved[K]> | null }} View
  * @typedef {Frozen<import("assur/types/file.js").MixerDocument>} MixerDocument
  * @typedef {Frozen<import("assur/types/file.js").LinkageDocument>} LinkageDocument
  * @typedef {Frozen<import("assur/types/file.js").Document>} Document
@@ -30,11 +30,14 @@ export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_a
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
-  /** @type {const} */ ([...SWITCHES, "about", "plot", "axes", "omega", "epsilon", "true_time"]),
+  /** @type {const} */ ([...SWITCHES, "about", "measures", "plot", "against", "axes", "omega", "epsilon", "true_time"]),
 );
 
 /** What of the view names a part of the document, and what it says of any other. */
-export const PARTS = Object.freeze({ plot: "angles", about: "" });
+export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", measures: Object.freeze([]) });
+
+/** What of the view is undone, as the document is: the rest loses nothing. */
+export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
 /** How many traced points a mechanism may have. */
 export const TRACERS = Object.freeze({ most: 6 });
@@ -65,7 +68,9 @@ export function usualView(view) {
     centrodes: false,
     curvature: false,
     about: "",
+    measures: Object.freeze([]),
     plot: "angles",
+    against: null,
     only: "all",
     axes: "analogues",
     omega: 1,
@@ -190,8 +195,8 @@ export function contains(value, part) {
 /**
  * @param {unknown} one
  * @param {unknown} other
- * @returns {boolean} lists are the same where all in them is
+ * @returns {boolean} lists and the like are the same where all in them is
  */
 function same(one, other) {
-  return Object.is(one, other) || (Array.isArray(one) && JSON.stringify(one) === JSON.stringify(other));
+  return Object.is(one, other) || (one instanceof Object && JSON.stringify(one) === JSON.stringify(other));
 }

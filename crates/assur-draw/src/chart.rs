@@ -6,6 +6,7 @@
 //! (plotters' own text measuring inserts elements into the page, and the decimal
 //! sign is the reader's).
 
+mod against;
 mod curves;
 mod ticks;
 
@@ -17,6 +18,8 @@ use assur::Cycle;
 use assur::motion::{Features, Input};
 
 use crate::list::{ROLES, Role};
+pub use against::{Against, Axis, Field, Passed};
+pub(crate) use curves::sampled;
 pub use curves::{At, Mark, MarkKind, Sample};
 use curves::{Plot, Range};
 pub use ticks::Tick;
@@ -316,17 +319,28 @@ impl Chart {
             let shown = shown.filter(|(_, y)| (y0..=y1).contains(y));
             dots.extend(shown.map(|at| (*at, Role::Ink, 3 * FINE / 2)));
         }
-        let scaled = |size: i32| (f64::from(size) * scale) as i32;
-        for (points, role, width) in lines {
-            let style = palette[role as usize].stroke_width(scaled(width).unsigned_abs());
-            area.draw(&PathElement::new(points, style))?;
-        }
-        for (at, role, radius) in dots {
-            let style = palette[role as usize].filled();
-            area.draw(&Circle::new(at, scaled(radius), style))?;
-        }
-        Ok(())
+        paint(&area, lines, dots, palette, scale)
     }
+}
+
+/// Draws lines, and dots over them.
+fn paint<B: DrawingBackend>(
+    area: &DrawingArea<B, Place>,
+    lines: Vec<Line>,
+    dots: Vec<Dot>,
+    palette: &Palette,
+    scale: f64,
+) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+    let scaled = |size: i32| (f64::from(size) * scale) as i32;
+    for (points, role, width) in lines {
+        let style = palette[role as usize].stroke_width(scaled(width).unsigned_abs());
+        area.draw(&PathElement::new(points, style))?;
+    }
+    for (at, role, radius) in dots {
+        let style = palette[role as usize].filled();
+        area.draw(&Circle::new(at, scaled(radius), style))?;
+    }
+    Ok(())
 }
 
 impl Panel {

@@ -16,7 +16,7 @@ mod roles;
 mod slides;
 mod wheels;
 
-use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Unsolved};
+use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
@@ -49,6 +49,8 @@ pub struct View {
     pub traced: Vec<PointId>,
     /// What lecturers draw over it.
     pub lines: Lines,
+    /// What is measured between points.
+    pub measures: Vec<Quantity>,
     /// What the document notes.
     pub annotations: Annotations,
 }

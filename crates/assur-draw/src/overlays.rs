@@ -140,19 +140,106 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
             &[c, at(from + turn, 1.35 * radius)],
         );
     }
-    let arc: Vec<Point> = (0..=24)
-        .map(|i| at(from + turn * f64::from(i) / 24.0, radius))
+    arc(list, Role::Ink, Look::Line, c, radius, [from, turn], name);
+}
+
+/// An arc with a name at its middle, from an angle by a turn.
+fn arc(
+    list: &mut List,
+    role: Role,
+    look: Look,
+    centre: Point,
+    radius: f64,
+    [from, turn]: [f64; 2],
+    name: usize,
+) {
+    let at = |angle: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
+    let points: Vec<Point> = (0..=24)
+        .map(|i| at(from + turn * f64::from(i) / 24.0))
         .collect();
-    list.polyline(Role::Ink, Look::Line, &arc);
+    list.polyline(role, look, &points);
     let middle = from + 0.5 * turn;
     let off = [2.6 * middle.cos(), 1.0 * middle.sin()];
-    list.name(Role::Ink, name, at(middle, radius), off);
+    list.name(role, name, at(middle), off);
+}
+
+/// How far two points are apart: a line between them with a stroke across each end, its name beside its middle.
+pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f64) {
+    let way = b - a;
+    let length = way.norm();
+    if length <= 0.0 {
+        return;
+    }
+    let across = Vector::new(-way.y, way.x) / length;
+    list.polyline(Role::Accent3, Look::Thin, &[a, b]);
+    for end in [a, b] {
+        let stroke = across * (1.5 * unit);
+        list.polyline(Role::Accent3, Look::Thin, &[end - stroke, end + stroke]);
+    }
+    let off = [2.6 * across.x, across.y];
+    list.name(Role::Accent3, name, a + way * 0.5, off);
+}
+
+/// The angle at the second of three points between the others: its legs and an arc, the name at its middle.
+pub(crate) fn corner(list: &mut List, [a, b, c]: [Point; 3], name: usize, unit: f64) {
+    let direction = |to: Point| (to.y - b.y).atan2(to.x - b.x);
+    let from = direction(a);
+    let turn = direction(c) - from;
+    let turn = turn - TAU * (turn / TAU).round();
+    list.polyline(Role::Accent4, Look::Thin, &[a, b, c]);
+    let radius = 11.0 * unit;
+    arc(
+        list,
+        Role::Accent4,
+        Look::Thin,
+        b,
+        radius,
+        [from, turn],
+        name,
+    );
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use assur::Jet;
+
+    /// A distance is a line with a stroke across each end and its name beside the middle; between points at one place
+    /// there is nothing.
+    #[test]
+    fn distances_are_drawn_across() {
+        let mut list = List::default();
+        let (a, b) = (Point::new(1.0, 1.0), Point::new(5.0, 1.0));
+        distance(&mut list, [a, a], 7, 0.1);
+        assert!(list.numbers().is_empty());
+        distance(&mut list, [a, b], 7, 0.1);
+        let (role, thin) = (f32::from(Role::Accent3 as u8), f32::from(Look::Thin as u8));
+        let line = |points: [f32; 4]| [[2.0, role, thin, 2.0].as_slice(), &points].concat();
+        let expected = [
+            line([1.0, 1.0, 5.0, 1.0]),
+            line([1.0, 0.85, 1.0, 1.15]),
+            line([5.0, 0.85, 5.0, 1.15]),
+            vec![4.0, role, 7.0, 3.0, 1.0, 0.0, 1.0],
+        ];
+        assert_eq!(list.numbers(), expected.concat());
+    }
+
+    /// The arc of an angle is the shorter way round, whichever leg is first.
+    #[test]
+    fn corners_are_within_half_a_turn() {
+        let [a, b, c] = [[0.0, -1.0], [0.0, 0.0], [-1.0, 1.0]].map(Point::from);
+        for legs in [[a, b, c], [c, b, a]] {
+            let mut list = List::default();
+            corner(&mut list, legs, 7, 0.01);
+            // After the legs: the head of the arc, its 25 points, the name.
+            let arc = &list.numbers()[4 + 6 + 4..][..50];
+            for at in arc.chunks(2) {
+                let (x, y) = (f64::from(at[0]), f64::from(at[1]));
+                assert!((x.hypot(y) - 0.11).abs() < 1e-6, "{x} {y}");
+                assert!(x < 1e-6, "{x} {y}");
+            }
+        }
+    }
 
     /// The longest of the usual vectors has the length meant, the scale is one that can
     /// be; also where nothing moves, and where a tenth grows without bound.

@@ -41,4 +41,4 @@ pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};
 pub use text::keys_once;
 pub use unit::LengthUnit;
-pub use view::{Axes, Only, OpenLesson, SpeedUnit, View};
+pub use view::{Against, Axes, Only, OpenLesson, SpeedUnit, View};

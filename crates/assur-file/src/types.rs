@@ -24,7 +24,7 @@ use crate::lesson::{
     ChoiceDocument, LessonDocument, NumberDocument, QuestionDocument, ReachDocument, ShownDocument,
     StepDocument, VariedDocument,
 };
-use crate::view::{Axes, Only, OpenLesson, SpeedUnit};
+use crate::view::{Against, Axes, Only, OpenLesson, SpeedUnit};
 use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
 
 #[test]
@@ -33,6 +33,7 @@ fn the_scripts_know_what_is_saved() {
     let types = [
         View::decl(&config),
         OpenLesson::decl(&config),
+        Against::decl(&config),
         Only::decl(&config),
         Axes::decl(&config),
         SpeedUnit::decl(&config),

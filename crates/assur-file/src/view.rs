@@ -80,9 +80,16 @@ pub struct View {
     /// The link that these are of; none, or one that is not there: the first coupler.
     #[serde(default)]
     pub about: String,
+    /// What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
+    #[serde(default)]
+    pub measures: Vec<String>,
     /// What is plotted: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
+    /// What is plotted against each other instead, if anything is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub against: Option<Against>,
     /// Which of the plots is shown alone, if one is.
     #[serde(default)]
     pub only: Only,
@@ -126,6 +133,17 @@ pub struct OpenLesson {
     pub id: String,
     /// The step, counted from 1.
     pub step: u8,
+}
+
+/// A quantity, or a derivative of one, plotted against another one, by their names in tables
+/// (`C.x`, `rocker.dangle`).
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Against {
+    /// The abscissa; `input` is the input.
+    pub x: String,
+    /// The ordinate.
+    pub y: String,
 }
 
 /// The plot that is shown alone, if one is.
@@ -212,7 +230,9 @@ impl Default for View {
             centrodes: false,
             curvature: false,
             about: String::new(),
+            measures: Vec::new(),
             plot: angles(),
+            against: None,
             only: Only::default(),
             axes: Axes::default(),
             omega: one(),

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use assur::Point;
 use assur_draw::Figure;
-use assur_draw::chart::Chart;
+use assur_draw::chart::{Against, Chart};
 use assur_file::{LinkageDocument, Problem};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -100,6 +100,9 @@ pub(crate) trait Moves {
 
     /// The plots, where they go on and on those around an input.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
+
+    /// What is plotted against each other instead of these plots, where anything is.
+    fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
     /// The numbers of links, by which their angles are called.
     fn numbers(&self) -> &BTreeMap<String, String>;

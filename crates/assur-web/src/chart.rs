@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use assur_draw::ROLES;
-use assur_draw::chart::{Chart, Kind, Mark, MarkKind, Palette, Panel, Tick};
+use assur_draw::chart::{
+    Against, Axis, Chart, Field, Kind, Mark, MarkKind, Palette, Panel, Passed, Tick,
+};
 use assur_file::{Only, Problem};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
@@ -57,6 +59,41 @@ impl ChartRequest {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartLayout<'a> {
     panels: Vec<PanelLayout<'a>>,
+    /// What is plotted against each other instead of the panels, where anything is and has room.
+    against: Option<AgainstLayout<'a>>,
+}
+
+/// A quantity plotted against another one.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct AgainstLayout<'a> {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    x: AxisLayout<'a>,
+    y: AxisLayout<'a>,
+    physical: bool,
+    role: &'static str,
+    /// What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
+    curve: Vec<Vec<f64>>,
+}
+
+/// An axis of it: of what, from where to where.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct AxisLayout<'a> {
+    /// None for the input.
+    name: Option<&'a str>,
+    /// The number by which the angle is called, where it is.
+    number: Option<&'a str>,
+    #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
+    order: usize,
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
+    kind: &'static str,
+    from: f64,
+    to: f64,
+    ticks: Vec<TickLayout>,
 }
 
 #[derive(Serialize)]
@@ -122,7 +159,69 @@ impl<'a> ChartLayout<'a> {
             panels: panels
                 .map(|panel| PanelLayout::new(chart, panel, numbers))
                 .collect(),
+            against: None,
         }
+    }
+
+    pub(crate) fn of_one(
+        plot: &'a Against,
+        field: Option<Field>,
+        numbers: &'a BTreeMap<String, String>,
+    ) -> Self {
+        Self {
+            panels: Vec::new(),
+            against: field.map(|field| AgainstLayout::new(plot, field, numbers)),
+        }
+    }
+}
+
+impl<'a> AgainstLayout<'a> {
+    fn new(plot: &'a Against, field: Field, numbers: &'a BTreeMap<String, String>) -> Self {
+        let [x, y] = plot.axes();
+        let ([of_x, of_y], [along_x, along_y]) = (field.spans, field.ticks);
+        let flat = |run: &Vec<Passed>| {
+            let run = run.iter();
+            run.flat_map(|one| [one.at[0], one.at[1], one.input])
+                .collect()
+        };
+        Self {
+            left: field.left,
+            top: field.top,
+            width: field.width,
+            height: field.height,
+            x: AxisLayout::new(x, of_x, along_x, numbers),
+            y: AxisLayout::new(y, of_y, along_y, numbers),
+            physical: plot.settings().physical,
+            role: plot.role().name(),
+            curve: field.curve.iter().map(flat).collect(),
+        }
+    }
+}
+
+impl<'a> AxisLayout<'a> {
+    fn new(
+        axis: &'a Axis,
+        [from, to]: [f64; 2],
+        ticks: Vec<Tick>,
+        numbers: &'a BTreeMap<String, String>,
+    ) -> Self {
+        let name = axis.name.as_deref();
+        Self {
+            name,
+            number: name.and_then(|name| number_of(numbers, name)),
+            order: axis.order,
+            kind: kind(axis.kind),
+            from,
+            to,
+            ticks: ticks.into_iter().map(TickLayout::from).collect(),
+        }
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Angle => "angle",
+        Kind::Length => "length",
     }
 }
 
@@ -137,10 +236,7 @@ impl<'a> PanelLayout<'a> {
         });
         Self {
             order: panel.order,
-            kind: match chart.kind() {
-                Kind::Angle => "angle",
-                Kind::Length => "length",
-            },
+            kind: kind(chart.kind()),
             physical: chart.settings().physical,
             differenced: chart.settings().differenced && panel.order == 2,
             left: panel.left,

@@ -5,10 +5,10 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
-use assur::motion::{Input, Motion};
+use assur::motion::{Column, Input, Motion};
 use assur::{Jet, Point};
-use assur_draw::chart::{Chart, Settings};
-use assur_draw::{Annotations, Figure, Lines, Overlays, View as Drawing};
+use assur_draw::chart::{Against, Chart, Settings};
+use assur_draw::{Annotations, Figure, Lines, Overlays, Role, View as Drawing};
 use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
 
 use crate::capabilities::Moves;
@@ -16,6 +16,8 @@ use crate::driven::Driven;
 use crate::equations::sides;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::measures::measures;
+use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
 /// Why there is no pose at an input, or none of its derivatives.
@@ -34,7 +36,13 @@ pub(crate) struct Moving {
     quantities: Vec<Quantity>,
     /// What is listed whatever is plotted.
     listed: Vec<Quantity>,
+    /// What the view measures.
+    measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
+    /// Whose colours their curves have.
+    plotted_roles: Vec<Role>,
+    /// What is plotted against each other instead.
+    pair: Option<Pair<Column>>,
     driven: Option<Driven>,
     /// What can be dragged.
     handles: Vec<Handle>,
@@ -48,6 +56,7 @@ pub(crate) struct Moving {
     settings: Settings,
     /// Made when it is first drawn: while a joint is dragged not every linkage is plotted.
     chart: OnceCell<Chart>,
+    against: OnceCell<Against>,
     explain: Explain,
 }
 
@@ -74,16 +83,23 @@ impl Moving {
             let field = "about".into();
             return Err(vec![Problem::UnknownChoice { field }]);
         }
+        let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
+        let measures = measures(view, mechanism)?;
         let point = |name: &String| mechanism.point(name);
         // The path of a point that is plotted is one of those to be seen.
-        let of_plot = plotted.iter().filter_map(|one| match one {
-            Quantity::X(point) => Some(*point),
+        let of_pair = pair
+            .iter()
+            .flat_map(|pair| pair.quantities(|one| one.quantity));
+        let of_plot = plotted.iter().copied().chain(of_pair);
+        let of_plot = of_plot.filter_map(|one| match one {
+            Quantity::X(point) => Some(point),
             _ => None,
         });
         let numbers = annotations.numbers.iter().cloned().collect();
         let drawing = Drawing {
             overlays: overlays(view),
             lines: lines(view, mechanism),
+            measures: measures.clone(),
             traced: document
                 .traces
                 .iter()
@@ -98,8 +114,9 @@ impl Moving {
         Ok(Self {
             transmitting: mechanism.transmitting(),
             numbers,
-            quantities,
-            listed: Vec::new(),
+            quantities: [quantities, measures.clone()].concat(),
+            listed: measures.clone(),
+            measures,
             driven: Driven::of(&document, mechanism),
             handles: Handle::of_points(mechanism, &figure),
             traceable: true,
@@ -107,6 +124,9 @@ impl Moving {
             curvature: view.curvature,
             settings: settings(view),
             chart: OnceCell::new(),
+            against: OnceCell::new(),
+            plotted_roles: figure.plotted_roles(&plotted),
+            pair,
             plotted,
             figure,
             motion,
@@ -120,7 +140,9 @@ impl Moving {
     /// is plotted.
     pub(crate) fn listing(mut self, links: impl Iterator<Item = LinkId>) -> Self {
         let transmitting = self.transmitting.iter().copied();
-        self.listed = links.map(Quantity::Angle).chain(transmitting).collect();
+        let measures = self.measures.iter().copied();
+        let angles = links.map(Quantity::Angle);
+        self.listed = angles.chain(transmitting).chain(measures).collect();
         self
     }
 
@@ -182,9 +204,13 @@ impl Moving {
 
     /// Whose colour the curve of a quantity has, if it is plotted.
     pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
-        let roles = self.figure.plotted_roles(&self.plotted);
-        let at = self.plotted.iter().position(|one| *one == quantity);
-        at.map(|at| roles[at].name())
+        let mut plotted = self.plotted.iter().zip(&self.plotted_roles);
+        let found = plotted.find(|(plotted, _)| **plotted == quantity);
+        found.map(|(_, role)| role.name())
+    }
+
+    pub(crate) fn measures(&self) -> &[Quantity] {
+        &self.measures
     }
 
     pub(crate) fn transmitting(&self) -> &[Quantity] {
@@ -210,11 +236,23 @@ impl Moving {
         }
     }
 
+    /// What the curves on the plots are of.
+    pub(crate) fn curves(&self) -> Vec<Quantity> {
+        match &self.pair {
+            Some(pair) => pair.quantities(|column| column.quantity),
+            None => self.plotted.clone(),
+        }
+    }
+
     /// What is listed beside the drawing: what always is, then what is plotted.
-    pub(crate) fn listed(&self) -> impl Iterator<Item = Quantity> + '_ {
-        let plotted = self.plotted.iter().copied();
-        let plotted = plotted.filter(|one| !self.listed.contains(one));
-        self.listed.iter().copied().chain(plotted)
+    pub(crate) fn listed(&self) -> Vec<Quantity> {
+        let mut listed = self.listed.clone();
+        for one in self.curves() {
+            if !listed.contains(&one) {
+                listed.push(one);
+            }
+        }
+        listed
     }
 
     pub(crate) fn handles(&self) -> &[Handle] {
@@ -266,6 +304,17 @@ impl Moving {
             let jet: Jet<3> = one.of(self.mechanism(), pose);
             [0, 1, 2].map(|order| input.rate(&jet, order))
         })
+    }
+
+    /// What is plotted, at an input.
+    fn on_plots(&self, input: f64, pose: &Pose<3>) -> Vec<f64> {
+        match &self.pair {
+            Some(pair) => pair.values(input, |column| {
+                let jet = column.quantity.of(self.mechanism(), pose);
+                self.input().rate(&jet, column.order)
+            }),
+            None => self.rates(&self.plotted, pose).collect(),
+        }
     }
 
     /// What is drawn in a pose, with the other assemblies where they are asked for.
@@ -343,7 +392,7 @@ impl Moves for Moving {
                         .chain(angles)
                         .chain(self.rates(&self.quantities, &pose))
                         .collect(),
-                    plotted: self.rates(&self.plotted, &pose).collect(),
+                    plotted: self.on_plots(input, &pose),
                 })
             }
             Err(unsolved) => {
@@ -362,7 +411,7 @@ impl Moves for Moving {
     fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
         let pose = self.motion.pose::<3>(input);
         let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
-        Ok(self.rates(&self.plotted, &pose).collect())
+        Ok(self.on_plots(input, &pose))
     }
 
     fn why(&self, input: f64) -> Option<Problem> {
@@ -377,7 +426,7 @@ impl Moves for Moving {
             let name = one.name(mechanism, 0);
             ["", "′", "″"].map(|stroke| [&name, stroke].concat())
         });
-        ["input".to_owned()]
+        [INPUT.to_owned()]
             .into_iter()
             .chain(angles)
             .chain(quantities)
@@ -391,6 +440,12 @@ impl Moves for Moving {
     fn chart(&self, _around: f64) -> Cow<'_, Chart> {
         let chart = || self.figure.chart(&self.plotted, self.settings);
         Cow::Borrowed(self.chart.get_or_init(chart))
+    }
+
+    fn against(&self, _around: f64) -> Option<Cow<'_, Against>> {
+        let Pair { x, y } = self.pair?;
+        let against = || self.figure.against(x, y, self.settings);
+        Some(Cow::Borrowed(self.against.get_or_init(against)))
     }
 
     fn numbers(&self) -> &BTreeMap<String, String> {

@@ -82,7 +82,8 @@ impl Simulator {
     /// the lists. They are: the frame, which is the bodies' poses `n, x, y, θ, …` with the
     /// display list of what changes its shape; where the handles of the summary are, x and
     /// y of each; the values of `readoutNames`; of each plotted quantity, in the order of
-    /// the chart's series, the value and the first two derivatives. Derivatives are those
+    /// the chart's series, the value and the first two derivatives, or abscissa and ordinate
+    /// where one thing is plotted against another. Derivatives are those
     /// of the axes, by the input or by time; where they are unbounded the last two lists
     /// are empty, and `why` says it. What never moves has the frame and the handles alone;
     /// its input is by which share of its way it has fallen open, where it does.
@@ -268,16 +269,18 @@ impl Simulator {
     ) -> Result<JsValue, JsValue> {
         let moves = self.moves()?;
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
-        let chart = moves.chart(request.around);
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
-        let drawn = chart.draw(
-            &canvas.into_drawing_area(),
-            &request.palette(),
-            request.scale,
-            request.only.order(),
-        );
-        let panels = drawn.map_err(|error| one(bad("chart", &error.to_string())))?;
+        let (area, palette) = (canvas.into_drawing_area(), request.palette());
+        if let Some(plot) = moves.against(request.around) {
+            let field = plot.draw(&area, &palette, request.scale);
+            let field = field.map_err(|error| one(bad("chart", &error.to_string())))?;
+            let layout = ChartLayout::of_one(&plot, field, moves.numbers());
+            return Ok(to_js(&layout));
+        }
+        let chart = moves.chart(request.around);
+        let panels = chart.draw(&area, &palette, request.scale, request.only.order());
+        let panels = panels.map_err(|error| one(bad("chart", &error.to_string())))?;
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 

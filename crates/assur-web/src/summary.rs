@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, Quantity};
+use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad};
 use assur::motion::OutputProfile;
 use assur::structure::roman;
 use assur::{Cycle, Grashof, Swing};
@@ -51,6 +51,8 @@ pub(crate) struct CourseSummary<'a> {
     /// What can be plotted together, by its name as a choice.
     pub(crate) overviews: &'static [&'static str],
     pub(crate) plotted: Vec<String>,
+    /// What the curves on the plots are of: that, or what is plotted against each other.
+    pub(crate) curves: Vec<String>,
     pub(crate) handles: Vec<HandleSummary<'a>>,
     /// Whether points of its links can be traced.
     pub(crate) traceable: bool,
@@ -129,7 +131,7 @@ pub(crate) struct FourBarSummary<'a> {
 pub(crate) struct TransmissionSummary<'a> {
     #[cfg_attr(test, ts(type = "\"transmission\" | \"pressure\""))]
     what: &'static str,
-    joint: &'a str,
+    joint: String,
     links: [&'a str; 2],
     worst: f64,
     input: f64,
@@ -168,10 +170,12 @@ pub(crate) struct LimitSummary {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
     pub(crate) name: String,
-    /// `angle`, `load_angle`, `x`, `y`, `transmission` or `pressure`.
+    /// `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
     #[cfg_attr(
         test,
-        ts(type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\" | \"pressure\"")
+        ts(
+            type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\" | \"pressure\" | \"distance\" | \"corner\""
+        )
     )]
     pub(crate) what: &'static str,
     pub(crate) of: Vec<&'a str>,
@@ -252,7 +256,7 @@ impl<'a> MotionSummary<'a> {
             };
             Some(TransmissionSummary {
                 what: angle.what(),
-                joint: angle.whose(mechanism),
+                joint: angle.whose(mechanism).into_owned(),
                 links: links.map(|one| link(Some(one))),
                 worst: worst.angle,
                 input: worst.input,
@@ -292,11 +296,14 @@ impl<'a> MotionSummary<'a> {
                 .map(|(name, profile)| OutputSummary::new(name, profile))
                 .collect(),
             numbers: moving.numbers(),
-            listed: (moving.listed())
+            listed: (moving.listed().into_iter())
                 .map(|quantity| ListedSummary::new(moving, quantity))
                 .collect(),
             overviews: &["angles"],
             plotted: plotted.map(|one| one.name(mechanism, 0)).collect(),
+            curves: (moving.curves().into_iter())
+                .map(|one| one.name(mechanism, 0))
+                .collect(),
             handles: handles.collect(),
             traceable: moving.traceable(),
             becomes: &BECOMES,
@@ -321,7 +328,11 @@ impl<'a> MotionSummary<'a> {
 impl<'a> ListedSummary<'a> {
     fn new(moving: &'a Moving, quantity: Quantity) -> Self {
         let (mechanism, what) = (moving.mechanism(), quantity.what());
-        let (of, role) = match quantity {
+        let named = |points: &[PointId]| {
+            let names = points.iter().map(|point| mechanism.point_name(*point));
+            names.collect()
+        };
+        let (of, role): (Vec<&str>, &str) = match quantity {
             Quantity::Angle(link) => {
                 let fixed = mechanism.link_ids();
                 let fixed =
@@ -330,10 +341,11 @@ impl<'a> ListedSummary<'a> {
                 let of = links.map(|link| mechanism.link_name(link)).collect();
                 (of, moving.figure().role(link).name())
             }
-            Quantity::X(_) | Quantity::Y(_) => (vec![quantity.whose(mechanism)], what),
-            Quantity::Transmission(_) | Quantity::Pressure(_) => {
-                (vec![quantity.whose(mechanism)], "secondary")
-            }
+            Quantity::X(point) | Quantity::Y(point) => (named(&[point]), what),
+            Quantity::Transmission(RrrDyad { inner, .. })
+            | Quantity::Pressure(RrpDyad { inner, .. }) => (named(&[inner]), "secondary"),
+            Quantity::Distance(points) => (named(&points), "accent3"),
+            Quantity::Corner(points) => (named(&points), "accent4"),
         };
         let number = of.first().and_then(|link| moving.numbers().get(*link));
         Self {

@@ -40,7 +40,10 @@ pub(crate) struct SweepColumn {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepQuantity {
-    #[cfg_attr(test, ts(type = "\"angle\" | \"x\" | \"y\""))]
+    #[cfg_attr(
+        test,
+        ts(type = "\"angle\" | \"x\" | \"y\" | \"distance\" | \"corner\"")
+    )]
     kind: &'static str,
     of: String,
     order: usize,
@@ -61,7 +64,15 @@ impl SweepTable {
     /// a driven slide, and where it turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
-        let columns = Column::all(mechanism);
+        let measured = moving.measures().iter();
+        let measured = measured.flat_map(|quantity| {
+            [0, 1, 2].map(|order| Column {
+                quantity: *quantity,
+                order,
+            })
+        });
+        let mut columns = Column::all(mechanism);
+        columns.extend(measured);
         let steps = f64::from(steps.max(1));
         let [start, end] = motion.cycle().axis();
         let grid = if mechanism.turns() {
@@ -137,7 +148,7 @@ impl SweepDimension {
 impl SweepColumn {
     fn of(mechanism: &Mechanism, column: Column) -> Self {
         let Column { quantity, order } = column;
-        let (kind, of) = (quantity.what(), quantity.whose(mechanism).to_owned());
+        let (kind, of) = (quantity.what(), quantity.whose(mechanism).into_owned());
         Self {
             name: column.name(mechanism),
             quantity: Some(SweepQuantity { kind, of, order }),

@@ -9,7 +9,10 @@ use crate::assemblies::{
     AssembliesHere, AssemblyHere, Belonging, BranchLine, MeetingPlace, MotionsMap,
 };
 use crate::capabilities::LinkHere;
-use crate::chart::{ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout, TickLayout};
+use crate::chart::{
+    AgainstLayout, AxisLayout, ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout,
+    TickLayout,
+};
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
@@ -112,6 +115,8 @@ fn the_scripts_know_what_crosses_the_border() {
         PhaseSummary::decl(&config),
         ChartRequest::decl(&config),
         ChartLayout::decl(&config),
+        AgainstLayout::decl(&config),
+        AxisLayout::decl(&config),
         PanelLayout::decl(&config),
         TickLayout::decl(&config),
         SeriesLayout::decl(&config),

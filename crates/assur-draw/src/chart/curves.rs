@@ -88,12 +88,6 @@ pub(crate) fn plots(
     }: Settings,
 ) -> [Plot; 3] {
     [0, 1, 2].map(|order| {
-        // At the very ends derivatives that grow without bound and those that do not are alike rounding: the samples
-        // next to them, where there are digits left, are close enough for the eye.
-        let told = |run: &[At]| {
-            let ends = usize::from(order > 0 && !full && run.len() > 2);
-            ends..run.len() - ends
-        };
         let rate = |at: &At, index: usize| input.rate(&at.1.jets[index], order);
         let curve = |(index, series): (usize, &Series)| {
             let point = |at: &At| (at.0, rate(at, index));
@@ -104,7 +98,7 @@ pub(crate) fn plots(
             Curve {
                 runs: runs
                     .iter()
-                    .map(|run| run[told(run)].iter().map(point).collect())
+                    .map(|run| run[told(run, order, full)].iter().map(point).collect())
                     .collect(),
                 marks: marks(&series.features[order]),
                 differences: differences.collect(),
@@ -118,6 +112,14 @@ pub(crate) fn plots(
             curves: series.iter().enumerate().map(curve).collect(),
         }
     })
+}
+
+/// The samples of a run that tell a derivative of an order. At the very ends derivatives that grow
+/// without bound and those that do not are alike rounding: the samples next to them, where there are
+/// digits left, are close enough for the eye.
+pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
+    let ends = usize::from(order > 0 && !full && run.len() > 2);
+    ends..run.len() - ends
 }
 
 /// The second derivative by time from centred differences of the samples of the
@@ -182,7 +184,7 @@ fn marks(features: &Features) -> Vec<Mark> {
 }
 
 /// The range of the values with a margin; of a constant, room around it.
-fn range(values: impl Iterator<Item = f64>) -> Range {
+pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
     let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], value| {
         [min.min(value), max.max(value)]
     });

@@ -50,23 +50,44 @@ pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
         .collect()
 }
 
+/// Labels of values along an abscissa, about 50 pixels apart, or `scale` times as many; of angles in
+/// degrees.
+pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Vec<Tick> {
+    let (step, [from, to]) = stepped(range, angle, 50.0 * scale / width);
+    let at = |value: f64| (value - from) / (to - from) * width;
+    let ticks = multiples(step, from, to);
+    ticks
+        .map(|value| Tick {
+            value,
+            at: at(value),
+        })
+        .collect()
+}
+
 /// Labels of the values, about 28 pixels apart, more where text `scale` times as
 /// large would be crowded; of angles in degrees.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
-    let degrees = |value: f64| if angle { value.to_degrees() } else { value };
-    let (from, to) = (degrees(range.min), degrees(range.max));
-    let least = (to - from) * (18.0 * scale).max(28.0) / height;
-    let step = if angle {
-        angle_step(least, 1.0)
-    } else {
-        round_step(least)
-    };
+    let (step, [from, to]) = stepped(range, angle, (18.0 * scale).max(28.0) / height);
     multiples(step, from, to)
         .map(|value| Tick {
             value,
             at: (to - value) / (to - from) * height,
         })
         .collect()
+}
+
+/// The step between labels that are at least this share of the axis apart, and what the axis spans,
+/// angles in degrees.
+fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
+    let degrees = |value: f64| if angle { value.to_degrees() } else { value };
+    let [from, to] = [range.min, range.max].map(degrees);
+    let least = (to - from) * apart;
+    let step = if angle {
+        angle_step(least, 1.0)
+    } else {
+        round_step(least)
+    };
+    (step, [from, to])
 }
 
 /// The first step for angles that is wide enough; beyond a turn in whole turns.

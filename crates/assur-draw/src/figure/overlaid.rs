@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, RrrDyad};
+use assur::mechanism::{
+    DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, Quantity, RrrDyad,
+};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
@@ -32,6 +34,8 @@ pub(super) struct Overlaid {
     loop_vectors: Vec<([PointId; 2], usize)>,
     /// An outer hinge, the inner and the other outer one, and a name.
     transmission: Vec<([PointId; 3], usize)>,
+    /// What is measured, and a name.
+    measures: Vec<(Quantity, usize)>,
     /// Points with the names of the tips.
     vectors: Vec<(PointId, Option<[usize; 2]>)>,
     scales: Option<Scales>,
@@ -64,9 +68,16 @@ impl Overlaid {
             input: InputArc::new(motion, layout, home, view, names),
             loop_vectors: Vec::new(),
             transmission: Vec::new(),
+            measures: Vec::new(),
             vectors: Vec::new(),
             scales: None,
         };
+        let measured = |one: &Quantity| {
+            let symbol = if one.is_angle() { "θ" } else { "d" };
+            let label = format!("{symbol}={}", one.name(mechanism, 0));
+            (*one, names.add(label))
+        };
+        overlaid.measures = view.measures.iter().map(measured).collect();
         if shown.loop_vectors {
             let named = |[from, to]: [PointId; 2]| {
                 let symbol = view.symbol(&[from, to].map(|point| names.of(point).to_owned()));
@@ -144,6 +155,17 @@ impl Overlaid {
         }
         for (hinges, name) in &self.transmission {
             overlays::transmission(list, hinges.map(place), *name, unit);
+        }
+        for (measure, name) in &self.measures {
+            match measure {
+                Quantity::Distance(ends) => {
+                    overlays::distance(list, ends.map(place), *name, unit);
+                }
+                Quantity::Corner(points) => {
+                    overlays::corner(list, points.map(place), *name, unit);
+                }
+                _ => {}
+            }
         }
         let Some(scales) = self.scales.filter(|_| N >= 3) else {
             return;

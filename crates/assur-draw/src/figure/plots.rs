@@ -3,11 +3,12 @@
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
-use assur::mechanism::{Pose, Quantity, RrrDyad};
-use assur::motion::DeadPoint;
+use assur::Jet;
+use assur::mechanism::{Mechanism, Pose, Quantity, RrrDyad};
+use assur::motion::{Column, DeadPoint};
 
 use super::{Figure, paths};
-use crate::chart::{Chart, Kind, Sample, Series, Settings};
+use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled};
 use crate::list::Role;
 
 /// Next to dead points derivatives grow without bound: ranges are taken where the
@@ -18,6 +19,36 @@ const CLEAR_SHARE: f64 = 0.04;
 
 /// The colours of an axis of further points.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
+
+/// What a quantity is.
+fn kind_of(quantity: &Quantity) -> Kind {
+    if quantity.is_angle() {
+        Kind::Angle
+    } else {
+        Kind::Length
+    }
+}
+
+/// The axis of a column, or of the input where that is none.
+fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
+    let Some(Column { quantity, order }) = column else {
+        let kind = if mechanism.turns() {
+            Kind::Angle
+        } else {
+            Kind::Length
+        };
+        return Axis {
+            name: None,
+            kind,
+            order: 0,
+        };
+    };
+    Axis {
+        name: Some(quantity.name(mechanism, 0)),
+        kind: kind_of(&quantity),
+        order,
+    }
+}
 
 /// What tells that derivatives are far from growing without bound at a dead point.
 enum Clear {
@@ -45,29 +76,53 @@ impl Figure {
         let room = RefCell::new(mechanism.blank::<3>());
         let sample = |input: f64| {
             let pose = &mut *room.borrow_mut();
-            motion.place(self.off_the_ends(input), pose).ok()?;
-            Some(Sample {
-                jets: quantities.iter().map(|q| q.of(mechanism, pose)).collect(),
-                clear: ends.iter().all(|end| self.is_clear(end, input, pose)),
+            self.sample(input, pose, &ends, |pose| {
+                quantities.iter().map(|q| q.of(mechanism, pose)).collect()
             })
         };
-        let kind = match quantities.first() {
-            Some(quantity) if !quantity.is_angle() => Kind::Length,
-            _ => Kind::Angle,
-        };
+        let kind = quantities.first().map_or(Kind::Angle, kind_of);
         Chart::new(motion.cycle(), kind, series.collect(), &sample, settings)
+    }
+
+    /// A column over the motion against another one, or against the input where that is none.
+    pub fn against(&self, x: Option<Column>, y: Column, settings: Settings) -> Against {
+        let (motion, mechanism) = (&self.motion, self.motion.mechanism());
+        let ends = self.ends();
+        let room = RefCell::new(mechanism.blank::<3>());
+        let sample = |input: f64| {
+            let pose = &mut *room.borrow_mut();
+            self.sample(input, pose, &ends, |pose| {
+                let abscissa = x.map(|x| x.quantity.of(mechanism, pose));
+                let abscissa = abscissa.unwrap_or(Jet::linear(input, 1.0));
+                vec![abscissa, y.quantity.of(mechanism, pose)]
+            })
+        };
+        let runs = sampled(motion.cycle(), &sample);
+        let axes = [x, Some(y)].map(|column| axis(mechanism, column));
+        let role = self.own_role(y.quantity);
+        Against::new(axes, role, &runs, motion.cycle().is_full(), settings)
+    }
+
+    /// Quantities of the pose at an input, where it has derivatives.
+    fn sample(
+        &self,
+        input: f64,
+        pose: &mut Pose<3>,
+        ends: &[Clear],
+        jets: impl Fn(&Pose<3>) -> Vec<Jet<3>>,
+    ) -> Option<Sample> {
+        self.motion.place(self.off_the_ends(input), pose).ok()?;
+        Some(Sample {
+            jets: jets(pose),
+            clear: ends.iter().all(|end| self.is_clear(end, input, pose)),
+        })
     }
 
     /// Whose colours the curves have: links their own, each axis its own, the same axis of a further point another.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {
-            let own = match quantity {
-                Quantity::Angle(link) => self.role(*link),
-                Quantity::X(_) => Role::X,
-                Quantity::Y(_) => Role::Y,
-                Quantity::Transmission(_) | Quantity::Pressure(_) => Role::Secondary,
-            };
+            let own = self.own_role(*quantity);
             let mut free = FURTHER.into_iter().filter(|role| !roles.contains(role));
             let taken = !quantity.is_angle() && roles.contains(&own);
             let role = if taken {
@@ -78,6 +133,18 @@ impl Figure {
             roles.push(role);
         }
         roles
+    }
+
+    /// Whose colour a quantity's curve has by itself.
+    fn own_role(&self, quantity: Quantity) -> Role {
+        match quantity {
+            Quantity::Angle(link) => self.role(link),
+            Quantity::X(_) => Role::X,
+            Quantity::Y(_) => Role::Y,
+            Quantity::Transmission(_) | Quantity::Pressure(_) => Role::Secondary,
+            Quantity::Distance(_) => Role::Accent3,
+            Quantity::Corner(_) => Role::Accent4,
+        }
     }
 
     /// The dead points.

@@ -3,7 +3,7 @@ use assur::mixer::Case;
 use assur::motion::Input;
 use serde_json::json;
 
-use crate::{Axes, MixerDocument, MixerTracerDocument, Only, SpeedUnit, WheelDocument};
+use crate::{Against, Axes, MixerDocument, MixerTracerDocument, Only, SpeedUnit, WheelDocument};
 
 fn state() -> State {
     State {
@@ -30,7 +30,12 @@ fn state() -> State {
             centrodes: true,
             curvature: false,
             about: "coupler".to_owned(),
+            measures: vec!["A-C.distance".to_owned()],
             plot: "C2".to_owned(),
+            against: Some(Against {
+                x: "input".to_owned(),
+                y: "C.dy".to_owned(),
+            }),
             only: Only::First,
             axes: Axes::Physical,
             omega: -2.5,
@@ -213,6 +218,8 @@ fn older_views_say_less() {
         "loop_vectors",
         "transmission",
         "plot",
+        "measures",
+        "against",
         "only",
         "axes",
         "omega",
@@ -230,6 +237,8 @@ fn older_views_say_less() {
         vectors: false,
         transmission: false,
         plot: "angles".to_owned(),
+        measures: Vec::new(),
+        against: None,
         only: Only::All,
         axes: Axes::Analogues,
         omega: 1.0,

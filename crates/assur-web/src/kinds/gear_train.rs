@@ -34,7 +34,7 @@ impl GearTrain {
             velocities: state.view.vectors,
         };
         let figure = TrainFigure::new(&train.layout, view);
-        let course = Course::new(train, document, &state.view.plot)?;
+        let course = Course::new(train, document, &state.view)?;
         Ok(Self {
             document: document.clone(),
             course,

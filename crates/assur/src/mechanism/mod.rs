@@ -16,6 +16,7 @@ mod draft;
 mod driver;
 mod dyads;
 mod joints;
+mod measure;
 mod multiple;
 mod natural;
 mod neighbour;
@@ -53,7 +54,6 @@ pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
-pub(crate) use transmitting::{acute, sense};
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
 pub use crate::position::{Cause, Method};

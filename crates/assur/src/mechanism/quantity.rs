@@ -1,6 +1,8 @@
-//! What can be read off a mechanism: angles of links, coordinates of points, how well dyads transmit.
+//! What can be read off a mechanism: angles of links, coordinates of points, how well dyads transmit, what is measured.
 
-use super::transmitting::folded;
+use std::borrow::Cow;
+
+use super::transmitting::{acute, folded, sense};
 use super::{Mechanism, Pose, RrpDyad, RrrDyad};
 use crate::Jet;
 use crate::index::{LinkId, PointId};
@@ -18,6 +20,10 @@ pub enum Quantity {
     Transmission(RrrDyad),
     /// The pressure angle of a dyad: between its rod and its way, acute, radians; 90° less it is the transmission angle.
     Pressure(RrpDyad),
+    /// How far two points are apart, in the unit of the lengths.
+    Distance([PointId; 2]),
+    /// The angle at the second of three points between the others, up to half a turn, radians.
+    Corner([PointId; 3]),
 }
 
 impl Quantity {
@@ -30,13 +36,16 @@ impl Quantity {
         angles.chain(points).collect()
     }
 
-    /// The quantity of a name, such as `rocker.angle`, `C.x` or, of the joint within a dyad, `C.transmission`.
+    /// The quantity of a name, such as `rocker.angle`, `C.x`, of the joint within a dyad `C.transmission`, of points with
+    /// hyphens between them `A-C.distance` and `A-B-C.corner`.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (of, what) = name.rsplit_once('.')?;
         match what {
             "angle" => mechanism.link(of).map(Self::Angle),
             "x" => mechanism.point(of).map(Self::X),
             "y" => mechanism.point(of).map(Self::Y),
+            "distance" => mechanism.two_points(of).map(Self::Distance),
+            "corner" => mechanism.three_points(of).map(Self::Corner),
             _ => {
                 let mut transmitting = mechanism.transmitting().into_iter();
                 transmitting.find(|one| one.what() == what && one.whose(mechanism) == of)
@@ -51,7 +60,7 @@ impl Quantity {
         format!("{of}.{prefix}{what}")
     }
 
-    /// What it is: `angle`, `x`, `y`, `transmission` or `pressure`.
+    /// What it is: `angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
     pub fn what(self) -> &'static str {
         match self {
             Self::Angle(_) => "angle",
@@ -59,37 +68,78 @@ impl Quantity {
             Self::Y(_) => "y",
             Self::Transmission(_) => "transmission",
             Self::Pressure(_) => "pressure",
+            Self::Distance(_) => "distance",
+            Self::Corner(_) => "corner",
         }
     }
 
-    /// The name of the link or point that it is of; of a dyad that of its inner joint.
-    pub fn whose(self, mechanism: &Mechanism) -> &str {
+    /// The name of the link or point that it is of; of a dyad that of its inner joint; of several points those, with
+    /// hyphens.
+    pub fn whose(self, mechanism: &Mechanism) -> Cow<'_, str> {
+        let several = |points: &[PointId]| {
+            let names = points.iter().map(|point| mechanism.point_name(*point));
+            names.collect::<Vec<&str>>().join("-").into()
+        };
         match self {
-            Self::Angle(link) => mechanism.link_name(link),
-            Self::X(point) | Self::Y(point) => mechanism.point_name(point),
-            Self::Transmission(dyad) => mechanism.point_name(dyad.inner),
-            Self::Pressure(dyad) => mechanism.point_name(dyad.inner),
+            Self::Angle(link) => mechanism.link_name(link).into(),
+            Self::X(point) | Self::Y(point) => mechanism.point_name(point).into(),
+            Self::Transmission(dyad) => mechanism.point_name(dyad.inner).into(),
+            Self::Pressure(dyad) => mechanism.point_name(dyad.inner).into(),
+            Self::Distance(points) => several(&points),
+            Self::Corner(points) => several(&points),
         }
     }
 
     /// True for an angle, false for a length.
     pub fn is_angle(self) -> bool {
-        !matches!(self, Self::X(_) | Self::Y(_))
+        !matches!(self, Self::X(_) | Self::Y(_) | Self::Distance(_))
     }
 
-    /// True for an acute angle between two lines. Where these are in line or at right angles it is folded: its rate
-    /// jumps there, which is none of its extrema.
+    /// True for what is measured between points.
+    pub fn is_measured(self) -> bool {
+        matches!(self, Self::Distance(_) | Self::Corner(_))
+    }
+
+    /// True for an angle that has no sense: an acute one between two lines, or one at a corner. Where what it is between
+    /// is in line or, of lines, at right angles it is folded: its rate jumps there, which is none of its extrema.
     pub fn is_folded(self) -> bool {
-        matches!(self, Self::Transmission(_) | Self::Pressure(_))
+        matches!(
+            self,
+            Self::Transmission(_) | Self::Pressure(_) | Self::Corner(_)
+        )
     }
 
     /// Its value in a pose, with the derivatives that the pose carries.
     pub fn of<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         let jet = self.unfolded(mechanism, pose);
-        if self.is_folded() { folded(jet) } else { jet }
+        if self.is_folded() {
+            folded(jet * self.folds().recip()) * self.folds()
+        } else {
+            jet
+        }
     }
 
-    /// The same of what is smooth: an acute angle before it is folded.
+    /// How many times the acute angle of that part of it it is: an angle at a corner is folded at every half turn, one
+    /// between lines at every quarter.
+    fn folds(self) -> f64 {
+        if matches!(self, Self::Corner(_)) {
+            2.0
+        } else {
+            1.0
+        }
+    }
+
+    /// An angle before it is folded, folded.
+    pub(crate) fn folded(self, angle: f64) -> f64 {
+        acute(angle / self.folds()) * self.folds()
+    }
+
+    /// 1 where it grows with the angle before it is folded, else −1.
+    pub(crate) fn sense<const N: usize>(self, angle: &Jet<N>) -> f64 {
+        sense(&(*angle * self.folds().recip()))
+    }
+
+    /// The same of what is smooth: an angle before it is folded.
     pub(crate) fn unfolded<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         match self {
             Self::Angle(link) => mechanism.angle(pose, link),
@@ -97,6 +147,8 @@ impl Quantity {
             Self::Y(point) => mechanism.place(pose, point).y,
             Self::Transmission(dyad) => mechanism.between_links(pose, &dyad),
             Self::Pressure(dyad) => mechanism.off_the_way(pose, &dyad),
+            Self::Distance(points) => mechanism.between_points(pose, points),
+            Self::Corner(points) => mechanism.corner(pose, points),
         }
     }
 }

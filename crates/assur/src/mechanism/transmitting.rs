@@ -100,13 +100,13 @@ fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
 }
 
 /// The acute angle between two lines of which one is turned from the other by an angle.
-pub(crate) fn acute(angle: f64) -> f64 {
+pub(super) fn acute(angle: f64) -> f64 {
     let turned = angle.rem_euclid(PI);
     turned.min(PI - turned)
 }
 
 /// 1 where the acute angle grows with the angle between two lines, else −1; where it is folded, as just after that.
-pub(crate) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
+pub(super) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     let (sin, cos) = angle.value().sin_cos();
     if (sin * cos).abs() > FOLD {
         return (sin * cos).signum();

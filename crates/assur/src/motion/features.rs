@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Extremum, Input, Kind, Motion};
-use crate::mechanism::{Pose, Quantity, acute, sense};
+use crate::mechanism::{Pose, Quantity};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
@@ -50,7 +50,7 @@ const NO_OFFSET: f64 = 1e-12;
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives by time,
     /// as of [`features`], of a motion of no more than 256 turns: found once for all that are multiples of the same one.
-    /// Where an acute angle is folded it has neither.
+    /// Where an angle is folded it has neither.
     pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
@@ -99,13 +99,13 @@ impl Motion {
         }
     }
 
-    /// Those of an acute angle from those of the angle before it is folded: what is folded turns its sense, and passes no
+    /// Those of an angle from those of the angle before it is folded: what is folded turns its sense, and passes no
     /// zero.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let turned = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.crank).ok()?;
             let angle = quantity.unfolded(self.mechanism(), &pose);
-            Some(extremum.scaled(sense(&angle)))
+            Some(extremum.scaled(quantity.sense(&angle)))
         };
         let [value, first, second] = found.map(|mut order| {
             order
@@ -121,11 +121,11 @@ impl Motion {
             zeros: Vec::new(),
             extrema: (value.extrema.into_iter())
                 .map(|extremum| Extremum {
-                    value: acute(extremum.value),
+                    value: quantity.folded(extremum.value),
                     ..extremum
                 })
                 .collect(),
-            level: value.level.map(acute),
+            level: value.level.map(|level| quantity.folded(level)),
         };
         let rate = |order: Features| Features {
             level: order.level.filter(|level| *level == 0.0),

@@ -36,6 +36,18 @@ impl Column {
         angles.flat_map(|quantity| [0, 1, 2].map(|order| Self { quantity, order }))
     }
 
+    /// The column of a name, as [`Column::name`] has it.
+    pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
+        let (of, mut what) = name.rsplit_once('.')?;
+        for order in [0, 1, 2] {
+            if let Some(quantity) = Quantity::named(mechanism, &format!("{of}.{what}")) {
+                return Some(Self { quantity, order });
+            }
+            what = what.strip_prefix('d')?;
+        }
+        None
+    }
+
     /// Its name in tables: `rocker.angle`, `rocker.dangle`, `C.ddx`.
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.quantity.name(mechanism, self.order)
@@ -50,6 +62,8 @@ impl Column {
             Quantity::Y(_) => ["vy", "ay"],
             Quantity::Transmission(_) => ["transmission_omega", "transmission_epsilon"],
             Quantity::Pressure(_) => ["pressure_omega", "pressure_epsilon"],
+            Quantity::Distance(_) => ["distance_v", "distance_a"],
+            Quantity::Corner(_) => ["corner_omega", "corner_epsilon"],
         };
         match self.order.checked_sub(1).and_then(|rate| rates.get(rate)) {
             Some(rate) => format!("{of}.{rate}"),

@@ -6,14 +6,16 @@ use std::collections::BTreeMap;
 use assur::Jet;
 use assur::dynamics::{Body, Halt, Mesh, Reading, Recording};
 use assur::gears::train::{Shaft, Turned, Turning};
+use assur::motion::Input;
 use assur_draw::TrainPose;
-use assur_draw::chart::{At, Chart, Kind, Sample, Series};
-use assur_file::{GearTrainDocument, Problem};
+use assur_draw::chart::{Against, At, Axis, Chart, Kind, Sample, Series, Settings};
+use assur_file::{GearTrainDocument, Problem, View};
 
 use super::GearTrain;
-use super::quantity::{BODIES, NUMBERS, Quantity, plotted};
+use super::quantity::{BODIES, Column, NUMBERS, Quantity, plotted};
 use crate::capabilities::Moves;
 use crate::here::Here;
+use crate::pair::Pair;
 use crate::table::{SweepColumn, SweepRow, SweepTable};
 
 /// A curve of what is not under load has so many samples.
@@ -32,9 +34,12 @@ pub(crate) struct Course {
     /// The greatest torques of the fields, under load.
     peaks: Option<[f64; 2]>,
     plotted: Vec<Quantity>,
+    /// What is plotted against each other instead.
+    pair: Option<Pair<Column>>,
     numbers: BTreeMap<String, String>,
     /// The plots of a run, which has an end.
     chart: Option<Chart>,
+    against: Option<Against>,
 }
 
 /// What is known of a time.
@@ -50,7 +55,7 @@ impl Course {
     pub(crate) fn new(
         train: assur_file::GearTrain,
         document: &GearTrainDocument,
-        plot: &str,
+        view: &View,
     ) -> Result<Self, Vec<Problem>> {
         let differential = train.differential.as_ref().filter(|_| document.loaded);
         let run = differential.map(|differential| train.run(differential));
@@ -58,10 +63,11 @@ impl Course {
             .transpose()?
             .map(|run| Recording::new(run, document.span_s));
         let loaded = recording.is_some();
-        let plotted = plotted(plot, loaded).ok_or_else(|| {
+        let plotted = plotted(&view.plot, loaded).ok_or_else(|| {
             let field = "plot".into();
             vec![Problem::UnknownChoice { field }]
         })?;
+        let pair = Pair::of(view, |name| Column::named(name, loaded))?;
         let peaks = differential.map(|differential| Mesh::ALL.map(|mesh| differential.peak(mesh)));
         let numbers = BODIES.iter().zip(NUMBERS);
         let mut course = Self {
@@ -74,9 +80,11 @@ impl Course {
             numbers: numbers
                 .map(|(name, number)| ((*name).to_owned(), number.to_owned()))
                 .collect(),
+            pair,
             chart: None,
+            against: None,
         };
-        course.chart = course.plotted_run();
+        course.plot_run();
         Ok(course)
     }
 
@@ -174,26 +182,82 @@ impl Course {
         series.collect()
     }
 
-    fn plotted_run(&self) -> Option<Chart> {
-        let recording = self.recording.as_ref()?;
-        let samples = recording.readings().map(|reading| {
-            let time = reading.time;
-            self.sample(time, &self.of_reading(reading))
-        });
-        let samples = samples.collect();
+    /// Plots a run, once.
+    fn plot_run(&mut self) {
+        let Some(recording) = &self.recording else {
+            return;
+        };
+        let known = recording.readings();
+        let known = known.map(|reading| (reading.time, self.of_reading(reading)));
+        let known: Vec<(f64, Known)> = known.collect();
+        if let Some(pair) = &self.pair {
+            self.against = Some(self.plotted_against(pair, &known));
+            return;
+        }
+        let samples = known.iter().map(|(time, known)| self.sample(*time, known));
         let span = [0.0, self.end()];
-        Some(Chart::by_time(span, Kind::Angle, self.series(), samples))
+        let samples = samples.collect();
+        self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// The plots over the span around a time: it goes on and on.
-    fn plotted_around(&self, time: f64) -> Chart {
+    /// Places over the span around a time, which goes on and on, and where that span begins.
+    fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
-        let samples = (0..=SAMPLES).map(|step| {
+        let known = (0..=SAMPLES).map(|step| {
             let time = start + self.span * step as f64 / SAMPLES as f64;
-            self.sample(time, &self.known(time))
+            (time, self.known(time))
         });
+        (start, known.collect())
+    }
+
+    /// The plots over it.
+    fn plotted_around(&self, time: f64) -> Chart {
+        let (start, known) = self.around(time);
+        let samples = known.iter().map(|(time, known)| self.sample(*time, known));
         let span = [start, start + self.span];
         Chart::by_time(span, Kind::Angle, self.series(), samples.collect())
+    }
+
+    /// One thing against another, by what is known of times.
+    fn plotted_against(&self, pair: &Pair<Column>, known: &[(f64, Known)]) -> Against {
+        let Pair { x, y } = *pair;
+        let sample = |(time, known): &(f64, Known)| {
+            let jet = |column: Column| Jet::of_derivatives(known.rates(column.quantity));
+            let jets = vec![x.map_or(Jet::linear(*time, 1.0), jet), jet(y)];
+            (*time, Sample { jets, clear: true })
+        };
+        let axis = |column: Option<Column>| Axis {
+            name: column.map(|column| column.quantity.name()),
+            kind: column.map_or(Kind::Length, |_| Kind::Angle),
+            order: column.map_or(0, |column| column.order),
+        };
+        let settings = Settings {
+            input: Input::ANALOGUES,
+            physical: true,
+            differenced: false,
+        };
+        let run = known.iter().map(sample).collect();
+        let axes = [axis(x), axis(Some(y))];
+        Against::new(axes, y.quantity.role(), &[run], true, settings)
+    }
+
+    /// What the curves on the plots are of.
+    pub(crate) fn curves(&self) -> Vec<Quantity> {
+        match &self.pair {
+            Some(pair) => pair.quantities(|column| column.quantity),
+            None => self.plotted.clone(),
+        }
+    }
+
+    /// The values that are plotted at a time.
+    fn on_plots(&self, time: f64, known: &Known) -> Vec<f64> {
+        match &self.pair {
+            Some(pair) => pair.values(time, |column| known.rates(column.quantity)[column.order]),
+            None => {
+                let plotted = self.plotted.iter();
+                plotted.flat_map(|one| known.rates(*one)).collect()
+            }
+        }
     }
 }
 
@@ -272,16 +336,12 @@ impl Moves for GearTrain {
                 .chain(self.course.quantities().flat_map(rates))
                 .chain(rest)
                 .collect(),
-            plotted: (self.course.plotted.iter())
-                .flat_map(|one| rates(*one))
-                .collect(),
+            plotted: self.course.on_plots(input, &known),
         })
     }
 
     fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
-        let known = self.course.known(input);
-        let plotted = self.course.plotted.iter();
-        Ok(plotted.flat_map(|one| known.rates(*one)).collect())
+        Ok(self.course.on_plots(input, &self.course.known(input)))
     }
 
     fn why(&self, _input: f64) -> Option<Problem> {
@@ -321,6 +381,15 @@ impl Moves for GearTrain {
             Some(chart) => Cow::Borrowed(chart),
             None => Cow::Owned(self.course.plotted_around(around)),
         }
+    }
+
+    fn against(&self, around: f64) -> Option<Cow<'_, Against>> {
+        let course = &self.course;
+        let pair = course.pair.as_ref()?;
+        Some(match &course.against {
+            Some(against) => Cow::Borrowed(against),
+            None => Cow::Owned(course.plotted_against(pair, &course.around(around).1)),
+        })
     }
 
     fn numbers(&self) -> &BTreeMap<String, String> {

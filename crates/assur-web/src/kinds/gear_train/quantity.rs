@@ -31,6 +31,24 @@ pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
     }
 }
 
+/// A quantity, or its derivative of an order.
+#[derive(Clone, Copy)]
+pub(crate) struct Column {
+    pub(crate) quantity: Quantity,
+    pub(crate) order: usize,
+}
+
+impl Column {
+    /// The column of a name in tables.
+    pub(crate) fn named(name: &str, loaded: bool) -> Option<Self> {
+        Quantity::all(loaded).find_map(|quantity| {
+            let mut columns = quantity.columns().into_iter();
+            let order = columns.position(|column| column == name)?;
+            Some(Self { quantity, order })
+        })
+    }
+}
+
 impl Quantity {
     fn angles() -> impl Iterator<Item = Self> {
         (0..BODIES.len()).map(Self::Angle)

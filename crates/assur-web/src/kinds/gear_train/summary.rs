@@ -219,6 +219,7 @@ impl<'a> GearTrainSummary<'a> {
                     &["angles"]
                 },
                 plotted: course.plotted().iter().map(|one| one.name()).collect(),
+                curves: course.curves().iter().map(|one| one.name()).collect(),
                 handles: Vec::new(),
                 traceable: false,
                 becomes: &[],

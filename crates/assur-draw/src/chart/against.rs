@@ -1,0 +1,283 @@
+//! A quantity, or a derivative of one, plotted against another one: the path of a point, its
+//! hodograph, a phase plane.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use super::curves::{Range, range, told};
+use super::{At, FINE, Kind, MARGIN, Palette, Place, Settings, Tick, paint, ticks};
+use crate::list::Role;
+
+/// Below the axis there is a line more than below others: what it shows.
+const LINE: f64 = 16.0;
+
+/// Of what an axis is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// The name of the quantity; none for the input.
+    pub name: Option<String>,
+    /// What it is.
+    pub kind: Kind,
+    /// The order of its derivative.
+    pub order: usize,
+}
+
+impl Axis {
+    /// Whether it is labelled in degrees.
+    fn in_degrees(&self) -> bool {
+        self.kind == Kind::Angle && self.order == 0
+    }
+}
+
+/// The plot of one quantity against another one over a motion, sampled once for every drawing.
+#[derive(Clone, Debug)]
+pub struct Against {
+    axes: [Axis; 2],
+    role: Role,
+    settings: Settings,
+    ranges: [Range; 2],
+    /// Unbroken runs of the motion.
+    runs: Vec<Vec<Passed>>,
+}
+
+/// A point of the curve, with the input at which it is passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passed {
+    /// The input.
+    pub input: f64,
+    /// Abscissa and ordinate.
+    pub at: [f64; 2],
+}
+
+/// Where a plot of one quantity against another one stands, in pixels of the reader.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Left edge of the plot rectangle.
+    pub left: f64,
+    /// Its upper edge.
+    pub top: f64,
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+    /// What the axes span.
+    pub spans: [[f64; 2]; 2],
+    /// Places for labels along each axis, values of angles in degrees.
+    pub ticks: [Vec<Tick>; 2],
+    /// What is seen of the curve, run by run, in pixels of the reader.
+    pub curve: Vec<Vec<Passed>>,
+}
+
+impl Against {
+    /// The plot of samples that have two quantities, abscissa and ordinate; `full`: nothing grows
+    /// without bound.
+    pub fn new(
+        axes: [Axis; 2],
+        role: Role,
+        runs: &[Vec<At>],
+        full: bool,
+        settings: Settings,
+    ) -> Self {
+        let steepest = axes.iter().map(|axis| axis.order).max().unwrap_or(0);
+        let passed = |(input, sample): &At| Passed {
+            input: *input,
+            at: [0, 1].map(|k: usize| settings.input.rate(&sample.jets[k], axes[k].order)),
+        };
+        let shown = runs.iter().flatten();
+        let shown = shown.filter(|at| steepest == 0 || full || at.1.clear);
+        let shown: Vec<Passed> = shown.map(passed).collect();
+        let runs = runs.iter();
+        let runs = runs.map(|run| run[told(run, steepest, full)].iter().map(passed).collect());
+        Self {
+            ranges: [0, 1].map(|k| range(shown.iter().map(|one| one.at[k]))),
+            runs: runs.collect(),
+            axes,
+            role,
+            settings,
+        }
+    }
+
+    /// What the axes are of: abscissa and ordinate.
+    pub fn axes(&self) -> &[Axis; 2] {
+        &self.axes
+    }
+
+    /// Whose colour the curve has.
+    pub fn role(&self) -> Role {
+        self.role
+    }
+
+    /// How it is plotted.
+    pub fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// Draws it on an area [`FINE`] times as many units wide and high as it has pixels, and says
+    /// where the text belongs; lines are `scale` times as thick as usual. Nothing where it has no
+    /// room.
+    ///
+    /// # Errors
+    /// What the backend could not draw.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        palette: &Palette,
+        scale: f64,
+    ) -> Result<Option<Field>, DrawingAreaErrorKind<B::ErrorType>> {
+        let Some(field) = self.field(area.dim_in_pixel(), scale) else {
+            return Ok(None);
+        };
+        let fine = |pixels: f64| pixels as i32 * FINE;
+        let (left, top) = (fine(field.left), fine(field.top));
+        let (right, bottom) = (left + fine(field.width), top + fine(field.height));
+        let [[x0, x1], [y0, y1]] = field.spans;
+        let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
+        let mut lines = Vec::new();
+        for (k, ticks) in field.ticks.iter().enumerate() {
+            for tick in ticks {
+                let degrees = self.axes[k].in_degrees();
+                let value = if degrees {
+                    tick.value.to_radians()
+                } else {
+                    tick.value
+                };
+                lines.push((across(k, value, field.spans), Role::Line, FINE));
+            }
+        }
+        for (k, [from, to]) in field.spans.into_iter().enumerate() {
+            if from < 0.0 && to > 0.0 {
+                lines.push((across(k, 0.0, field.spans), Role::Secondary, FINE));
+            }
+        }
+        let runs = self.runs.iter().flat_map(|run| within(run, field.spans));
+        lines.extend(runs.map(|run| {
+            let run = run.into_iter().map(|one| (one.at[0], one.at[1]));
+            (run.collect(), self.role, 2 * FINE)
+        }));
+        paint(&area, lines, Vec::new(), palette, scale)?;
+        Ok(Some(field))
+    }
+
+    fn field(&self, (width, height): (u32, u32), scale: f64) -> Option<Field> {
+        let [width, height] = [width, height].map(|fine| (fine as i32 / FINE).max(0));
+        let margin = MARGIN.scaled(scale);
+        let line = (LINE * scale).round() as i32;
+        let width = width - margin.left - margin.right;
+        let height = height - margin.top - margin.bottom - line;
+        if width < 20 || height < 20 {
+            return None;
+        }
+        let (width, height) = (f64::from(width), f64::from(height));
+        let ranges = self.fitted([width, height]);
+        let [x, y] = ranges;
+        let [of_x, of_y] = self.axes.each_ref().map(Axis::in_degrees);
+        let mut field = Field {
+            left: f64::from(margin.left),
+            top: f64::from(margin.top),
+            width,
+            height,
+            spans: ranges.map(|range| [range.min, range.max]),
+            ticks: [
+                ticks::abscissae(x, of_x, width, scale),
+                ticks::values(y, of_y, height, scale),
+            ],
+            curve: Vec::new(),
+        };
+        let runs = self.runs.iter().flat_map(|run| within(run, field.spans));
+        let runs = runs.map(|run| run.into_iter().map(|one| field.placed(one)).collect());
+        field.curve = runs.collect();
+        Some(field)
+    }
+
+    /// What the axes span: of two lengths in one unit the same to a pixel on both.
+    fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
+        let [x, y] = &self.axes;
+        let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
+        if !alike {
+            return self.ranges;
+        }
+        let spans = self.ranges.map(|range| range.max - range.min);
+        let to_pixel = (spans[0] / size[0]).max(spans[1] / size[1]);
+        [0, 1].map(|k: usize| {
+            let room = 0.5 * (to_pixel * size[k] - spans[k]);
+            let Range { min, max } = self.ranges[k];
+            Range {
+                min: min - room,
+                max: max + room,
+            }
+        })
+    }
+}
+
+impl Field {
+    /// A point in pixels of the reader.
+    fn placed(&self, Passed { input, at }: Passed) -> Passed {
+        let [[x0, x1], [y0, y1]] = self.spans;
+        Passed {
+            input,
+            at: [
+                self.left + self.width * (at[0] - x0) / (x1 - x0),
+                self.top + self.height * (y1 - at[1]) / (y1 - y0),
+            ],
+        }
+    }
+}
+
+/// The line across a field at a value of an axis.
+fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(f64, f64)> {
+    if axis == 0 {
+        vec![(value, y0), (value, y1)]
+    } else {
+        vec![(x0, value), (x1, value)]
+    }
+}
+
+/// What of a run is seen within the spans of the axes.
+fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
+    let mut seen: Vec<Vec<Passed>> = Vec::new();
+    let mut part: Vec<Passed> = Vec::new();
+    for pair in run.windows(2) {
+        let Some([from, to]) = clipped([pair[0], pair[1]], spans) else {
+            seen.push(std::mem::take(&mut part));
+            continue;
+        };
+        // What comes in from outside begins anew.
+        if part.last() != Some(&from) {
+            seen.push(std::mem::take(&mut part));
+            part.push(from);
+        }
+        part.push(to);
+    }
+    seen.push(part);
+    seen.retain(|part| part.len() > 1);
+    seen
+}
+
+/// What of a stretch lies within the spans (the parametric clipping of Liang and Barsky, 1984).
+fn clipped([a, b]: [Passed; 2], spans: [[f64; 2]; 2]) -> Option<[Passed; 2]> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for (k, [min, max]) in spans.into_iter().enumerate() {
+        let way = b.at[k] - a.at[k];
+        if way == 0.0 {
+            if !(min..=max).contains(&a.at[k]) {
+                return None;
+            }
+            continue;
+        }
+        let [one, other] = [min, max].map(|bound| (bound - a.at[k]) / way);
+        first = first.max(one.min(other));
+        last = last.min(one.max(other));
+    }
+    let between = |share: f64| match share {
+        0.0 => a,
+        1.0 => b,
+        _ => Passed {
+            input: a.input + share * (b.input - a.input),
+            at: [0, 1].map(|k: usize| a.at[k] + share * (b.at[k] - a.at[k])),
+        },
+    };
+    (first <= last).then(|| [between(first), between(last)])
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,52 @@
+//! What a view plots against each other.
+
+use assur_file::{Against, Problem, View};
+
+/// What the input is called among read-outs and axes.
+pub(crate) const INPUT: &str = "input";
+
+/// Abscissa and ordinate of a plot; no abscissa is the input.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair<C> {
+    pub(crate) x: Option<C>,
+    pub(crate) y: C,
+}
+
+impl<C> Pair<C> {
+    /// The pair of a view, if it has one, by the columns of a motion.
+    ///
+    /// # Errors
+    /// What is no column.
+    pub(crate) fn of(
+        view: &View,
+        column: impl Fn(&str) -> Option<C>,
+    ) -> Result<Option<Self>, Vec<Problem>> {
+        let Some(Against { x, y }) = &view.against else {
+            return Ok(None);
+        };
+        let abscissa = if x == INPUT {
+            Some(None)
+        } else {
+            column(x).map(Some)
+        };
+        match (abscissa, column(y)) {
+            (Some(x), Some(y)) => Ok(Some(Self { x, y })),
+            _ => Err(vec![Problem::UnknownChoice {
+                field: "against".into(),
+            }]),
+        }
+    }
+
+    /// What both are of, each once.
+    pub(crate) fn quantities<Q: PartialEq>(&self, of: impl Fn(&C) -> Q) -> Vec<Q> {
+        let columns = self.x.iter().chain([&self.y]);
+        let mut quantities: Vec<Q> = columns.map(of).collect();
+        quantities.dedup();
+        quantities
+    }
+
+    /// Their values at an input.
+    pub(crate) fn values(&self, input: f64, value: impl Fn(&C) -> f64) -> Vec<f64> {
+        vec![self.x.as_ref().map_or(input, &value), value(&self.y)]
+    }
+}

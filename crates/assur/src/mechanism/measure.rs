@@ -1,0 +1,87 @@
+//! What is measured on a drawing: how far two points are apart, and the angle at a point between two others.
+
+use super::{Mechanism, Pose};
+use crate::Jet;
+use crate::index::PointId;
+
+/// Points closer than this share of the drawing coincide, and so slow a rate is none.
+const COINCIDE: f64 = 1e-12;
+const RATE: f64 = 1e-9;
+
+impl Mechanism {
+    /// How far two points are apart. Where they coincide the derivatives are those just after it; of points that stay
+    /// there, none.
+    pub(super) fn between_points<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        [from, to]: [PointId; 2],
+    ) -> Jet<N> {
+        let [p, q] = [from, to].map(|point| self.place(pose, point));
+        let ways = [q.x - p.x, q.y - p.y];
+        if span(ways) > COINCIDE * self.size() {
+            return norm(ways);
+        }
+        // They part as t u, with u through their relative velocity: the distance is t |u|.
+        let parting: [Jet<N>; 2] = ways.map(|way| {
+            Jet::of_derivatives(std::array::from_fn(|order| {
+                let next = order + 1;
+                if next < N {
+                    way.derivative(next) / next as f64
+                } else {
+                    0.0
+                }
+            }))
+        });
+        if span(parting) <= RATE * self.size() {
+            return Jet::constant(0.0);
+        }
+        let rate = norm(parting);
+        Jet::of_derivatives(std::array::from_fn(|order| match order {
+            0 => 0.0,
+            _ => order as f64 * rate.derivative(order - 1),
+        }))
+    }
+
+    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn either
+    /// way; 0 while one of these is at the second.
+    pub(super) fn corner<const N: usize>(&self, pose: &Pose<N>, points: [PointId; 3]) -> Jet<N> {
+        let [a, b, c] = points.map(|point| self.place(pose, point));
+        let [u, v] = [a, c].map(|end| [end.x - b.x, end.y - b.y]);
+        if span(u).min(span(v)) <= COINCIDE * self.size() {
+            return Jet::constant(0.0);
+        }
+        (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
+    }
+
+    /// Two points by their names with a hyphen between them; names may have hyphens of their own.
+    pub(super) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
+        let mut parts = names.match_indices('-');
+        parts.find_map(|(at, _)| {
+            let [from, to] = [self.point(&names[..at])?, self.point(&names[at + 1..])?];
+            (from != to).then_some([from, to])
+        })
+    }
+
+    /// Three points so, of which no two are the same.
+    pub(super) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
+        let mut parts = names.match_indices('-');
+        parts.find_map(|(at, _)| {
+            let first = self.point(&names[..at])?;
+            let [second, third] = self.two_points(&names[at + 1..])?;
+            (first != second && first != third).then_some([first, second, third])
+        })
+    }
+}
+
+/// How long a vector is.
+fn span<const N: usize>([x, y]: [Jet<N>; 2]) -> f64 {
+    x.value().hypot(y.value())
+}
+
+/// The same with its derivatives, where it is not zero.
+fn norm<const N: usize>([x, y]: [Jet<N>; 2]) -> Jet<N> {
+    (x.square() + y.square()).sqrt()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,236 @@
+// One quantity plotted against another: its text, the cursor on it, and which place of the motion a pointer means.
+import { textWidth } from "assur/canvas/text-width.js";
+import { subscript, symbol } from "assur/core/symbols.js";
+import { paintTag } from "assur/plots/tags.js";
+import { setChartFont } from "assur/plots/text.js";
+import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
+
+/**
+ * @typedef {import("assur/engine.js").Field} Field
+ * @typedef {import("assur/engine.js").FieldAxis} Axis
+ * @typedef {import("assur/canvas/painter.js").Context} Context
+ * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, and how far it is off, in pixels
+ */
+
+/** Radius of the dot and height of its numbers, at the usual size of text. */
+const DOT = 4.5;
+const TAG = 17;
+
+/** Dashes of the lines from the dot to the axes. */
+const DASHES = [4, 4];
+
+/** Where a curve passes a place more than once within so many pixels, it is the pass that is next to the motion. */
+const ALIKE = 4;
+
+/**
+ * An axis as the units of plots take it.
+ * @param {Axis} axis
+ * @param {Field} field
+ */
+function scale({ kind, order, from, to }, { physical }) {
+  return { kind, order, physical, y0: from, y1: to };
+}
+
+/**
+ * @param {Axis} axis
+ * @param {Field} field
+ * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
+ * @returns {string} what an axis is of
+ */
+export function axisName({ name, number, order }, { physical }, { coordinate, words }) {
+  if (name === null) return coordinate.symbol;
+  const spelled = symbol({ name, number }, order, physical, words);
+  return /\.[xy]$/.test(name) ? `${spelled} ${subscript(name.slice(0, -2))}` : spelled;
+}
+
+/**
+ * @param {Axis} axis
+ * @param {Field} field
+ * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
+ * @returns {string} the same with its unit
+ */
+function titled(axis, field, { coordinate, words }) {
+  const time = axis.name === null && coordinate.moves === "time";
+  const unit = time ? words.text("unit.s") : unitOf(scale(axis, field), coordinate, words);
+  return [axisName(axis, field, { coordinate, words }), ...(unit === "" ? [] : [unit])].join(", ");
+}
+
+/**
+ * A value of an axis as it is told.
+ * @param {Axis} axis
+ * @param {Field} field
+ * @param {number} value
+ * @param {import("assur/core/words.js").Words} words
+ * @param {boolean} [moving]
+ */
+export function told(axis, field, value, { numbers }, moving = false) {
+  return written(scale(axis, field), value, numbers, moving);
+}
+
+/**
+ * What the axes are of, and the numbers along them.
+ * @param {Context} context
+ * @param {Field} field
+ * @param {Snapshot} snapshot
+ * @param {Theme} theme
+ */
+export function drawAgainstText(context, field, snapshot, theme) {
+  const { left, top, width, height, x, y, role } = field;
+  const { numbers } = snapshot.words;
+  const title = `600 ${13 * theme.scale}px ${theme.font}`;
+  const [right, bottom] = [left + width, top + height];
+  context.font = title;
+  context.textBaseline = "alphabetic";
+  context.textAlign = "left";
+  context.fillStyle = theme.inks[role];
+  context.fillText(`↑ ${titled(y, field, snapshot)}`, left, top - 9 * theme.scale, width);
+  context.textAlign = "right";
+  context.fillStyle = theme.colours.ink;
+  context.fillText(`${titled(x, field, snapshot)} →`, right, bottom + 34 * theme.scale, width);
+  const font = setChartFont(context, theme);
+  context.fillStyle = theme.colours.secondary;
+  const texts = (/** @type {Axis} */ axis) => {
+    const units = scale(axis, field);
+    return axis.ticks.map(({ value, at }) => ({ at, text: numbers.upTo(value / 10 ** power(units), 6) + (inDegrees(units) ? "°" : "") }));
+  };
+  context.textBaseline = "middle";
+  for (const { at, text } of texts(y)) context.fillText(text, left - 5, top + at, left - 5);
+  context.textBaseline = "top";
+  context.textAlign = "center";
+  let free = -Infinity;
+  for (const { at, text } of texts(x)) {
+    const half = textWidth(context, font, text) / 2;
+    // Numbers at the very ends stay on the canvas; numbers without room are left out.
+    const middle = Math.min(left + at, right + 8 - half);
+    if (middle - half < free) continue;
+    context.fillText(text, middle, bottom + 7 * theme.scale);
+    free = middle + half + 4;
+  }
+}
+
+/**
+ * The place of the motion on the curve, with lines to the axes.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Field} field
+ * @param {Float64Array | null} values abscissa and ordinate
+ * @param {Snapshot} snapshot
+ * @param {Theme} theme
+ * @param {{ tagged: boolean, input?: number }} how whether the numbers are written, and with which input
+ */
+export function drawAgainstCursor(context, field, values, { coordinate, state, words }, theme, { tagged, input }) {
+  if (!values) return;
+  const { left, top, width, height, x, y, role } = field;
+  const [right, bottom] = [left + width, top + height];
+  const at = left + (width * (values[0] - x.from)) / (x.to - x.from);
+  const down = top + (height * (y.to - values[1])) / (y.to - y.from);
+  if (!(at >= left - 1 && at <= right + 1 && down >= top - 1 && down <= bottom + 1)) return;
+  const { colours, weight } = theme;
+  context.strokeStyle = colours.ink;
+  context.lineWidth = weight;
+  context.setLineDash(DASHES);
+  context.beginPath();
+  context.moveTo(left, down);
+  context.lineTo(at, down);
+  context.lineTo(at, bottom);
+  context.stroke();
+  context.setLineDash([]);
+  context.lineWidth = 2 * weight;
+  context.beginPath();
+  context.arc(at, down, DOT * theme.scale, 0, 2 * Math.PI);
+  context.fillStyle = colours.paper;
+  context.fill();
+  context.strokeStyle = colours[role];
+  context.stroke();
+  if (!tagged) return;
+  const { playing } = state.view;
+  const numbers = `${told(x, field, values[0], words, playing)}; ${told(y, field, values[1], words, playing)}`;
+  const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;
+  const font = setChartFont(context, theme);
+  const [wide, tall] = [textWidth(context, font, text) + 10, TAG * theme.scale];
+  const place = freeCorner(field, at, down, [wide, tall], (DOT + 5) * theme.scale);
+  paintTag(context, { ...place, width: wide, tall }, { text, colour: colours[role], ink: theme.inks[role] }, theme);
+}
+
+/**
+ * @param {Field} field
+ * @param {number} at
+ * @param {number} down
+ * @param {[number, number]} size
+ * @param {number} off
+ * @returns where at a corner of a dot numbers cover least of the curve
+ */
+function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
+  const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));
+  const tops = [down - tall - off / 2, down + off / 2].map((y) => Math.min(Math.max(y, top), top + height - tall));
+  const corners = tops.flatMap((y) => lefts.map((x) => ({ left: x, top: y, covered: 0 })));
+  for (const corner of corners) {
+    for (const run of curve) {
+      for (let i = 0; i < run.length; i += 3) {
+        const [x, y] = [run[i] - corner.left, run[i + 1] - corner.top];
+        if (x > 0 && x < wide && y > 0 && y < tall) corner.covered += 1;
+      }
+    }
+  }
+  return corners.reduce((best, corner) => (corner.covered < best.covered ? corner : best));
+}
+
+/**
+ * @param {Field} field
+ * @param {number} x
+ * @param {number} y of a pointer
+ * @param {number} beyond so far outside it still counts, in pixels
+ * @param {number} input where the motion is
+ * @returns {number | null} the input of the place of the curve that is nearest to a pointer
+ */
+export function inputAt({ left, top, width, height, curve }, x, y, beyond, input) {
+  if (x < left - beyond || x > left + width + beyond || y < top - beyond || y > top + height + beyond) return null;
+  const passes = curve.flatMap((run) => nearest(run, x, y));
+  const least = Math.min(...passes.map(({ off }) => off));
+  const alike = passes.filter(({ off }) => off <= least + ALIKE);
+  if (alike.length === 0) return null;
+  const aside = (/** @type {Near} */ pass) => Math.abs(pass.input - input);
+  return alike.reduce((best, pass) => (aside(pass) < aside(best) ? pass : best)).input;
+}
+
+/**
+ * @param {readonly number[]} run x, y and input of its points
+ * @param {number} x
+ * @param {number} y
+ * @returns {Near[]} where a run passes nearest to a place, each time that it passes
+ */
+function nearest(run, x, y) {
+  /** @type {Near[]} */
+  const all = [];
+  for (let i = 3; i < run.length; i += 3) {
+    const [x0, y0, from, x1, y1, to] = run.slice(i - 3, i + 3);
+    const [dx, dy] = [x1 - x0, y1 - y0];
+    const way = dx * dx + dy * dy;
+    const share = way > 0 ? Math.min(Math.max(((x - x0) * dx + (y - y0) * dy) / way, 0), 1) : 0;
+    const at = { x: x0 + share * dx, y: y0 + share * dy, input: from + share * (to - from) };
+    all.push({ ...at, off: Math.hypot(at.x - x, at.y - y) });
+  }
+  const off = (/** @type {number} */ i) => all[i]?.off ?? Infinity;
+  return all.filter((_, i) => off(i) <= off(i - 1) && off(i) <= off(i + 1));
+}
+
+/**
+ * @param {Field} field
+ * @param {Snapshot} snapshot
+ * @returns {string} what the plot shows, for who does not see it
+ */
+export function described(field, { coordinate, words }) {
+  const { left, top, width, height, curve, x, y } = field;
+  const points = curve.flatMap((run) => run.flatMap((_, i) => (i % 3 === 0 ? [[run[i], run[i + 1]]] : [])));
+  const said = (/** @type {Axis} */ axis, /** @type {number[]} */ values) => {
+    const input = axis.name === null;
+    const [from, to] = [Math.min(...values), Math.max(...values)].map((value) => (input ? coordinate.text(value, words, 1) : told(axis, field, value, words)));
+    return words.text("told.spans", { name: axisName(axis, field, { coordinate, words }), from, to });
+  };
+  const across = points.map(([at]) => x.from + ((x.to - x.from) * (at - left)) / width);
+  const up = points.map(([, at]) => y.to - ((y.to - y.from) * (at - top)) / height);
+  const names = { y: axisName(y, field, { coordinate, words }), x: axisName(x, field, { coordinate, words }) };
+  const spans = points.length > 0 ? [said(x, across), said(y, up)] : [];
+  return [words.text("told.against", names), ...spans].join(" ");
+}

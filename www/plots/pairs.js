@@ -1,0 +1,162 @@
+// What is plotted against what: ready choices among those of the plots, and any two quantities by two lists.
+import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
+import { subscript, symbol } from "assur/core/symbols.js";
+import { withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").View} View
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {NonNullable<View["against"]>} Pair
+ */
+
+/** What the input is called. */
+const INPUT = "input";
+
+/** How the ready choices are told from other ones: names of quantities have no such mark. */
+const MARK = "|";
+
+/** The choice of two quantities that none of the ready ones is. */
+const OWN = `${MARK}own`;
+
+const ORDERS = Object.freeze([0, 1, 2]);
+
+/**
+ * @param {Pair} pair
+ * @returns {string} the pair as a choice
+ */
+function chosen({ x, y }) {
+  return `${x}${MARK}${y}`;
+}
+
+/**
+ * @param {string} name of a quantity
+ * @param {number} order
+ * @returns {string} its derivative, as tables call it
+ */
+function derivative(name, order) {
+  const dot = name.lastIndexOf(".") + 1;
+  return name.slice(0, dot) + "d".repeat(order) + name.slice(dot);
+}
+
+export class PairChoice {
+  #engine;
+  #model;
+  #lists = byId("against", HTMLElement);
+  #y = byId("against-y", HTMLSelectElement);
+  #x = byId("against-x", HTMLSelectElement);
+  #built = "";
+  /** @type {Words | null} */
+  #words = null;
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ store, engine, model }) {
+    this.#engine = engine;
+    this.#model = model;
+    for (const list of [this.#x, this.#y]) {
+      list.addEventListener("change", () => store.update((state) => withView(state, { against: { x: this.#x.value, y: this.#y.value } })));
+    }
+  }
+
+  /**
+   * @param {string} choice of the list of plots
+   * @returns {Pair | null} the pair that it is, if it is one
+   */
+  pair(choice) {
+    if (!choice.includes(MARK)) return null;
+    if (choice !== OWN) {
+      const [x, y] = choice.split(MARK);
+      return { x, y };
+    }
+    const names = this.#engine.quantities;
+    const { summary } = this.#model;
+    const output = summary.moves === null ? undefined : summary.outputs[0]?.name;
+    const y = output ?? names[names.length - 1];
+    return y === undefined ? null : { x: names.find((name) => name !== y) ?? INPUT, y };
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @returns {HTMLElement} the choices of pairs among those of the plots
+   */
+  offered({ summary, words }) {
+    const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
+      make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
+    const { points, quantities } = this.#engine;
+    // Of what has no output the angles are.
+    const named = summary.outputs.map(({ name }) => name);
+    const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
+    const whose = (/** @type {string} */ name) => {
+      const of = name.slice(0, name.lastIndexOf("."));
+      if (name.endsWith(".load_angle")) return words.text("readouts.load_angle", { name: called(of, words) });
+      return /\.[xy]$/.test(name) ? `${name.slice(-1)} ${subscript(of)}` : called(of, words);
+    };
+    return make("optgroup", { label: words.text("plots.against") }, [
+      ...points.map((point) => option("plots.path", `${point}.x`, `${point}.y`, subscript(point))),
+      ...points.map((point) => option("plots.hodograph", `${point}.dx`, `${point}.dy`, subscript(point))),
+      ...outputs.map((name) => option("plots.over_input", INPUT, name, whose(name))),
+      ...outputs.map((name) => option("plots.phase", name, derivative(name, 1), whose(name))),
+      make("option", { value: OWN }, [words.text("plots.pair")]),
+    ]);
+  }
+
+  /**
+   * @param {View["against"]} against
+   * @param {HTMLSelectElement} plot where the ready choices are
+   * @param {Snapshot} snapshot
+   */
+  show(against, plot, snapshot) {
+    this.#lists.hidden = !against;
+    if (!against) return;
+    plot.value = chosen(against);
+    if (plot.selectedIndex < 0) plot.value = OWN;
+    this.#build(snapshot);
+    this.#x.value = against.x;
+    this.#y.value = against.y;
+  }
+
+  /** @param {Snapshot} snapshot */
+  #build(snapshot) {
+    const { summary, state, coordinate, words } = snapshot;
+    const transmissions = "transmissions" in summary ? summary.transmissions.map(({ what, joint }) => `${joint}.${what}`) : [];
+    const names = [...this.#engine.quantities, ...transmissions];
+    const physical = state.view.axes === "physical" || coordinate.moves === "time";
+    const built = JSON.stringify([names, physical, coordinate.symbol, summary.numbers]);
+    if (built === this.#built && words === this.#words) return;
+    this.#built = built;
+    this.#words = words;
+    this.#y.replaceChildren(...listed(names, summary.numbers, physical, words));
+    this.#x.replaceChildren(make("option", { value: INPUT }, [coordinate.symbol]), ...listed(names, summary.numbers, physical, words));
+  }
+}
+
+/**
+ * @param {readonly string[]} names of quantities
+ * @param {Readonly<Record<string, string>>} numbers of links
+ * @param {boolean} physical whether derivatives are by time
+ * @param {Words} words
+ * @returns {HTMLElement[]} all of them with their derivatives, by what they are of
+ */
+function listed(names, numbers, physical, words) {
+  /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} a link and a point may have one name */
+  const groups = new Map();
+  for (const name of names) {
+    const owner = name.slice(0, name.lastIndexOf("."));
+    const point = !name.endsWith("angle");
+    const key = `${point} ${owner}`;
+    groups.set(key, { owner, point, own: [...(groups.get(key)?.own ?? []), name] });
+  }
+  return [...groups.values()].map(({ owner, point, own }) => {
+    const measured = own.some((name) => /\.(distance|corner)$/.test(name));
+    const label = point && !measured ? words.text("plots.point", { name: subscript(owner) }) : measured ? subscript(owner) : called(owner, words);
+    const options = own.flatMap((name) =>
+      ORDERS.map((order) => {
+        const spelled = symbol({ name, number: numbers[owner] }, order, physical, words);
+        const text = /\.[xy]$/.test(name) ? `${spelled} ${subscript(owner)}` : spelled;
+        return make("option", { value: derivative(name, order) }, [text]);
+      }),
+    );
+    return make("optgroup", { label }, options);
+  });
+}
