@@ -27,7 +27,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 58] = [
+const BUILT: [(&str, &[&str]); 59] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -62,6 +62,7 @@ const BUILT: [(&str, &[&str]); 58] = [
     ("draw.", &["www/drawing/rail.js"]),
     ("draw.act.", &["www/drawing/rail.js"]),
     ("draw.mend.", &["www/drawing/rail.js"]),
+    ("draw.picture.", &["www/drawing/picture-options.js"]),
     ("draw.prompt.", &["www/drawing/tools.js"]),
     ("draw.tool.", &["www/drawing/tools.js"]),
     ("equations.", &["www/kinds/linkage/equations.js"]),
@@ -121,6 +122,8 @@ const BUILT: [(&str, &[&str]); 58] = [
             "crates/assur-file/src/lesson/problem.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
+            "www/drawing/picture.js",
+            "www/drawing/picture-options.js",
             "www/drawing/tools.js",
             "www/embed/embed.js",
             "www/state/codec.js",
