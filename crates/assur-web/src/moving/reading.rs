@@ -1,0 +1,153 @@
+//! What of a linkage in motion is read at an input.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use assur::mechanism::{PointId, Pose, Quantity};
+use assur::{Jet, Point};
+use assur_draw::chart::{Against, Chart};
+use assur_file::Problem;
+
+use super::Moving;
+use crate::capabilities::Moves;
+use crate::handle::HandlePlace;
+use crate::here::Here;
+use crate::pair::{INPUT, Pair};
+use crate::table::SweepTable;
+
+impl Moving {
+    /// Of each quantity the value and two derivatives, with the input going as the axes say.
+    fn rates<'a>(
+        &'a self,
+        quantities: &'a [Quantity],
+        pose: &'a Pose<3>,
+    ) -> impl Iterator<Item = f64> + 'a {
+        let input = self.input();
+        quantities.iter().flat_map(move |one| {
+            let jet: Jet<3> = one.of(self.mechanism(), pose);
+            [0, 1, 2].map(|order| input.rate(&jet, order))
+        })
+    }
+
+    /// What is plotted, at an input.
+    fn on_plots(&self, input: f64, pose: &Pose<3>) -> Vec<f64> {
+        match &self.pair {
+            Some(pair) => pair.values(input, |column| {
+                let jet = column.quantity.of(self.mechanism(), pose);
+                self.input().rate(&jet, column.order)
+            }),
+            None => self.rates(&self.plotted, pose).collect(),
+        }
+    }
+
+    /// What is drawn in a pose, with the other assemblies where they are asked for.
+    fn frame<const N: usize>(&self, input: f64, pose: &Pose<N>) -> Vec<f32> {
+        let mut others = Vec::new();
+        if self.others {
+            let (found, shown) = self.assembled(input);
+            others = found.poses;
+            if let Some(shown) = shown {
+                others.remove(shown);
+            }
+        }
+        self.figure.frame_beside(pose, &others)
+    }
+
+    /// Where a point is.
+    fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
+        self.mechanism().place(pose, point).place()
+    }
+
+    fn places<const N: usize>(&self, pose: &Pose<N>) -> Vec<f64> {
+        let places = self.handles.iter().map(|handle| match handle.at {
+            HandlePlace::Point(point) => self.place(pose, point),
+            HandlePlace::Fixed(at) => at,
+        });
+        places.flat_map(|at| [at.x, at.y]).collect()
+    }
+}
+
+impl Moves for Moving {
+    fn at(&self, input: f64) -> Result<Here, Problem> {
+        match self.motion.pose::<3>(input) {
+            Ok(pose) => {
+                let mechanism = self.mechanism();
+                let angles = self.transmitting.iter();
+                let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
+                let further = self.curvature.then(|| self.motion.pose::<4>(input).ok());
+                let frame = match further.flatten() {
+                    Some(further) => self.frame(input, &further),
+                    None => self.frame(input, &pose),
+                };
+                Ok(Here {
+                    frame,
+                    handles: self.places(&pose),
+                    readouts: [input]
+                        .into_iter()
+                        .chain(angles)
+                        .chain(self.rates(&self.quantities, &pose))
+                        .collect(),
+                    plotted: self.on_plots(input, &pose),
+                })
+            }
+            Err(unsolved) => {
+                let place = self.motion.pose::<1>(input);
+                let pose = place.map_err(|_| self.problem(&unsolved))?;
+                Ok(Here {
+                    frame: self.frame(input, &pose),
+                    handles: self.places(&pose),
+                    readouts: Vec::new(),
+                    plotted: Vec::new(),
+                })
+            }
+        }
+    }
+
+    fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
+        let pose = self.motion.pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.problem(&unsolved))?;
+        Ok(self.on_plots(input, &pose))
+    }
+
+    fn why(&self, input: f64) -> Option<Problem> {
+        let unsolved = self.motion.pose::<3>(input).err()?;
+        Some(self.problem(&unsolved))
+    }
+
+    fn readout_names(&self) -> Vec<String> {
+        let mechanism = self.mechanism();
+        let angles = self.transmitting.iter().map(|one| one.name(mechanism, 0));
+        let quantities = self.quantities.iter().flat_map(|one| {
+            let name = one.name(mechanism, 0);
+            ["", "′", "″"].map(|stroke| [&name, stroke].concat())
+        });
+        [INPUT.to_owned()]
+            .into_iter()
+            .chain(angles)
+            .chain(quantities)
+            .collect()
+    }
+
+    fn advance(&self, input: f64, by: f64) -> (f64, f64) {
+        self.motion.cycle().advance(input, by)
+    }
+
+    fn chart(&self, _around: f64) -> Cow<'_, Chart> {
+        let chart = || self.figure.chart(&self.plotted, self.settings);
+        Cow::Borrowed(self.chart.get_or_init(chart))
+    }
+
+    fn against(&self, _around: f64) -> Option<Cow<'_, Against>> {
+        let Pair { x, y } = self.pair?;
+        let against = || self.figure.against(x, y, self.settings);
+        Some(Cow::Borrowed(self.against.get_or_init(against)))
+    }
+
+    fn numbers(&self) -> &BTreeMap<String, String> {
+        &self.numbers
+    }
+
+    fn table(&self, steps: u32) -> SweepTable {
+        SweepTable::of(self, steps)
+    }
+}
