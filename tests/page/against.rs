@@ -116,7 +116,7 @@ async fn any_two_quantities_are_chosen() {
         "{at}: {x} {y}"
     );
     page.until("the address", async || {
-        page.address().await.contains("v.against=")
+        page.address().await.contains("C.dx")
     })
     .await;
     page.reload().await;

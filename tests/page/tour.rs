@@ -1,4 +1,4 @@
-//! A walk past all lessons and a third of the gallery, on every kind of screen: no defect of the
+//! A walk past all lessons, a third of the gallery, drawing, polygons and measures, on every kind of screen: no defect of the
 //! layout, nothing that axe finds.
 //!
 //! In a run of all tests each stop has one of the languages; with `ASSUR_TOUR=all` each has all
@@ -11,8 +11,8 @@ use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
 use crate::layout::defects;
 
-/// The lessons, with the steps to look at, and a third of the gallery.
-const STOPS: [&str; 26] = [
+/// The lessons, with the steps to look at, a third of the gallery, and what is laid beside it.
+const STOPS: [&str; 30] = [
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:1%7D",
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:5%7D",
     "class4-dwell&v.lesson=%7B%22id%22:%22class4-dwell%22,%22step%22:3%7D",
@@ -39,6 +39,10 @@ const STOPS: [&str; 26] = [
     "v-twin",
     "planetary",
     "class5",
+    "crank-rocker&v.drawing=true",
+    "shaper&v.drawing=true",
+    "whitworth&v.polygons=true&v.instant_centres=true",
+    "crank-rocker&v.against=%7B%22x%22:%22C.x%22,%22y%22:%22C.y%22%7D&v.measures=%5B%22A-C.distance%22,%22A-B-C.corner%22%5D",
 ];
 
 /// Window, whether it is dark, whether it is the projector's.

@@ -1,8 +1,10 @@
 // What is read beside the drawing, while a pointer makes another mechanism in every frame: it is written as often as leaves the hand most
 // of the time.
 
-/** It rests so many times as long as it took. */
-const REST = 5;
+/** What takes no longer than this, in milliseconds, has its place in every frame. */
+const BRIEF = 3;
+/** What takes longer rests so many times as long as it took. */
+const REST = 12;
 
 export class Pace {
   /** Of which mechanism it was written last. */
@@ -27,8 +29,9 @@ export class Pace {
     if (Pace.#pressed && revision !== this.#revision && begun < this.#rests) return false;
     write();
     const written = performance.now();
+    const took = written - begun;
     this.#revision = revision;
-    this.#rests = written + REST * (written - begun);
+    this.#rests = took > BRIEF ? written + REST * took : 0;
     return true;
   }
 }

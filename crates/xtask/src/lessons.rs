@@ -13,6 +13,9 @@ use crate::words;
 /// The module of the list, in the page.
 pub(crate) const LIST: &str = "lessons/index.js";
 
+/// What a lesson that its reader has written is called in the state.
+const OWN: &str = "own";
+
 /// What the type checker knows of it.
 pub(crate) const TYPES: &str =
     "export const LESSONS: readonly import(\"assur/lesson/offer.js\").Entry[];\n";
@@ -97,6 +100,9 @@ fn lesson(folder: &Path) -> Result<Lesson> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     if !id.chars().all(plain) {
         bail!("the lesson {id}: a name has small letters, digits and hyphens only");
+    }
+    if id == OWN {
+        bail!("the lesson {id}: that is what one that is in the state is called");
     }
     for file in ["lesson.js", "words.en.json"] {
         if !folder.join(file).exists() {
