@@ -66,7 +66,7 @@ others: boolean,
  */
 polygons: boolean, 
 /**
- * Instant centres of all links shown, with the lines that give that of `about`.
+ * Instant centres of all links shown, with the lines that give that of `about` against `relative_to`.
  */
 instant_centres: boolean, 
 /**
@@ -74,13 +74,17 @@ instant_centres: boolean,
  */
 centrodes: boolean, 
 /**
- * The inflection circle of `about` and the circles of curvature of traced points shown.
+ * The inflection circle of `about` and the circles of curvature of traced points, with the evolutes of their paths, shown.
  */
 curvature: boolean, 
 /**
- * The link that these are of; none, or one that is not there: the first coupler.
+ * The link that these are of; none: the first coupler.
  */
 about: string, 
+/**
+ * The link against which the instant centre of `about` is given by lines; none: the frame.
+ */
+relative_to: string, 
 /**
  * What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
  */

@@ -165,6 +165,14 @@ async fn lines_over_the_drawing() {
         .await;
         let foot = page.picture("mechanism").await;
         assert!(foot.difference(&coupler) > 100, "{lines}");
+        if lines == "instant_centres" {
+            // Against another link two other lines give another centre.
+            page.choose("relative_to", "crank").await;
+            page.settle().await;
+            let against = page.picture("mechanism").await;
+            assert!(against.difference(&foot) > 100);
+            page.choose("relative_to", "").await;
+        }
         // They follow the crank.
         page.stop_at("50").await;
         let on = page.picture("mechanism").await;

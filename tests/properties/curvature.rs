@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::curvature::{Centrodes, Circles, Curvature};
+use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
 use assur::mechanism::{BodyId, Draft, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{Point, Vector};
@@ -232,6 +232,15 @@ fn a_trammel_draws_ellipses() {
             (found.centre.unwrap() - evolute).norm() < 1e-9,
             "{t}: {found:?}"
         );
+    }
+    // The whole curve of centres is the stretched astroid of an ellipse, and in one piece: an ellipse has no inflection.
+    let [piece] = &Evolute::of(&motion, tracer).pieces[..] else {
+        panic!("several pieces");
+    };
+    assert!(piece.len() > 700);
+    for centre in piece {
+        let [x, y] = [a * centre.x, b * centre.y].map(|way| way.abs().cbrt().powi(2));
+        assert!((x + y - (a * a - b * b).cbrt().powi(2)).abs() < 1e-6);
     }
 }
 

@@ -1,21 +1,30 @@
-// Of which link instant centre, centrodes and circles are drawn: chosen where any of them is shown.
+// Of which link instant centre, centrodes and circles are drawn, and against which its instant centre is given by lines: chosen where
+// any of them is shown.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
+/** What stands first in each list, and has no name in the state. */
+const FIRST = /** @type {const} */ ({ about: "show.about_first", relative_to: "link.frame" });
+const CHOICES = /** @type {(keyof typeof FIRST)[]} */ (Object.keys(FIRST));
+
 export class AboutLink {
   #engine;
   #row = byId("about-link", HTMLElement);
-  #select = byId("about", HTMLSelectElement);
+  #against = byId("about-against", HTMLElement);
+  #selects = Object.freeze({ about: byId("about", HTMLSelectElement), relative_to: byId("relative_to", HTMLSelectElement) });
   /** @type {readonly unknown[]} what the entries were made of */
   #built = [];
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ engine, store }) {
     this.#engine = engine;
-    this.#select.addEventListener("change", () => store.update((state) => withView(state, { about: this.#select.value })));
+    for (const choice of CHOICES) {
+      const select = this.#selects[choice];
+      select.addEventListener("change", () => store.update((state) => withView(state, { [choice]: select.value })));
+    }
   }
 
   /** @param {Snapshot} snapshot */
@@ -23,14 +32,18 @@ export class AboutLink {
     const { links } = this.#engine;
     this.#row.hidden = !(view.instant_centres || view.centrodes || view.curvature);
     if (this.#row.hidden) return;
+    // Centrodes and circles are those of its motion against the frame.
+    this.#against.hidden = !view.instant_centres;
     const built = [links, words];
-    if (built.some((part, i) => part !== this.#built[i])) {
-      const entry = (/** @type {string} */ value, /** @type {string} */ text) => make("option", { value }, [text]);
-      this.#select.replaceChildren(entry("", words.text("show.about_first")), ...links.map((link) => entry(link, called(link, words))));
-      this.#built = built;
+    const anew = built.some((part, i) => part !== this.#built[i]);
+    const entry = (/** @type {string} */ value, /** @type {string} */ text) => make("option", { value }, [text]);
+    for (const choice of CHOICES) {
+      const select = this.#selects[choice];
+      if (anew) select.replaceChildren(entry("", words.text(FIRST[choice])), ...links.map((link) => entry(link, called(link, words))));
+      // A link of another mechanism: what is drawn then is that of the first entry.
+      const value = links.includes(view[choice]) ? view[choice] : "";
+      if (select.value !== value) select.value = value;
     }
-    // A link of another mechanism: what is drawn then is the first coupler's.
-    const value = links.includes(view.about) ? view.about : "";
-    if (this.#select.value !== value) this.#select.value = value;
+    this.#built = built;
   }
 }

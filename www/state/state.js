@@ -30,11 +30,11 @@ export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_a
 
 /** What of the view the engine draws by, or may refuse. */
 export const DRAWN = Object.freeze(
-  /** @type {const} */ ([...SWITCHES, "about", "measures", "plot", "against", "axes", "omega", "epsilon", "true_time"]),
+  /** @type {const} */ ([...SWITCHES, "about", "relative_to", "measures", "plot", "against", "axes", "omega", "epsilon", "true_time"]),
 );
 
 /** What of the view names a part of the document, and what it says of any other. */
-export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", measures: Object.freeze([]) });
+export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
 /** What of the view is undone, as the document is: the rest loses nothing. */
 export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
@@ -68,6 +68,7 @@ export function usualView(view) {
     centrodes: false,
     curvature: false,
     about: "",
+    relative_to: "",
     measures: Object.freeze([]),
     plot: "angles",
     against: null,

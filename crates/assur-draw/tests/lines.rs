@@ -90,6 +90,18 @@ fn centres_and_their_lines() {
             assert!(off.abs() < 1e-5, "{off}");
         }
     }
+    // Of crank and rocker against each other: where the lines of coupler and frame cross.
+    let pair = Lines {
+        link: motion.mechanism().link("crank"),
+        against: motion.mechanism().link("rocker"),
+        ..lines
+    };
+    let of_pair = drawn(&motion, pair);
+    let frame = of_pair.frame(&motion.pose::<3>(motion.home()).unwrap());
+    let records = moving(&of_pair, &frame);
+    let marks = in_role(&records, CIRCLE, Role::Velocity);
+    assert!((point(marks[0][3], marks[0][4]) - Point::new(-1.0, 0.0)).norm() < 1e-5);
+    assert_eq!(in_role(&records, POLYLINE, Role::Velocity).len(), 2);
     // Of another link; and nothing of it where it is not asked for.
     let crank = Lines {
         link: motion.mechanism().link("crank"),
@@ -112,7 +124,7 @@ fn everywhere_something_finite() {
         centres: true,
         centrodes: true,
         curvature: true,
-        link: None,
+        ..Lines::default()
     };
     let figure = drawn(&motion, all);
     assert!(figure.rigid().numbers().iter().all(|x| x.is_finite()));

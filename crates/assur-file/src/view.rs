@@ -68,18 +68,21 @@ pub struct View {
     /// Polygons of velocities and accelerations shown.
     #[serde(default)]
     pub polygons: bool,
-    /// Instant centres of all links shown, with the lines that give that of `about`.
+    /// Instant centres of all links shown, with the lines that give that of `about` against `relative_to`.
     #[serde(default)]
     pub instant_centres: bool,
     /// Centrodes of `about` shown.
     #[serde(default)]
     pub centrodes: bool,
-    /// The inflection circle of `about` and the circles of curvature of traced points shown.
+    /// The inflection circle of `about` and the circles of curvature of traced points, with the evolutes of their paths, shown.
     #[serde(default)]
     pub curvature: bool,
-    /// The link that these are of; none, or one that is not there: the first coupler.
+    /// The link that these are of; none: the first coupler.
     #[serde(default)]
     pub about: String,
+    /// The link against which the instant centre of `about` is given by lines; none: the frame.
+    #[serde(default)]
+    pub relative_to: String,
     /// What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
     #[serde(default)]
     pub measures: Vec<String>,
@@ -230,6 +233,7 @@ impl Default for View {
             centrodes: false,
             curvature: false,
             about: String::new(),
+            relative_to: String::new(),
             measures: Vec::new(),
             plot: angles(),
             against: None,

@@ -77,9 +77,11 @@ impl Moving {
             plotted,
         } = moved;
         let mechanism = motion.mechanism();
-        if !view.about.is_empty() && mechanism.link(&view.about).is_none() {
-            let field = "about".into();
-            return Err(vec![Problem::UnknownChoice { field }]);
+        for (field, link) in [("about", &view.about), ("relative_to", &view.relative_to)] {
+            if !link.is_empty() && mechanism.link(link).is_none() {
+                let field = field.into();
+                return Err(vec![Problem::UnknownChoice { field }]);
+            }
         }
         let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
         let measures = measures(view, mechanism)?;
@@ -340,6 +342,7 @@ fn lines(view: &View, mechanism: &Mechanism) -> Lines {
         centrodes: view.centrodes,
         curvature: view.curvature,
         link: mechanism.link(&view.about),
+        against: mechanism.link(&view.relative_to),
     }
 }
 

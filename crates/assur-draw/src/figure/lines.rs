@@ -1,8 +1,8 @@
 //! What lecturers draw over a linkage: instant centres with Kennedy's lines, centrodes, circles of curvature.
 
 use assur::centres::{Centre, InstantCentre, Source};
-use assur::curvature::{Centrodes, Circles, Curvature};
-use assur::mechanism::{BodyId, LinkId, Mechanism, PointId, Pose};
+use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
+use assur::mechanism::{BodyId, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
@@ -21,14 +21,17 @@ const MOST_NAMED: usize = 12;
 /// Which of them are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lines {
-    /// Instant centres of all links, and the lines that give that of the link against the frame.
+    /// Instant centres of all links, and the lines that give that of the link against the other one.
     pub centres: bool,
     /// The centrodes of the link.
     pub centrodes: bool,
-    /// The inflection circle of the link; of points whose paths are asked for the circles of curvature.
+    /// The inflection circle of the link; of points whose paths are asked for the circles of curvature, and the curves on
+    /// which the centres of these go.
     pub curvature: bool,
     /// The link, else the first that is joined to no place of the frame.
     pub link: Option<LinkId>,
+    /// The link against which its instant centre is, else the frame.
+    pub against: LinkOrFrame,
 }
 
 /// These lines of a linkage, ready to be drawn in any pose.
@@ -101,17 +104,21 @@ impl Drawn {
         (place - self.middle).norm() < REACH * self.size
     }
 
-    /// What stands still on the frame and on the link: the centrodes.
+    /// What stands still on the frame and on the link: the curves of centres of curvature, and the centrodes.
     pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
+        for point in &self.traced {
+            list.body(layout::number(None));
+            for piece in Evolute::of(motion, *point).pieces {
+                for near in self.near(&piece, |at| *at) {
+                    list.polyline(Role::Accent1, Look::Dashed, near);
+                }
+            }
+        }
         let Some(link) = self.link.filter(|_| self.lines.centrodes) else {
             return;
         };
         for piece in Centrodes::of(motion, link).pieces {
-            for near in piece.chunk_by(|a, b| self.is_near(a.fixed) == self.is_near(b.fixed)) {
-                let is_near = near.first().is_some_and(|first| self.is_near(first.fixed));
-                if !is_near || near.len() < 2 {
-                    continue;
-                }
+            for near in self.near(&piece, |rolling| rolling.fixed) {
                 let fixed: Vec<Point> = near.iter().map(|rolling| rolling.fixed).collect();
                 let moving = near.iter().map(|rolling| Point::from(rolling.moving));
                 let moving: Vec<Point> = moving.collect();
@@ -121,6 +128,17 @@ impl Drawn {
                 list.polyline(Role::Accent4, Look::Line, &moving);
             }
         }
+    }
+
+    /// The parts of a curve that are near enough.
+    fn near<'a, T>(
+        &self,
+        curve: &'a [T],
+        place: impl Fn(&T) -> Point + Copy,
+    ) -> impl Iterator<Item = &'a [T]> {
+        let is_near = move |one: &T| self.is_near(place(one));
+        let parts = curve.chunk_by(move |a, b| is_near(a) == is_near(b));
+        parts.filter(move |part| part.len() > 1 && is_near(&part[0]))
     }
 
     /// What changes from pose to pose; circles of one with three derivatives, at a dead point centres by places alone.
@@ -169,10 +187,11 @@ impl Drawn {
             let found = centres.iter().find(|centre| centre.bodies == bodies);
             found.map(|found| found.centre)
         };
-        let about = self.link.map(|link| mechanism.body_of(Some(link)));
-        let asked = centres
-            .iter()
-            .find(|centre| Some(centre.bodies[1]) == about && centre.bodies[0] == BodyId::FRAME);
+        let asked = self.link.and_then(|link| {
+            let [a, b] = [Some(link), self.lines.against].map(|link| mechanism.body_of(link));
+            let about = [a.min(b), a.max(b)];
+            centres.iter().find(|centre| centre.bodies == about)
+        });
         if let Some(InstantCentre {
             bodies: [i, j],
             centre,

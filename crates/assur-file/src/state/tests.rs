@@ -30,6 +30,7 @@ fn state() -> State {
             centrodes: true,
             curvature: false,
             about: "coupler".to_owned(),
+            relative_to: "rocker".to_owned(),
             measures: vec!["A-C.distance".to_owned()],
             plot: "C2".to_owned(),
             against: Some(Against {

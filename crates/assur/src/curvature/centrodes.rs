@@ -1,15 +1,11 @@
 //! The curves on which poles go: in the frame the fixed centrode, on the link the moving one, which rolls on it.
 
-use std::f64::consts::TAU;
-
+use super::along::along;
 use crate::index::LinkId;
 use crate::mechanism::Pose;
 use crate::motion::Motion;
 use crate::{Point, Vector};
 
-/// So many poles are looked for in a turn, and no more in a whole motion.
-const TURN: usize = 720;
-const MOST: usize = 20 * TURN;
 /// Farther away than so many sizes of the mechanism a curve has gone to infinity.
 const FARTHEST: f64 = 100.0;
 
@@ -36,36 +32,10 @@ impl Centrodes {
     /// Of a link that moves against the frame; of what is only shifted there are none, and of what turns about a hinge of
     /// the frame they are that one point.
     pub fn of(motion: &Motion, link: LinkId) -> Self {
-        let mut centrodes = Self::default();
-        let mut pose = motion.mechanism().blank::<2>();
-        for [from, to] in motion.cycle().arcs() {
-            let turns = if motion.mechanism().turns() {
-                (to - from) / TAU
-            } else {
-                1.0
-            };
-            let count = (TURN as f64 * turns).ceil().clamp(1.0, MOST as f64) as usize;
-            // Which way the link turned last, if it did: a new piece begins where it turns otherwise.
-            let mut sense = 0.0;
-            for k in 0..=count {
-                let input = from + (to - from) * k as f64 / count as f64;
-                let rolling = motion.place(input, &mut pose).ok();
-                let rolling = rolling.and_then(|()| rolling_at(motion, &pose, link, input));
-                match rolling {
-                    Some((rolling, turns)) if turns == sense => {
-                        if let Some(piece) = centrodes.pieces.last_mut() {
-                            piece.push(rolling);
-                        }
-                    }
-                    Some((rolling, turns)) => {
-                        centrodes.pieces.push(vec![rolling]);
-                        sense = turns;
-                    }
-                    None => sense = 0.0,
-                }
-            }
+        let at = |input, pose: &Pose<2>| rolling_at(motion, pose, link, input);
+        Self {
+            pieces: along(motion, at),
         }
-        centrodes
     }
 }
 

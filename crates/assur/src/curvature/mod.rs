@@ -4,11 +4,14 @@
 //!
 //! See Dijksman, *Motion Geometry of Mechanisms*, and Hall, *Kinematics and Linkage Design*, ch. 5.
 
+mod along;
 mod centrodes;
 mod circles;
+mod evolute;
 
 pub use centrodes::{Centrodes, Rolling};
 pub use circles::Circles;
+pub use evolute::Evolute;
 
 use crate::{JetPoint, Point, Vector};
 
