@@ -72,6 +72,11 @@ const KEYS: &[(&str, i64)] = &[
     ("e", 69),
     ("?", 191),
     ("0", 48),
+    ("b", 66),
+    ("k", 75),
+    ("v", 86),
+    ("c", 67),
+    ("Delete", 46),
 ];
 
 /// Sizes of windows.
@@ -97,6 +102,8 @@ const ADDRESSES: &[&str] = &[
     "class4-dwell&v.lang=ru&v.lesson={\"id\":\"class4-dwell\",\"step\":3}",
     "class4-dwell&v.all_assemblies=true&v.others=true",
     "parallelogram&v.all_assemblies=true&v.playing=true",
+    "crank-rocker&v.drawing=true",
+    "jansen&v.polygons=true&v.centrodes=true&v.instant_centres=true&v.curvature=true",
     "no-such-mechanism",
     "<script>",
     "%%%",
@@ -307,31 +314,54 @@ const TRAIN: &str = "#2&kind=gear-train&d.z1=20&d.z2=10&d.z4=43&d.loaded=true\
     &d.load=%5B%5B1,0%5D,%5B3,10%5D,%5B4.5,10%5D,%5B5,0%5D%5D&v.phi_deg=0&v.t=1&v.plot=%22load%22\
     &v.playing=true&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
 
+/// Lines over a mechanism, measures, one quantity against another.
+const OVER: &str = "#crank-rocker&v.polygons=true&v.centrodes=true&v.instant_centres=true&v.curvature=true\
+    &v.measures=%5B%22A-C.distance%22,%22A-B-C.corner%22%5D&v.against=%7B%22x%22:%22C.x%22,%22y%22:%22C.y%22%7D";
+
 #[tokio::test]
 async fn nothing_breaks_whatever_somebody_does() {
-    wander("").await;
+    wander("", &[]).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_in_a_drawing() {
+    wander("#crank-rocker&v.drawing=true", &[]).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_in_a_lesson_that_is_written() {
+    wander("#jansen&v.playing=false", &["menu", "write-lesson"]).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_over_a_mechanism() {
+    wander(OVER, &[]).await;
 }
 
 #[tokio::test]
 async fn nothing_breaks_in_a_synthesis() {
-    wander(SYNTHESIS).await;
+    wander(SYNTHESIS, &[]).await;
 }
 
 #[tokio::test]
 async fn nothing_breaks_in_a_scheme() {
-    wander(SCHEME).await;
+    wander(SCHEME, &[]).await;
 }
 
 #[tokio::test]
 async fn nothing_breaks_in_a_train() {
-    wander(TRAIN).await;
+    wander(TRAIN, &[]).await;
 }
 
-/// Does whatever comes to hand, beginning at an address.
-async fn wander(address: &str) {
+/// Does whatever comes to hand, beginning at an address and with these presses.
+async fn wander(address: &str, presses: &[&str]) {
     let seed = asked("ASSUR_RANDOM_SEED", 20_261_122);
     let time = Duration::from_secs(asked("ASSUR_RANDOM_SECONDS", 20));
     let page = Page::open_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;
+    for press in presses {
+        page.click(press).await;
+        page.settle().await;
+    }
     let mut hand = Hand {
         page: &page,
         dice: Dice(seed),
