@@ -1,6 +1,7 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { Refusal } from "assur/core/problem.js";
-import { contains, withoutLesson } from "assur/state/state.js";
+import { Compared } from "assur/state/compared.js";
+import { alone, contains } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
 /**
@@ -58,6 +59,7 @@ export class Engine {
   #simulator = new module.Simulator();
   /** @type {State | null} the last state the simulator took */
   #good = null;
+  #compared = new Compared(() => new module.Simulator());
 
   /** Whether it broke down since it last took a state. */
   trapped = false;
@@ -135,12 +137,12 @@ export class Engine {
   set(state) {
     const summary = this.ask((simulator) => {
       /** @type {Summaries[K]} */
-      const taken = simulator.set(withoutLesson(state));
+      const taken = simulator.set(alone(state));
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = /** @type {import("assur/types/file.js").LengthUnit} */ (simulator.lengths());
       this.choosesLengths = simulator.choosesLengths();
-      return taken;
+      return /** @type {Summaries[K]} */ (this.#compared.follow(state, taken));
     });
     this.#good = state;
     this.trapped = false;
@@ -190,7 +192,7 @@ export class Engine {
    */
   sketch(state) {
     return this.beside((other) => {
-      const { bounds, home = 0 } = other.set(withoutLesson(state));
+      const { bounds, home = 0 } = other.set(alone(state));
       return { bounds, scene: other.scene(), frame: lists(other.at(home))[0], labels: other.labelNames() };
     });
   }
@@ -201,9 +203,32 @@ export class Engine {
    * @returns {Readouts | null} values by name, null where derivatives are unbounded
    */
   readoutsOf(other, input) {
-    const [, , values] = lists(other.at(input));
+    const { values } = this.placeOf(other, input);
     const entries = other.readoutNames().map((/** @type {string} */ name, /** @type {number} */ i) => [name, values[i]]);
     return values.length > 0 ? Object.fromEntries(entries) : null;
+  }
+
+  /**
+   * @param {import("assur/pkg/assur_web.js").Simulator} other that a state is set in
+   * @param {number} input
+   * @returns {{ frame: Float64Array, values: Float64Array }} what is drawn and read there
+   */
+  placeOf(other, input) {
+    const [frame, , values] = lists(other.at(input));
+    return { frame, values };
+  }
+
+  /** Whether what is compared with it is shown. */
+  get compares() {
+    return this.#compared.shown !== null;
+  }
+
+  /**
+   * @param {number} input
+   * @returns {import("assur/state/compared.js").Beside | null} what is compared with it there, where it can be assembled
+   */
+  compared(input) {
+    return this.#compared.at(input, this);
   }
 
   /**
@@ -375,7 +400,9 @@ export class Engine {
    * @returns {{ panels: Panel[], against: Field | null }}
    */
   chart(context, request) {
-    return this.ask((simulator) => simulator.chart(/** @type {CanvasRenderingContext2D} */ (context), request));
+    const on = /** @type {CanvasRenderingContext2D} */ (context);
+    const { shown } = this.#compared;
+    return this.ask((simulator) => (shown ? simulator.chartCompared(on, request, shown) : simulator.chart(on, request)));
   }
 
   /**
@@ -420,6 +447,6 @@ export class Engine {
   /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
   #recover() {
     this.#simulator = new module.Simulator();
-    if (this.#good) this.#simulator.set(withoutLesson(this.#good));
+    if (this.#good) this.#simulator.set(alone(this.#good));
   }
 }

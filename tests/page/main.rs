@@ -11,6 +11,7 @@ mod bad_input;
 mod browser;
 mod bundle;
 mod class4;
+mod compared;
 mod damage;
 mod design;
 mod device;

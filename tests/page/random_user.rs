@@ -104,6 +104,7 @@ const ADDRESSES: &[&str] = &[
     "parallelogram&v.all_assemblies=true&v.playing=true",
     "crank-rocker&v.drawing=true",
     "jansen&v.polygons=true&v.centrodes=true&v.instant_centres=true&v.curvature=true",
+    "crank-rocker&compared=%7B%22kind%22:%22linkage%22,%22document%22:%7B%22points%22:%5B%7B%22name%22:%22A%22,%22at%22:%5B0,0%5D%7D,%7B%22name%22:%22B%22,%22at%22:%5B1,1%5D%7D,%7B%22name%22:%22C%22,%22at%22:%5B4.5,4%5D%7D,%7B%22name%22:%22D%22,%22at%22:%5B6,0%5D%7D%5D,%22frame%22:%5B%22A%22,%22D%22%5D,%22links%22:%5B%7B%22name%22:%22crank%22,%22points%22:%5B%22A%22,%22B%22%5D%7D,%7B%22name%22:%22coupler%22,%22points%22:%5B%22B%22,%22C%22%5D%7D,%7B%22name%22:%22rocker%22,%22points%22:%5B%22D%22,%22C%22%5D%7D%5D,%22drivers%22:%5B%7B%22crank%22:%22crank%22%7D%5D%7D%7D",
     "no-such-mechanism",
     "<script>",
     "%%%",

@@ -43,6 +43,7 @@ const STOPS: [&str; 30] = [
     "shaper&v.drawing=true",
     "whitworth&v.polygons=true&v.instant_centres=true",
     "crank-rocker&v.against=%7B%22x%22:%22C.x%22,%22y%22:%22C.y%22%7D&v.measures=%5B%22A-C.distance%22,%22A-B-C.corner%22%5D",
+    "crank-rocker&compared=%7B%22kind%22:%22linkage%22,%22document%22:%7B%22points%22:%5B%7B%22name%22:%22A%22,%22at%22:%5B0,0%5D%7D,%7B%22name%22:%22B%22,%22at%22:%5B1,1%5D%7D,%7B%22name%22:%22C%22,%22at%22:%5B4.5,4%5D%7D,%7B%22name%22:%22D%22,%22at%22:%5B6,0%5D%7D%5D,%22frame%22:%5B%22A%22,%22D%22%5D,%22links%22:%5B%7B%22name%22:%22crank%22,%22points%22:%5B%22A%22,%22B%22%5D%7D,%7B%22name%22:%22coupler%22,%22points%22:%5B%22B%22,%22C%22%5D%7D,%7B%22name%22:%22rocker%22,%22points%22:%5B%22D%22,%22C%22%5D%7D%5D,%22drivers%22:%5B%7B%22crank%22:%22crank%22%7D%5D%7D%7D",
 ];
 
 /// Window, whether it is dark, whether it is the projector's.

@@ -8,7 +8,7 @@ import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { withLesson, withMechanism, withView } from "assur/state/state.js";
+import { withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -32,7 +32,10 @@ export function commands(page) {
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
   // The last mechanism that the engine took, with the lesson as it is.
-  const now = () => withLesson(model.good, store.get().lesson);
+  const now = () => {
+    const { lesson, compared } = store.get();
+    return withFurther(model.good, { lesson, compared });
+  };
   /**
    * Does what is loaded when it is first asked for.
    * @template Part

@@ -39,9 +39,9 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   let value = null;
   if (problems.length === 0) ({ value, problems } = attempt(() => engine.read(unwrapped.value)));
   if (!value) return { state: null, failure: { kind, problems } };
-  const { kind: of, document, view, lesson } = value;
+  const { kind: of, document, view } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, lesson), failure: null };
+  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, value), failure: null };
 }
 
 /**

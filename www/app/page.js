@@ -22,7 +22,7 @@ import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
 import { Player, placed } from "assur/state/player.js";
-import { PARTS, withMechanism, withView } from "assur/state/state.js";
+import { PARTS, withFurther, withMechanism, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
@@ -167,7 +167,7 @@ export class Page {
     const before = model.good;
     this.#player.begin();
     this.history.step(() => {
-      store.update((state) => withView(withMechanism(state, kind, document), PARTS));
+      store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined }), PARTS));
       this.mechanism.fit();
       for (const { asked, field } of edits) {
         model.follow(store.get());

@@ -7,6 +7,7 @@ import { Pace } from "assur/app/pace.js";
 import { Title } from "assur/app/title.js";
 import { AboutLink } from "assur/controls/about.js";
 import { LengthUnits } from "assur/controls/lengths.js";
+import { Comparing } from "assur/controls/comparing.js";
 import { Measures } from "assur/controls/measures.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
@@ -77,7 +78,7 @@ export class Views {
     this.#held = held;
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
-    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page), new Measures(page)];
+    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page), new Measures(page), new Comparing(page)];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 

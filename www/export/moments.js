@@ -70,7 +70,7 @@ export async function* moments(page, inputs, { signal, tell }) {
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
     else why = problems;
-    if (value) yield { frame: value.frame, frameInput: input, readouts: value.readouts };
+    if (value) yield { frame: value.frame, frameInput: input, readouts: value.readouts, compared: page.engine.compared(input) };
     tell((number + 1) / inputs.length);
   }
   if (!found) throw new Refusal([...why]);

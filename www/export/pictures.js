@@ -10,7 +10,7 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
- * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts">} Moment a place of the motion
+ * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment a place of the motion
  * @typedef {object} Sheet a picture of any places of a motion
  * @property {Size} size
  * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin with labels that keep

@@ -7,7 +7,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { answerOf, isAngle, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
-import { withoutLesson } from "assur/state/state.js";
+import { alone } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -107,7 +107,7 @@ function unitOf({ quantity, unit }) {
 function shown(lesson, index, name, page, words) {
   const { engine, model: { coordinate } } = page;
   const task = taskOf(lesson, index, name, engine);
-  const sketch = task && attempt(() => engine.sketch(withoutLesson(task.state))).value;
+  const sketch = task && attempt(() => engine.sketch(alone(task.state))).value;
   if (!sketch) return own(lesson, index, name, page, words);
   const { bounds, scene, frame, labels } = sketch;
   const theme = paperTheme(engine.roles);

@@ -10,7 +10,7 @@ import { shownBy } from "assur/lesson/tasks.js";
 import "assur/lesson/style.js";
 import { Varying } from "assur/lesson/varying.js";
 import { openShown } from "assur/lesson/written.js";
-import { withLesson, withView } from "assur/state/state.js";
+import { withFurther, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -162,7 +162,7 @@ export class Writer {
     const { problems } = attempt(() => engine.readLesson(next));
     write(this.#said, problems.map((problem) => sentence(problem, this.#words)).join(" "));
     if (problems.length > 0) return false;
-    store.update((now) => withLesson(now, next));
+    store.update((now) => withFurther(now, { lesson: next }));
     return true;
   }
 

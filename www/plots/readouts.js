@@ -2,7 +2,7 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { subscript, symbol } from "assur/core/symbols.js";
+import { isLength, subscript, symbol } from "assur/core/symbols.js";
 import { written } from "assur/plots/values.js";
 
 /**
@@ -14,6 +14,9 @@ import { written } from "assur/plots/values.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
+/** Of what is compared with it there are two rows more of each quantity: its own value, and by how much this one differs. */
+const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
+
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
   #heads = STROKES.map(() => make("th", { scope: "col" }));
@@ -22,6 +25,8 @@ export class ReadoutTable {
   #inputSymbol = make("b");
   /** @type {{ listed: Listed, order: number, output: HTMLElement }[]} */
   #cells = [];
+  /** @type {{ listed: Listed, order: number, outputs: Record<keyof typeof BESIDE, HTMLElement> }[]} */
+  #beside = [];
   /** @type {readonly unknown[]} what the rows were made of */
   #built = [];
 
@@ -32,10 +37,10 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, legible, withheld } = snapshot;
+    const { state, summary, readouts, coordinate, place, words, stale, legible, withheld, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
-    const built = [summary, words, state.view.axes];
+    const built = [summary, words, state.view.axes, compares];
     if (built.some((part, i) => part !== this.#built[i])) this.#build(snapshot);
     this.#built = built;
     write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
@@ -46,10 +51,25 @@ export class ReadoutTable {
       if (withheld.has(output.id.replace("out-", ""))) withhold(output, words);
       else writeReadout(output, said?.text ?? NONE, said?.value);
     }
+    this.#compare(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #build({ state: { view }, summary: { listed, curves }, coordinate, words }) {
+  #compare({ readouts, compared, words }) {
+    for (const { listed, order, outputs } of this.#beside) {
+      const name = listed.name + STROKES[order];
+      const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
+      const angle = order === 0 && !isLength(listed.what);
+      const difference = a === undefined || b === undefined ? undefined : angle ? turned(b - a) : b - a;
+      for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
+        const said = value === undefined ? null : written(value, listed.what, order, words);
+        writeReadout(output, said?.text ?? NONE, said?.value);
+      }
+    }
+  }
+
+  /** @param {Snapshot} snapshot */
+  #build({ state: { view }, summary: { listed, curves }, coordinate, words, compares }) {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
     // What derivatives of what is listed are called: of angles, of lengths, of both.
@@ -62,7 +82,8 @@ export class ReadoutTable {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
     });
     this.#cells = [];
-    const rows = listed.map((one) => {
+    this.#beside = [];
+    const rows = listed.flatMap((one) => {
       const bare = one.what === "transmission" || one.what === "pressure";
       const cells = STROKES.map((_, order) => {
         if (bare && order > 0) return make("td");
@@ -71,11 +92,38 @@ export class ReadoutTable {
         return output;
       });
       const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [whose(one, words)])];
-      return row(one.role, curves.includes(one.name), title, cells);
+      const own = row(one.role, curves.includes(one.name), title, cells);
+      return compares ? [own, ...this.#besideRows(one, bare ? 1 : STROKES.length)] : [own];
     });
     const [input] = this.#table.tBodies[0].rows;
     this.#table.tBodies[0].replaceChildren(input, ...rows);
   }
+
+  /**
+   * @param {Listed} listed
+   * @param {number} count of values: of itself, and of its derivatives
+   * @returns {HTMLElement[]} the rows of what is compared with it
+   */
+  #besideRows(listed, count) {
+    const sorts = /** @type {(keyof typeof BESIDE)[]} */ (Object.keys(BESIDE));
+    const outputs = STROKES.map((_, order) => {
+      const made = sorts.map((sort) => [sort, make("td", order < count ? { id: `${sort}-${"d".repeat(order)}${listed.name.replace(/\.angle$/, "")}` } : {})]);
+      return /** @type {Record<keyof typeof BESIDE, HTMLElement>} */ (Object.fromEntries(made));
+    });
+    outputs.slice(0, count).forEach((pair, order) => this.#beside.push({ listed, order, outputs: pair }));
+    return sorts.map((sort) => {
+      const head = make("th", { scope: "row" }, [make("b"), " ", make("span", {}, [BESIDE[sort]])]);
+      return make("tr", { class: "beside" }, [head, ...outputs.map((pair) => pair[sort])]);
+    });
+  }
+}
+
+/**
+ * @param {number} angle in radians
+ * @returns {number} the same, at most half a turn to either side
+ */
+function turned(angle) {
+  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
 /**

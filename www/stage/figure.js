@@ -12,7 +12,7 @@ import { paintSquares } from "assur/stage/paper.js";
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words">
- *   & { readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
+ *   & { readonly compared?: import("assur/state/compared.js").Beside | null, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -36,6 +36,8 @@ export class Figure {
   #changing = [];
   /** @type {readonly (readonly number[])[]} x, y and angle of each body */
   #poses = [];
+  /** @type {Figure | null} of what is compared with it, where that is shown */
+  #compared = null;
 
   /**
    * @param {Pick<Engine, "roles" | "labels">} engine
@@ -70,6 +72,20 @@ export class Figure {
     const { poses, end } = readPoses(frame);
     this.#poses = poses;
     this.#changing = this.#read(frame, end);
+    this.#beside(snapshot);
+  }
+
+  /** @param {Snapshot} snapshot */
+  #beside({ compared, ...rest }) {
+    if (!compared) {
+      this.#compared = null;
+      return;
+    }
+    const { scene, frame, labels, revision } = compared;
+    if (!this.#compared || this.#compared.#revision !== revision) {
+      this.#compared = new Figure({ roles: this.#engine.roles, labels }, muted(this.#theme), this.#newPath);
+    }
+    this.#compared.take({ ...rest, scene, frame, revision });
   }
 
   /**
@@ -99,6 +115,8 @@ export class Figure {
    * @param {Transform} view
    */
   paintMoving(target, view) {
+    this.#compared?.paintStill(target, view);
+    this.#compared?.paintMoving(target, view);
     this.#painter.shapes(target, this.#rigid, view, this.#poses);
     this.#painter.shapes(target, this.#changing, view, this.#poses);
   }
@@ -127,6 +145,25 @@ export class Figure {
   #read(list, start, before) {
     return readDisplayList(list, start, this.#engine.roles, this.#engine.labels, this.#newPath, before);
   }
+}
+
+/**
+ * @param {Theme} theme
+ * @returns {Theme} the same with one colour for all
+ */
+function muted(theme) {
+  let revision = -1;
+  /** @type {Record<string, string>} */
+  let colours = {};
+  const get = () => {
+    if (revision !== theme.revision) {
+      revision = theme.revision;
+      const { paper, secondary } = theme.colours;
+      colours = { ...Object.fromEntries(Object.keys(theme.colours).map((role) => [role, secondary])), paper };
+    }
+    return colours;
+  };
+  return Object.create(theme, { colours: { get } });
 }
 
 /**

@@ -13,8 +13,8 @@ import { contains } from "assur/state/state.js";
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** What holds a lesson that a lecturer has written; in the first version it is the kind. */
-const LESSON = "lesson";
+/** What a state may have besides document and view; in the first version the kind was called `lesson`. */
+const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
 /** Longer and deeper ones are none of ours. */
@@ -34,12 +34,13 @@ function unreadable() {
  * @param {{ id: string, usual: State["view"] } | null} preset of the catalogue that the document is, with the view that is left out
  * @returns {string} what follows the # of an address
  */
-export function toAddress({ kind, document, view, lesson }, preset) {
-  const written = lesson ? [`${LESSON}=${encode(lesson)}`] : [];
-  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...written].join("&");
+export function toAddress(state, preset) {
+  const { kind, document, view } = state;
+  const further = FURTHER.filter((name) => state[name] !== undefined).map((name) => `${name}=${encode(state[name])}`);
+  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...further].join("&");
   const usual = /** @type {Record<string, unknown>} */ (preset.usual);
   const unusual = Object.entries(view).filter(([key, value]) => !contains(usual, { [key]: value }) && !(view.playing && PLACES.includes(key)));
-  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...written].join("&");
+  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...further].join("&");
 }
 
 /**
@@ -72,14 +73,14 @@ export function fromAddress(hash, preset) {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
   };
-  const own = (/** @type {string | undefined} */ name) => Object.fromEntries(entries.filter(([key]) => key === name));
+  const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
     // Else what is said of the document would be passed over.
     if (Object.keys(document).length > 0) throw unreadable();
-    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(LESSON) });
+    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) });
   }
-  return shallow({ format: Number(version), ...own(LESSON), ...own(kind), document, view });
+  return shallow({ format: Number(version), ...own(FURTHER), ...own([kind]), document, view });
 }
 
 /**

@@ -1,9 +1,9 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { UNDONE, withLesson, withMechanism, withView } from "assur/state/state.js";
+import { UNDONE, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: State["kind"], document: State["document"], lesson: State["lesson"], shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} Moment
  * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
  */
 
@@ -104,7 +104,7 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withLesson(withMechanism(now, next.kind, next.document), next.lesson), next.shown));
+      this.#store.update((now) => withView(withFurther(withMechanism(now, next.kind, next.document), next.further), next.shown));
     } finally {
       this.#walking = false;
     }
@@ -115,8 +115,8 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ kind, document, lesson, view }) {
-  return { kind, document, lesson, shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
+function moment({ kind, document, lesson, compared, view }) {
+  return { kind, document, further: { lesson, compared }, shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -124,5 +124,6 @@ function moment({ kind, document, lesson, view }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  return one.document === other.document && one.lesson === other.lesson && UNDONE.every((name) => one.shown[name] === other.shown[name]);
+  const [mine, others] = [one.further, other.further];
+  return one.document === other.document && mine.lesson === others.lesson && mine.compared === others.compared && UNDONE.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -30,6 +30,8 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   frameInput: number,
  *   readouts: Readouts | null,
  *   plotted: Float64Array | null,
+ *   compared: import("assur/state/compared.js").Beside | null,
+ *   compares: boolean,
  *   problems: readonly Problem[],
  *   stale: boolean,
  *   faded: boolean,
@@ -38,7 +40,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * }} Shown
  * What the views draw. `place` is where the input is on its axis, as readers count, `input` the same for the engine; `revision` counts
  * the mechanisms taken; `frameInput` is the input of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
- * angle; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
+ * angle; `compared` is mechanism A there, where it can be assembled, `compares` whether it is shown at all; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
  * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame);
  * `withheld`: read-outs, by their ids, that are not written because a lesson asks for them.
  */
@@ -104,6 +106,8 @@ export class Model {
   #readouts = null;
   /** @type {Float64Array | null} */
   #plotted = null;
+  /** @type {import("assur/state/compared.js").Beside | null} */
+  #compared = null;
   /** @type {readonly Problem[]} */
   #refused = [];
   /** @type {readonly Problem[]} */
@@ -194,7 +198,7 @@ export class Model {
    */
   follow(state) {
     const asked = this.#asked;
-    const other = !asked || asked.document !== state.document || DRAWN.some((name) => asked.view[name] !== state.view[name]);
+    const other = !asked || asked.document !== state.document || asked.compared !== state.compared || DRAWN.some((name) => asked.view[name] !== state.view[name]);
     const moved = !asked || FIELDS.some((name) => asked.view[name] !== state.view[name]);
     if (other) this.#take(state);
     if (other || moved) this.#place(state);
@@ -232,6 +236,8 @@ export class Model {
       frameInput: this.#frameInput,
       readouts: this.#readouts,
       plotted: this.#plotted,
+      compared: this.#compared,
+      compares: this.#engine.compares,
       problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
       stale,
       faded: stale || this.#unplaced.length > 0,
@@ -264,6 +270,7 @@ export class Model {
     this.#unread = here && !here.readouts ? this.#engine.why(input) : [];
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
+    this.#compared = this.#engine.compared(input);
     // Where there is none the last place stays, unless it is that of another mechanism.
     if (!here && this.#placed === this.#revision) return;
     this.#here = here ?? this.#engine.at(this.home);

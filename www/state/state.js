@@ -18,8 +18,13 @@
  */
 
 /**
+ * @typedef {Readonly<{ lesson?: Written, compared?: Document }>} Further what a state may have besides its document: a lesson about it; what it is compared
+ * with, mechanism A
+ */
+
+/**
  * @template {Kind} [K=Kind]
- * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View, lesson?: Written }> : never} State
+ * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View } & Further> : never} State
  */
 
 /** What can be laid over the drawing. */
@@ -92,11 +97,11 @@ export function usualView(view) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {Partial<View>} view
- * @param {Written} [lesson]
+ * @param {Further} [further]
  * @returns {State}
  */
-export function initialState(kind, document, view, lesson) {
-  return stateOf(kind, document, usualView(view), lesson);
+export function initialState(kind, document, view, further) {
+  return stateOf(kind, document, usualView(view), further);
 }
 
 /**
@@ -104,27 +109,28 @@ export function initialState(kind, document, view, lesson) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {View} view
- * @param {Written} [lesson]
+ * @param {Further} [further]
  */
-function stateOf(kind, document, view, lesson) {
-  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...(lesson && { lesson }) }));
+function stateOf(kind, document, view, { lesson, compared } = {}) {
+  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...(lesson && { lesson }), ...(compared && { compared }) }));
 }
 
 /**
- * @param {State} state
- * @returns {State} without its lesson, which the engine needs not
+ * @param {Pick<State, "kind" | "document" | "view">} state
+ * @returns {State} of the mechanism alone, which is all that the engine needs
  */
-export function withoutLesson({ kind, document, view }) {
+export function alone({ kind, document, view }) {
   return stateOf(kind, document, view);
 }
 
 /**
  * @param {State} state
- * @param {Written | undefined} lesson
+ * @param {Further} change of what it has besides its document
  * @returns {State} the same state where nothing changes
  */
-export function withLesson(state, lesson) {
-  return lesson === state.lesson ? state : stateOf(state.kind, state.document, state.view, lesson);
+export function withFurther(state, change) {
+  const next = stateOf(state.kind, state.document, state.view, { ...state, ...change });
+  return next.lesson === state.lesson && next.compared === state.compared ? state : next;
 }
 
 /**
@@ -136,7 +142,7 @@ export function withLesson(state, lesson) {
  * @returns {State}
  */
 export function withMechanism(state, kind, document) {
-  return stateOf(kind, document, state.view, state.lesson);
+  return stateOf(kind, document, state.view, state);
 }
 
 /**

@@ -7,6 +7,7 @@
 //! sign is the reader's).
 
 mod against;
+mod compared;
 mod curves;
 mod ticks;
 
@@ -306,6 +307,9 @@ impl Chart {
         // Extrema are full dots, zeros open ones, differences small ones.
         let mut dots: Vec<Dot> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
+            let dashes = curve.compared_within(y0, y1).into_iter();
+            let dashes = dashes.flat_map(|run| compared::dashed(&run, panel.to_pixels(), scale));
+            lines.extend(dashes.map(|dash| (dash, series.role, FINE)));
             let runs = curve.within(y0, y1).into_iter();
             lines.extend(runs.map(|run| (run, series.role, 2 * FINE)));
             for mark in curve.marks(y0, y1) {
@@ -344,6 +348,12 @@ fn paint<B: DrawingBackend>(
 }
 
 impl Panel {
+    /// How many pixels there are to a unit along x and y.
+    fn to_pixels(&self) -> [f64; 2] {
+        let span = |[from, to]: [f64; 2]| to - from;
+        [self.width / span(self.x), self.height / span(self.y)]
+    }
+
     /// Points of the curves at least this far from each other, pixels.
     const APART: f64 = 4.0;
 

@@ -206,6 +206,7 @@ impl LessonDocument {
                 document,
                 view,
                 lesson: None,
+                compared: None,
             };
             Some((number, state))
         })

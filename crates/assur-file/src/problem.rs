@@ -56,6 +56,8 @@ pub enum Problem {
     UnknownFormat { format: f64 },
     /// A key that stands twice in one object.
     KeyTwice { path: String },
+    /// What follows is wrong with what a mechanism is compared with.
+    InCompared,
     /// The text is no JSON.
     NotJson { detail: String },
     /// What is wrong with a linkage.

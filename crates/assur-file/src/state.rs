@@ -31,6 +31,9 @@ pub struct State {
     /// The lesson that a lecturer has written about it, if one has.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lesson: Option<LessonDocument>,
+    /// What it is compared with: a mechanism that is shown beside it and stays as it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compared: Option<Document>,
 }
 
 /// What says how the rest of a state is to be read.
@@ -72,6 +75,7 @@ impl State {
                 document: Document::read("kind", &kind, value)?,
                 view: within(value, "view")?.unwrap_or_default(),
                 lesson: within::<Option<_>>(value, "lesson")?.flatten(),
+                compared: compared(value)?,
             });
         }
         if format != FIRST_FORMAT {
@@ -92,6 +96,7 @@ impl State {
             document,
             view,
             lesson: None,
+            compared: None,
         })
     }
 
@@ -158,7 +163,22 @@ pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
 /// Reads what a type takes from a field of the value, where it has it.
 pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
     let read = value.get(name).map(part).transpose();
-    read.map_err(|problem| match problem {
+    read.map_err(|problem| under(name, problem))
+}
+
+/// What a state is compared with: `{kind, document}`.
+fn compared(state: &Value) -> Result<Option<Document>, Problem> {
+    let name = "compared";
+    let Some(value) = state.get(name).filter(|value| !value.is_null()) else {
+        return Ok(None);
+    };
+    let read = part(value).and_then(|Kind { kind }| Document::read("kind", &kind, value));
+    read.map(Some).map_err(|problem| under(name, problem))
+}
+
+/// What has not the form, as a part of a field.
+fn under(name: &str, problem: Problem) -> Problem {
+    match problem {
         Problem::BadState { path, detail } => Problem::BadState {
             path: match path.as_str() {
                 "." => name.to_owned(),
@@ -167,7 +187,7 @@ pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<O
             detail,
         },
         other => other,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,8 @@ use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
 use assur_file::{
-    Document, DraftDocument, LengthUnit, LessonDocument, Preset, Problem, Shelf, in_step,
+    Document, DraftDocument, LengthUnit, LessonDocument, Preset, Problem, Shelf, State, View,
+    in_step,
 };
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -267,18 +268,48 @@ impl Simulator {
         context: &CanvasRenderingContext2d,
         request: JsValue,
     ) -> Result<JsValue, JsValue> {
+        self.charted(context, request, None)
+    }
+
+    /// The same with the curves of what another simulator shows, thin and dashed, in the same plots:
+    /// of each quantity that both plot.
+    ///
+    /// # Errors
+    /// As of `chart`; where nothing moves in the other one.
+    #[wasm_bindgen(js_name = chartCompared)]
+    pub fn chart_compared(
+        &self,
+        context: &CanvasRenderingContext2d,
+        request: JsValue,
+        with: &Self,
+    ) -> Result<JsValue, JsValue> {
+        self.charted(context, request, Some(with.moves()?))
+    }
+
+    fn charted(
+        &self,
+        context: &CanvasRenderingContext2d,
+        request: JsValue,
+        with: Option<&dyn Moves>,
+    ) -> Result<JsValue, JsValue> {
         let moves = self.moves()?;
         let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
         let (area, palette) = (canvas.into_drawing_area(), request.palette());
-        if let Some(plot) = moves.against(request.around) {
+        if let Some(mut plot) = moves.against(request.around) {
+            if let Some(other) = with.and_then(|with| with.against(request.around)) {
+                plot.to_mut().compare(&other);
+            }
             let field = plot.draw(&area, &palette, request.scale);
             let field = field.map_err(|error| one(bad("chart", &error.to_string())))?;
             let layout = ChartLayout::of_one(&plot, field, moves.numbers());
             return Ok(to_js(&layout));
         }
-        let chart = moves.chart(request.around);
+        let mut chart = moves.chart(request.around);
+        if let Some(with) = with {
+            chart.to_mut().compare(&with.chart(request.around));
+        }
         let panels = chart.draw(&area, &palette, request.scale, request.only.order());
         let panels = panels.map_err(|error| one(bad("chart", &error.to_string())))?;
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
@@ -393,8 +424,8 @@ pub fn shelves() -> Result<JsValue, JsValue> {
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// A state from outside (an address, a file, what was kept), read and checked with all that its
-/// lesson shows: the same state with the keys we know and no others.
+/// A state from outside (an address, a file, what was kept), read and checked with what it is compared
+/// with and all that its lesson shows: the same state with the keys we know and no others.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -402,6 +433,17 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     let state = read(&state)?;
     open(&state).map_err(thrown)?;
+    if let Some(document) = &state.compared {
+        let alone = State {
+            document: document.clone(),
+            view: View::default(),
+            lesson: None,
+            compared: None,
+            ..state
+        };
+        let in_it = |problems| thrown([vec![Problem::InCompared], problems].concat());
+        open(&alone).map_err(in_it)?;
+    }
     for (step, shown) in state.lesson.iter().flat_map(LessonDocument::shown) {
         open(&shown).map_err(|problems| thrown(in_step(step, problems)))?;
     }

@@ -4,6 +4,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
+use super::compared::dashed;
 use super::curves::{Range, range, told};
 use super::{At, FINE, Kind, MARGIN, Palette, Place, Settings, Tick, paint, ticks};
 use crate::list::Role;
@@ -32,12 +33,14 @@ impl Axis {
 /// The plot of one quantity against another one over a motion, sampled once for every drawing.
 #[derive(Clone, Debug)]
 pub struct Against {
-    axes: [Axis; 2],
+    pub(super) axes: [Axis; 2],
     role: Role,
     settings: Settings,
-    ranges: [Range; 2],
+    pub(super) ranges: [Range; 2],
     /// Unbroken runs of the motion.
-    runs: Vec<Vec<Passed>>,
+    pub(super) runs: Vec<Vec<Passed>>,
+    /// Those of what it is compared with.
+    pub(super) compared: Vec<Vec<Passed>>,
 }
 
 /// A point of the curve, with the input at which it is passed.
@@ -91,6 +94,7 @@ impl Against {
         Self {
             ranges: [0, 1].map(|k| range(shown.iter().map(|one| one.at[k]))),
             runs: runs.collect(),
+            compared: Vec::new(),
             axes,
             role,
             settings,
@@ -149,11 +153,18 @@ impl Against {
                 lines.push((across(k, 0.0, field.spans), Role::Secondary, FINE));
             }
         }
-        let runs = self.runs.iter().flat_map(|run| within(run, field.spans));
-        lines.extend(runs.map(|run| {
-            let run = run.into_iter().map(|one| (one.at[0], one.at[1]));
-            (run.collect(), self.role, 2 * FINE)
-        }));
+        let seen = |runs: &[Vec<Passed>]| {
+            let runs = runs.iter().flat_map(|run| within(run, field.spans));
+            let places = |run: Vec<Passed>| run.iter().map(|one| (one.at[0], one.at[1])).collect();
+            runs.map(places).collect::<Vec<Vec<(f64, f64)>>>()
+        };
+        let to_pixels = [field.width / (x1 - x0), field.height / (y1 - y0)];
+        for run in seen(&self.compared) {
+            let dashes = dashed(&run, to_pixels, scale).into_iter();
+            lines.extend(dashes.map(|dash| (dash, self.role, FINE)));
+        }
+        let curve = seen(&self.runs).into_iter();
+        lines.extend(curve.map(|run| (run, self.role, 2 * FINE)));
         paint(&area, lines, Vec::new(), palette, scale)?;
         Ok(Some(field))
     }

@@ -68,6 +68,8 @@ pub(crate) struct Plot {
 pub(crate) struct Curve {
     /// Unbroken runs of points.
     runs: Vec<Vec<(f64, f64)>>,
+    /// The same of what it is compared with.
+    pub(super) compared: Vec<Vec<(f64, f64)>>,
     /// Its zeros and extrema, marked by dots.
     marks: Vec<Mark>,
     /// Differences of samples of the derivative before it.
@@ -100,6 +102,7 @@ pub(crate) fn plots(
                     .iter()
                     .map(|run| run[told(run, order, full)].iter().map(point).collect())
                     .collect(),
+                compared: Vec::new(),
                 marks: marks(&series.features[order]),
                 differences: differences.collect(),
             }
@@ -206,6 +209,16 @@ pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
     }
 }
 
+impl Range {
+    /// The least that spans both.
+    pub(super) fn with(self, other: Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+}
+
 impl Curve {
     /// The marks between `min` and `max` that can be told apart, in ascending crank
     /// angle. In a dwell one follows the other at all but the same value: there the
@@ -236,34 +249,49 @@ impl Curve {
 
     /// The runs cut to the values between `min` and `max`.
     pub(crate) fn within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
-        let inside = |y: f64| (min..=max).contains(&y);
-        let mut cut = Vec::new();
-        for run in &self.runs {
-            let mut part = Vec::new();
-            for pair in run.windows(2) {
-                let [a, b] = [pair[0], pair[1]];
-                if part.is_empty() && inside(a.1) {
-                    part.push(a);
-                }
-                // Where the curve crosses a bound, it is cut there.
-                let bounds = if a.1 < b.1 { [min, max] } else { [max, min] };
-                let crossed = bounds.into_iter();
-                let crossed = crossed.filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0);
-                part.extend(crossed.map(|bound| {
-                    let share = (bound - a.1) / (b.1 - a.1);
-                    (a.0 + (b.0 - a.0) * share, bound)
-                }));
-                if inside(b.1) {
-                    part.push(b);
-                } else if !part.is_empty() {
-                    cut.push(std::mem::take(&mut part));
-                }
-            }
-            cut.push(part);
-        }
-        cut.retain(|part| part.len() > 1);
-        cut
+        cut(&self.runs, min, max)
     }
+
+    /// Those of what it is compared with, cut likewise.
+    pub(crate) fn compared_within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
+        cut(&self.compared, min, max)
+    }
+
+    /// Takes the runs of another one as those that it is compared with.
+    pub(super) fn compare(&mut self, other: &Self) {
+        self.compared.clone_from(&other.runs);
+    }
+}
+
+/// Runs cut to the values between `min` and `max`.
+fn cut(runs: &[Vec<(f64, f64)>], min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
+    let inside = |y: f64| (min..=max).contains(&y);
+    let mut cut = Vec::new();
+    for run in runs {
+        let mut part = Vec::new();
+        for pair in run.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            if part.is_empty() && inside(a.1) {
+                part.push(a);
+            }
+            // Where the curve crosses a bound, it is cut there.
+            let bounds = if a.1 < b.1 { [min, max] } else { [max, min] };
+            let crossed = bounds.into_iter();
+            let crossed = crossed.filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0);
+            part.extend(crossed.map(|bound| {
+                let share = (bound - a.1) / (b.1 - a.1);
+                (a.0 + (b.0 - a.0) * share, bound)
+            }));
+            if inside(b.1) {
+                part.push(b);
+            } else if !part.is_empty() {
+                cut.push(std::mem::take(&mut part));
+            }
+        }
+        cut.push(part);
+    }
+    cut.retain(|part| part.len() > 1);
+    cut
 }
 
 #[cfg(test)]

@@ -50,6 +50,7 @@ fn state() -> State {
             lang: "en".to_owned(),
         },
         lesson: None,
+        compared: None,
     }
 }
 
@@ -272,6 +273,41 @@ fn one_wheel_of_old_is_a_list_of_one() {
     assert!(
         matches!(State::parse(&older.to_string()), Err(Problem::BadState { path, .. }) if path == "document")
     );
+}
+
+/// What it is compared with is a document of its own, of whatever kind; a broken one is named by its path.
+#[test]
+fn what_it_is_compared_with() {
+    let alone = serde_json::to_value(state()).unwrap();
+    assert!(alone.get("compared").is_none());
+    let with = |compared: serde_json::Value| {
+        let mut value = alone.clone();
+        value["compared"] = compared;
+        State::read(&value)
+    };
+    assert_eq!(with(json!(null)).unwrap(), state());
+    let document = json!({ "kind": "mixer", "document": alone["document"] });
+    let both = with(document.clone()).unwrap();
+    assert_eq!(both.compared.as_ref(), Some(&state().document));
+    assert_eq!(serde_json::to_value(&both).unwrap()["compared"], document);
+    for (broken, path) in [
+        (json!(7), "compared"),
+        (json!({ "kind": "mixer" }), "compared"),
+        (json!({ "document": {} }), "compared"),
+        (
+            json!({ "kind": "mixture", "document": {} }),
+            "compared.kind",
+        ),
+        (
+            json!({ "kind": "linkage", "document": { "points": 3 } }),
+            "compared.document.points",
+        ),
+    ] {
+        match with(broken) {
+            Err(Problem::BadState { path: found, .. }) => assert_eq!(found, path),
+            other => panic!("{path}: {other:?}"),
+        }
+    }
 }
 
 #[test]

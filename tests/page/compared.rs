@@ -1,0 +1,201 @@
+//! A mechanism that is kept as A beside what it becomes, B: drawn, plotted, in numbers, kept, undone, exchanged, taken away.
+
+use serde_json::json;
+
+use crate::access::{AXE, check};
+use crate::browser::{Page, setting};
+use crate::device::LANGUAGES;
+use crate::gallery::open;
+
+/// The numbers of a row: value and two derivatives of the rocker, of what stands in it.
+async fn row(page: &Page, of: &str) -> [f64; 3] {
+    let mut row = [0.0; 3];
+    for (number, order) in row.iter_mut().zip(["", "d", "dd"]) {
+        *number = page.value(&format!("{of}-{order}rocker")).await;
+    }
+    row
+}
+
+async fn is_there(page: &Page) -> bool {
+    page.count("#a-rocker").await == 1
+}
+
+/// Where nothing is changed B is A to the last digit; a length changed, A is what it was, at every input, and the difference that of the
+/// two numbers; curves and drawing have both.
+#[tokio::test]
+async fn a_is_beside_b() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    let alone = page.picture("mechanism").await;
+    let at = ["62", "200", "315"];
+    let mut were = Vec::new();
+    for degrees in at {
+        page.stop_at(degrees).await;
+        were.push(row(&page, "out").await);
+    }
+    page.stop_at("62").await;
+    assert!(!is_there(&page).await);
+    page.click("compare-freeze").await;
+    page.settle().await;
+    assert_eq!(row(&page, "a").await, were[0]);
+    assert_eq!(row(&page, "difference").await, [0.0; 3]);
+    page.write("field-l4", "0.9").await;
+    page.settle().await;
+    for (degrees, were) in at.into_iter().zip(&were) {
+        page.stop_at(degrees).await;
+        let [a, b, difference] = [
+            row(&page, "a").await,
+            row(&page, "out").await,
+            row(&page, "difference").await,
+        ];
+        assert_eq!(a, *were, "{degrees}");
+        assert_ne!(b, a);
+        for order in 0..3 {
+            let off = difference[order] - (b[order] - a[order]);
+            assert!(off.abs() < 1e-12, "{degrees} {order}: {off:e}");
+        }
+    }
+    page.stop_at("62").await;
+    let both = page.picture("mechanism").await;
+    let curves = page.picture("charts").await;
+    // B itself as A: its curves stay, those of the other A are gone.
+    page.click("compare-freeze").await;
+    page.settle().await;
+    assert!(page.picture("charts").await.difference(&curves) > 300);
+    page.click("compare-remove").await;
+    page.settle().await;
+    assert!(!is_there(&page).await);
+    assert_eq!(page.focused().await.as_deref(), Some("compare-freeze"));
+    let b = page.picture("mechanism").await;
+    assert!(both.difference(&b) > 300 && both.difference(&alone) > 300);
+    page.close().await;
+}
+
+/// It is in the address and in what is undone; A and B are exchanged; another mechanism is compared with nothing.
+#[tokio::test]
+async fn a_is_kept_undone_and_exchanged() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    let first = row(&page, "out").await;
+    page.click("compare-freeze").await;
+    page.write("field-l4", "0.9").await;
+    page.settle().await;
+    let second = row(&page, "out").await;
+    page.until("the address", async || {
+        let address = page.address().await;
+        address.contains("compared=") && address.contains("d.l4=0.9")
+    })
+    .await;
+    let other = Page::open_at(&page.address().await, "en-US").await;
+    assert_eq!(
+        (row(&other, "a").await, row(&other, "out").await),
+        (first, second)
+    );
+    other.close().await;
+
+    page.click("compare-swap").await;
+    page.settle().await;
+    assert_eq!(
+        (row(&page, "a").await, row(&page, "out").await),
+        (second, first)
+    );
+    assert_eq!(page.written("field-l4").await, "0.85");
+    page.click("undo").await;
+    page.settle().await;
+    assert_eq!(
+        (row(&page, "a").await, row(&page, "out").await),
+        (first, second)
+    );
+    page.click("undo").await;
+    page.click("undo").await;
+    page.settle().await;
+    assert!(!is_there(&page).await);
+    for _ in 0..3 {
+        page.click("redo").await;
+    }
+    page.settle().await;
+    assert_eq!(
+        (row(&page, "a").await, row(&page, "out").await),
+        (second, first)
+    );
+    open(&page, "jansen").await;
+    page.settle().await;
+    assert_eq!(page.count("#readouts .beside").await, 0);
+    assert!(
+        !page
+            .element("compare-remove")
+            .await
+            .is_displayed()
+            .await
+            .unwrap()
+    );
+    page.close().await;
+}
+
+/// What A has not, or cannot do, is said; a damaged A is a sentence, and what was there stays.
+#[tokio::test]
+async fn what_a_cannot_do_is_said() {
+    let page = Page::open().await;
+    open(&page, "crank-rocker").await;
+    page.stop_at("50").await;
+    page.click("compare-freeze").await;
+    page.settle().await;
+    // Driven by the rocker it goes to and fro, where A turns.
+    page.choose("driver", "rocker").await;
+    page.settle().await;
+    assert!(page.text("compare-said").await.contains("A is grey"));
+    page.click("compare-freeze").await;
+    page.choose("driver", "crank").await;
+    page.stop_at("200").await;
+    page.settle().await;
+    page.until("the sentence", async || {
+        page.text("compare-said").await == "A cannot be assembled here."
+    })
+    .await;
+    let dash = "return [...document.querySelectorAll('#readouts .beside td')].every(({ textContent }) => textContent === '—')";
+    assert_eq!(page.ask(dash).await, json!(true));
+    let before = page.written("field-length-0").await;
+    for (compared, sentence) in [
+        (
+            "%7B%22kind%22:%22mixer%22%7D",
+            "compared has the wrong format",
+        ),
+        (
+            "%7B%22kind%22:%22%3Cb%3E%22,%22document%22:%7B%7D%7D",
+            "compared.kind has the wrong format",
+        ),
+        (
+            "%7B%22kind%22:%22linkage%22,%22document%22:%7B%22points%22:%5B%5D,%22frame%22:%5B%5D,%22links%22:%5B%5D,%22drivers%22:%5B%5D%7D%7D",
+            "In mechanism A of the comparison:",
+        ),
+    ] {
+        let url = format!("{}#jansen&compared={compared}", setting("ASSUR_URL"));
+        page.goto(&url).await;
+        page.until(sentence, async || {
+            page.text("notice").await.contains(sentence)
+        })
+        .await;
+        assert_eq!(page.written("field-length-0").await, before);
+    }
+    page.close().await;
+}
+
+/// In every language, on a phone, too, all of it is named and fits.
+#[tokio::test]
+async fn comparisons_are_named_and_fit() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    page.click("compare-freeze").await;
+    page.write("field-l4", "0.9").await;
+    page.ask(AXE).await;
+    for screen in [(1280, 800), (360, 740)] {
+        page.screen(screen, 1.0).await;
+        for lang in LANGUAGES {
+            page.speak(lang).await;
+            check(&page, lang).await;
+            let wide = "return document.documentElement.scrollWidth - innerWidth";
+            assert_eq!(page.ask(wide).await, json!(0), "{lang}");
+        }
+    }
+    page.close().await;
+}

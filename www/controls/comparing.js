@@ -1,0 +1,68 @@
+// The mechanism is kept as A, to see beside it what it becomes; both are exchanged, A is taken away.
+import { byId, make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
+import { withFurther, withMechanism } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").State} State
+ */
+
+/**
+ * @param {State} state
+ * @returns {import("assur/state/state.js").Document} its mechanism
+ */
+function mechanism({ kind, document }) {
+  return /** @type {import("assur/state/state.js").Document} */ (Object.freeze({ kind, document }));
+}
+
+/**
+ * @param {State} state
+ * @returns {State} with A and B exchanged
+ */
+function exchanged(state) {
+  const { compared } = state;
+  return compared ? withFurther(withMechanism(state, compared.kind, compared.document), { compared: mechanism(state) }) : state;
+}
+
+/** What a press makes of the state, by the name of its button. */
+const ACTS = Object.freeze({
+  freeze: (/** @type {State} */ state) => withFurther(state, { compared: mechanism(state) }),
+  swap: exchanged,
+  remove: (/** @type {State} */ state) => withFurther(state, { compared: undefined }),
+});
+
+export class Comparing {
+  #section = byId("compare", HTMLElement);
+  #said = byId("compare-said", HTMLElement);
+  #seen = new Seen();
+  #buttons;
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ history, store }) {
+    const names = /** @type {(keyof typeof ACTS)[]} */ (Object.keys(ACTS));
+    this.#buttons = Object.fromEntries(names.map((name) => {
+      const button = make("button", { id: `compare-${name}`, class: "control", type: "button", "data-t": `compare.${name}` });
+      button.addEventListener("click", () => {
+        history.step(() => store.update(ACTS[name]));
+        // A button that is gone gives the focus away, else it would be lost.
+        if (name === "remove") this.#buttons.freeze.focus();
+      });
+      return [name, button];
+    }));
+    byId("compare-acts", HTMLElement).append(...Object.values(this.#buttons));
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state, summary, compared, compares, words }) {
+    const none = !(summary.moves === "angle" || summary.moves === "length") && !state.compared;
+    if (this.#section.hidden !== none) this.#section.hidden = none;
+    if (none) return;
+    const is = !state.compared ? "none" : !compares ? "otherwise" : compared ? "shown" : "apart";
+    if (this.#seen.same(is, words)) return;
+    this.#buttons.freeze.hidden = false;
+    for (const name of ["swap", "remove"]) this.#buttons[name].hidden = is === "none";
+    this.#said.dataset.t = `compare.${is}`;
+    words.fill(this.#section);
+  }
+}
