@@ -123,6 +123,7 @@ const BUILT: [(&str, &[&str]); 60] = [
             "crates/assur-file/src/lesson/problem.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
+            "www/drawing/edit.js",
             "www/drawing/picture.js",
             "www/drawing/picture-options.js",
             "www/drawing/tools.js",

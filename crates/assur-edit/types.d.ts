@@ -160,6 +160,10 @@ by: [number, number], } | { "edit": "mirror",
 /**
  * The points.
  */
+points: Array<string>, } | { "edit": "lock", 
+/**
+ * Two points or three.
+ */
 points: Array<string>, };
 export type End = { "point": string } | { "at": [number, number] } | { "on": [string, [number, number]] };
 export type Line = { "link": string } | { "toward": [number, number] };

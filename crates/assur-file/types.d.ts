@@ -285,6 +285,11 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
+ * What stays as it is while points are moved by hand: the distance of two points, the angle at the second of
+ * three. It has nothing to do with how the linkage moves.
+ */
+locks?: Array<Array<string>>, 
+/**
  * The height of the ground that it stands on, where it is drawn.
  */
 ground?: number | null, 

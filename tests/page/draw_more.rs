@@ -11,7 +11,7 @@ use crate::browser::Page;
 use crate::draw::Sheet;
 
 /// The linkage that is drawn, whether it moves or not.
-async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
+pub(crate) async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
     match sheet.saved().await.document {
         Document::Draft(DraftDocument(document)) | Document::Linkage(document) => document,
         other => panic!("{other:?}"),
@@ -19,7 +19,7 @@ async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
 }
 
 /// A four-bar that does not move yet, with its last bar of it free of the frame.
-async fn four_bar<'a>(page: &'a Page) -> Sheet<'a> {
+pub(crate) async fn four_bar<'a>(page: &'a Page) -> Sheet<'a> {
     let mut sheet = Sheet::new(page).await;
     sheet
         .line(&[[-3.0, -1.0], [-3.0, 0.0], [0.6, 1.8], [1.0, -1.0]])

@@ -42,6 +42,7 @@ mod lecturers;
 mod lesson;
 mod lines;
 mod loading;
+mod locks;
 mod measures;
 mod mobility;
 mod mobility_hands;

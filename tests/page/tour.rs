@@ -12,7 +12,7 @@ use crate::device::LANGUAGES;
 use crate::layout::defects;
 
 /// The lessons, with the steps to look at, a third of the gallery, and what is laid beside it.
-const STOPS: [&str; 30] = [
+const STOPS: [&str; 31] = [
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:1%7D",
     "mixer-a&v.lesson=%7B%22id%22:%22mixer%22,%22step%22:5%7D",
     "class4-dwell&v.lesson=%7B%22id%22:%22class4-dwell%22,%22step%22:3%7D",

@@ -7,7 +7,7 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/types/edit.js").Edit} Edit
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null }} Drawn
+ * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null, held: boolean }} Drawn
  */
 
 /** Where it stands why an edit is not done. */
@@ -28,7 +28,8 @@ export function edit(page, wanted) {
     return null;
   }
   drafts.drop(FIELD);
-  const { kind, document } = drawn;
+  const { kind, document, held } = drawn;
+  if (held) refuse(page, "held_by_locks");
   store.update((state) => withView(withMechanism(state, kind, document), { drawing: true, playing: false }));
   model.follow(store.get());
   if (model.astray) {

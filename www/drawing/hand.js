@@ -158,13 +158,20 @@ export class Hand {
    * @returns {Drag}
    */
   #carry(points, from) {
-    let last = this.#snapped(from, false);
+    const last = this.#snapped(from, false);
+    const [first] = points;
     return {
       to: (at, free) => {
         const [x, y] = this.#snapped(at, free);
         const by = /** @type {[number, number]} */ ([x - last[0], y - last[1]]);
         if (by[0] === 0 && by[1] === 0) return;
-        if (edit(this.#page, { edit: "move", points: [...points], by })) last = [x, y];
+        const before = this.#page.mechanism.joints().find(({ name }) => name === first);
+        const after = edit(this.#page, { edit: "move", points: [...points], by })?.document.points.find(({ name }) => name === first);
+        if (!after) return;
+        // What is locked may have kept it from going all of the way.
+        const went = before ? [after.at[0] - before.x, after.at[1] - before.y] : by;
+        last[0] += went[0];
+        last[1] += went[1];
       },
       end() {},
     };

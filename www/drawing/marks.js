@@ -8,6 +8,9 @@
 /** Radius of the ring around a point, width of the line over a link, in pixels. */
 const RING = 10;
 const OVER = 12;
+/** Width of the mark of what is locked, and how far from its point that of an angle is. */
+const LOCK = 9;
+const AWAY = 24;
 const DASHES = Object.freeze([6, 5]);
 
 /**
@@ -18,7 +21,7 @@ const DASHES = Object.freeze([6, 5]);
  */
 export function paint(context, view, theme, { page, work, selection, hand }) {
   const places = new Map(page.mechanism.joints().map(({ name, x, y }) => [name, view.toScreen(x, y)]));
-  const { links = [] } = /** @type {Partial<import("assur/state/state.js").LinkageDocument>} */ (page.store.get().document);
+  const { links = [], locks = [] } = /** @type {Partial<import("assur/state/state.js").LinkageDocument>} */ (page.store.get().document);
   context.save();
   context.strokeStyle = theme.colours.crank;
   context.fillStyle = theme.colours.crank;
@@ -39,6 +42,14 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   for (const name of [...selection.points, ...work.pressed.map(({ point }) => point ?? "")]) {
     const place = places.get(name);
     if (place) ring(context, place, RING * theme.weight);
+  }
+  for (const lock of locks) {
+    const at = lock.flatMap((name) => [places.get(name) ?? []]);
+    if (at.some((place) => place.length < 2)) continue;
+    // Of a length in its middle, of an angle beside its point, between the sides.
+    const [from, to] = [at[0], at[at.length - 1]];
+    const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+    padlock(context, at.length === 2 ? middle : toward(at[1], middle, AWAY * theme.weight), theme);
   }
   const last = work.pressed.at(-1);
   if (hand.over && last) {
@@ -65,6 +76,39 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
     context.setLineDash([...DASHES]);
     context.strokeRect(left, top, right - left, bottom - top);
   }
+  context.restore();
+}
+
+/**
+ * @param {readonly number[]} from
+ * @param {readonly number[]} to
+ * @param {number} way pixels
+ * @returns {number[]} the place so far on the way; on it a place has no direction, it is above it
+ */
+function toward([x, y], [left, top], way) {
+  const length = Math.hypot(left - x, top - y);
+  return length > 1 ? [x + ((left - x) * way) / length, y + ((top - y) * way) / length] : [x, y - way];
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {readonly number[]} place of its middle
+ * @param {import("assur/canvas/theme.js").Theme} theme
+ */
+function padlock(context, [left, top], { colours, weight }) {
+  const size = LOCK * weight;
+  context.save();
+  context.setLineDash([]);
+  context.lineWidth = 1.5 * weight;
+  context.strokeStyle = colours.ink;
+  context.beginPath();
+  context.arc(left, top - 0.1 * size, 0.33 * size, Math.PI, 0);
+  context.stroke();
+  context.fillStyle = colours.paper;
+  context.beginPath();
+  context.rect(left - 0.5 * size, top - 0.1 * size, size, 0.75 * size);
+  context.fill();
+  context.stroke();
   context.restore();
 }
 

@@ -14,6 +14,9 @@ import { edit, step } from "assur/drawing/edit.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
+/** What is done with a lock of so many points: put, and taken away. */
+const LOCKS = Object.freeze(/** @type {Record<number, readonly string[]>} */ ({ 2: ["lock_length", "unlock_length"], 3: ["lock_angle", "unlock_angle"] }));
+
 export class DrawingRail {
   #page;
   #selection;
@@ -157,6 +160,11 @@ export class DrawingRail {
       buttons.push(act("join", { edit: "join", points: [from, to] }));
       buttons.push(act("bar", { edit: "bar", ends: [{ point: from }, { point: to }] }));
     }
+    const lock = lockable(document, [...points], [...links]);
+    if (lock) {
+      const name = LOCKS[lock.length].find((_, unlock) => (unlock === 1) === (document.locks ?? []).some((one) => same(one, lock)));
+      buttons.push(this.#button(words.text(`draw.act.${name}`, { n: lock[1] }), () => step(this.#page, { edit: "lock", points: lock }), `draw-act-${name}`));
+    }
     if (points.size + links.size > 0) buttons.push(acts("duplicate"), acts("mirror"), acts("remove"));
     content.push(make("div", { class: "draw-acts" }, buttons));
     this.#chosen.replaceChildren(...content);
@@ -281,8 +289,33 @@ function written(value, { numbers }) {
  * @param {Document} document
  * @returns {string} what of it the acts on what is selected depend on
  */
-function structure({ links, frame }) {
-  return JSON.stringify([frame, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
+function structure({ links, frame, locks }) {
+  return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
+}
+
+/**
+ * @param {Document} document
+ * @param {string[]} points that are selected
+ * @param {readonly string[]} links that are selected
+ * @returns {string[] | null} the points whose distance, or angle at the second of them, can be locked
+ */
+function lockable(document, points, links) {
+  const chosen = document.links.filter(({ name }) => links.includes(name));
+  const ends = points.length === 0 && chosen.length === 1 ? chosen[0].points.slice(0, 2) : points;
+  const own = ends.every((name) => document.points.some((point) => point.name === name));
+  // A frame around points takes the links between them as well.
+  const alone = points.length === 0 || chosen.every((link) => link.points.every((point) => points.includes(point)));
+  return own && alone && ends.length in LOCKS ? ends : null;
+}
+
+/**
+ * @param {readonly string[]} one lock
+ * @param {readonly string[]} other
+ * @returns {boolean} whether both are one: of the same points, an angle at the same one
+ */
+function same(one, other) {
+  const is = (/** @type {readonly string[]} */ points) => points.join("\n") === other.join("\n");
+  return is(one) || is([...one].reverse());
 }
 
 /** @param {string} code of a reason */

@@ -22,6 +22,8 @@ pub(crate) struct Drawing {
     pub(crate) point: Option<String>,
     /// The link that was added last.
     pub(crate) link: Option<String>,
+    /// Whether what is locked kept something from going where it was wanted.
+    pub(crate) is_held: bool,
 }
 
 type Done = Result<(), LinkageProblem>;
@@ -32,6 +34,7 @@ impl Drawing {
             document: document.clone(),
             point: None,
             link: None,
+            is_held: false,
         }
     }
 
@@ -91,6 +94,7 @@ impl Drawing {
                 Ok(())
             }
             Edit::Mirror { points } => self.mirror(points),
+            Edit::Lock { points } => self.lock(points),
         }
     }
 

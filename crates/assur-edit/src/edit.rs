@@ -161,6 +161,11 @@ pub enum Edit {
         /// The points.
         points: Vec<String>,
     },
+    /// While points are moved the distance of two stays as it is, or the angle at the second of three, or no more if it did.
+    Lock {
+        /// Two points or three.
+        points: Vec<String>,
+    },
 }
 
 /// An end of what is drawn.

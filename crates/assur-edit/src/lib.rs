@@ -9,6 +9,7 @@ mod draw;
 mod drive;
 mod dyads;
 mod edit;
+mod locks;
 mod names;
 mod remove;
 mod reshape;
@@ -34,6 +35,8 @@ pub struct Edited {
     pub point: Option<String>,
     /// The link that it added last.
     pub link: Option<String>,
+    /// Whether what is locked kept something from going where it was wanted: it is as near as it may.
+    pub is_held: bool,
 }
 
 /// A drawing after one edit.
@@ -50,6 +53,7 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
         mut document,
         point,
         mut link,
+        is_held,
     } = drawing;
     let position = |document: &LinkageDocument, name: &Option<String>| {
         let name = name.as_ref()?;
@@ -68,6 +72,7 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
         document,
         point,
         link,
+        is_held,
     })
 }
 

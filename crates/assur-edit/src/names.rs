@@ -157,6 +157,7 @@ pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str)
         slide.line.iter_mut().for_each(put);
     }
     document.traces.iter_mut().for_each(put);
+    document.locks.iter_mut().flatten().for_each(put);
     rename_plots(document, from, to, &["x", "y"]);
 }
 

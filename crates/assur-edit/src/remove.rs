@@ -136,6 +136,9 @@ impl Drawing {
         let (traces, plots): (Vec<_>, Vec<_>) = (traces.collect(), plots.collect());
         self.document.traces = traces;
         self.document.plots = plots;
+        let points: BTreeSet<&String> = self.document.points.iter().map(|one| &one.name).collect();
+        let whole = |lock: &Vec<String>| lock.iter().all(|point| points.contains(point));
+        self.document.locks.retain(whole);
     }
 
     /// Two points become one hinge, where the second is.
@@ -174,6 +177,7 @@ impl Drawing {
             .retain(|name| seen.insert(name.clone()));
         let mut seen = BTreeSet::new();
         self.document.plots.retain(|name| seen.insert(name.clone()));
+        self.join_locks(to);
         self.point = Some(to.clone());
         Ok(())
     }

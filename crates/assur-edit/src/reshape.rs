@@ -1,6 +1,6 @@
 //! Points that stand elsewhere: moved, placed, reflected.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use assur::mechanism::FRAME;
 use assur::{Point, Vector};
@@ -16,14 +16,14 @@ impl Drawing {
         for point in points {
             self.at(point)?;
         }
+        let by = Vector::new(x, y);
         let points = self.with_guides(points);
-        self.redraw(|link| partly(link, &points));
-        for point in &mut self.document.points {
-            if points.contains(&point.name) {
-                point.at[0] += x;
-                point.at[1] += y;
-            }
-        }
+        let moved = points.into_iter().map(|point| {
+            let to = self.at(&point)?.coords + by;
+            Ok((point, to))
+        });
+        let moved = moved.collect::<Result<_, LinkageProblem>>()?;
+        self.go(&moved, None);
         Ok(())
     }
 
@@ -35,13 +35,54 @@ impl Drawing {
             self.document.tracers[index].at = at;
             return Ok(());
         }
-        let by = Point::from(to) - self.at(point)?;
-        self.shift(&[point.to_owned()], by.into())?;
-        let mut points = self.document.points.iter_mut();
-        if let Some(placed) = points.find(|one| one.name == point) {
-            placed.at = to;
-        }
+        self.put_at(point, to, None)
+    }
+
+    /// A point stands at a place, with the guides that go along; `released` is a lock that does not hold meanwhile.
+    fn put_at(&mut self, point: &str, to: [f64; 2], released: Option<&[String]>) -> Done {
+        let moved = self.carried(point, to)?;
+        self.go(&moved, released);
         Ok(())
+    }
+
+    /// Where a point goes exactly, and the guides that go along.
+    fn carried(
+        &self,
+        point: &str,
+        to: [f64; 2],
+    ) -> Result<BTreeMap<String, Vector>, LinkageProblem> {
+        let by = Point::from(to) - self.at(point)?;
+        let mut moved = BTreeMap::new();
+        for other in self.with_guides(&[point.to_owned()]) {
+            let at = self.at(&other)?.coords + by;
+            moved.insert(other, at);
+        }
+        moved.insert(point.to_owned(), Vector::from(to));
+        Ok(moved)
+    }
+
+    /// Points go where they are wanted, as far as what is locked lets them, and what hangs on them comes along. A link
+    /// that is not only shifted is as it is drawn from then on.
+    fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
+        let (places, reached) = self.held(wanted, released);
+        self.is_held |= !reached;
+        let way = |point: &String| match (places.get(point), self.at(point)) {
+            (Some(to), Ok(at)) => to - at.coords,
+            _ => Vector::zeros(),
+        };
+        let links = self.document.links.iter();
+        let reshaped = links.filter(|link| {
+            let mut ways = link.points.iter().map(way);
+            let first = ways.next();
+            ways.any(|way| Some(way) != first)
+        });
+        let reshaped: BTreeSet<String> = reshaped.map(|link| link.name.clone()).collect();
+        self.redraw(|link| reshaped.contains(&link.name));
+        for point in &mut self.document.points {
+            if let Some(to) = places.get(&point.name) {
+                point.at = (*to).into();
+            }
+        }
     }
 
     /// The second point of a link moves along it until it is as long as wanted.
@@ -49,7 +90,7 @@ impl Drawing {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];
         let along = (to - from).try_normalize(0.0);
-        let points = [first, second.clone()];
+        let points = [first.clone(), second.clone()];
         let along = along.ok_or(LinkageProblem::OnePlace { points })?;
         if !(length > 0.0 && length.is_finite()) {
             let path = format!("{link}.length");
@@ -58,7 +99,12 @@ impl Drawing {
                 value: length,
             });
         }
-        self.place(&second, (from + along * length).into())
+        // The length that is typed is the one that is locked from then on.
+        self.put_at(
+            &second,
+            (from + along * length).into(),
+            Some(&[first, second.clone()]),
+        )
     }
 
     /// The points of a link turn about its first one until it stands as wanted.
@@ -74,8 +120,11 @@ impl Drawing {
                 from.y + sin * off.x + cos * off.y,
             ]
         };
+        let mut moved = BTreeMap::new();
         for point in self.linked(link)?.points.clone() {
             if point == first {
+                // About it: what is locked to it does not take it along.
+                moved.insert(point, from.coords);
                 continue;
             }
             let off = self.at(&point)? - from;
@@ -85,8 +134,9 @@ impl Drawing {
             } else {
                 turned(wanted - along.y.atan2(along.x), off)
             };
-            self.place(&point, to)?;
+            moved.extend(self.carried(&point, to)?);
         }
+        self.go(&moved, None);
         Ok(())
     }
 

@@ -62,6 +62,12 @@ pub fn selected(
             .filter(|gear| gear.links.iter().all(link) && on_frame(&gear.carrier))
             .cloned()
             .collect(),
+        locks: document
+            .locks
+            .iter()
+            .filter(|lock| lock.iter().all(|point| names.contains(&point)))
+            .cloned()
+            .collect(),
         tracers: document
             .tracers
             .iter()
@@ -113,6 +119,7 @@ impl Drawing {
         document.gears.extend(other.gears);
         document.drivers.extend(other.drivers);
         document.tracers.extend(other.tracers);
+        document.locks.extend(other.locks);
         for (k, name) in points.iter().enumerate() {
             let free = names::free_point(document, name);
             names::rename_point(document, &aside(k), &free);

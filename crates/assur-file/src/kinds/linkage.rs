@@ -64,6 +64,11 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
+    /// What stays as it is while points are moved by hand: the distance of two points, the angle at the second of
+    /// three. It has nothing to do with how the linkage moves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub locks: Vec<Vec<String>>,
     /// The height of the ground that it stands on, where it is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]

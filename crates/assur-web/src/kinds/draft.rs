@@ -58,6 +58,8 @@ struct Drawn {
     point: Option<String>,
     /// The link that was added last.
     link: Option<String>,
+    /// Whether what is locked kept something from going where it was wanted.
+    held: bool,
 }
 
 impl Drawing {
@@ -165,6 +167,7 @@ pub(crate) fn edit(
         document: after.document.as_it_moves(),
         point: after.point,
         link: after.link,
+        held: after.is_held,
     }))
 }
 

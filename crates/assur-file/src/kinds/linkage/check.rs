@@ -18,7 +18,13 @@ const LONGEST_TEXT: usize = 400;
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {
-        [names(document), links(document), shown(document)].concat()
+        [
+            names(document),
+            links(document),
+            shown(document),
+            locks(document),
+        ]
+        .concat()
     } else {
         found
     }
@@ -35,6 +41,7 @@ fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
         ("drivers".to_owned(), document.drivers.len(), MOST_DRIVERS),
         ("plots".to_owned(), document.plots.len(), MOST_SHOWN),
         ("traces".to_owned(), document.traces.len(), MOST_SHOWN),
+        ("locks".to_owned(), document.locks.len(), MOST_PAIRS),
     ];
     let of_links = document.links.iter().enumerate();
     let of_links = of_links.map(|(k, link)| {
@@ -135,4 +142,21 @@ fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
             path: format!("traces[{k}]"),
         }))
         .collect()
+}
+
+/// A lock is of two or three points, each of them once.
+fn locks(document: &LinkageDocument) -> Vec<LinkageProblem> {
+    let is_point = |name: &String| document.points.iter().any(|point| point.name == *name);
+    let mut found = Vec::new();
+    for (k, lock) in document.locks.iter().enumerate() {
+        let once = (1..lock.len()).all(|k| !lock[..k].contains(&lock[k]));
+        if !(2..=3).contains(&lock.len()) || !once {
+            let path = format!("locks[{k}]");
+            found.push(LinkageProblem::BadLock { path });
+        } else if let Some(name) = lock.iter().find(|name| !is_point(name)) {
+            let name = name.clone();
+            found.push(LinkageProblem::UnknownName { name });
+        }
+    }
+    found
 }

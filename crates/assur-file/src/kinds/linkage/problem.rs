@@ -36,6 +36,8 @@ pub enum LinkageProblem {
     NothingToPlot { path: String },
     /// A trace of a point that is not there.
     NothingToTrace { path: String },
+    /// A lock that is not of two or three points, each of them once.
+    BadLock { path: String },
     /// Two points or links of one name.
     Twice { name: String },
     /// Nothing has this name.

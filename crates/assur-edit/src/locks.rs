@@ -1,0 +1,345 @@
+//! Lengths and angles that stay as they are while points are moved: the points that hang on those that move come after
+//! them, and where they cannot, what moves stops as near to the hand as it may.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::{PI, TAU};
+
+use assur::Vector;
+use assur_file::LinkageProblem;
+use nalgebra::{DMatrix, DVector};
+
+use crate::draw::{Drawing, unknown};
+
+/// What is locked holds to this part of the drawing's size.
+const HOLDS: f64 = 1e-13;
+/// A point is where it is wanted to this part of it.
+const REACHED: f64 = 1e-9;
+/// Farther than this part of it nothing goes in one step, so that it goes on and does not turn over.
+const STEP: f64 = 0.05;
+/// Sides of a locked angle do not become shorter than this part of it: of shorter ones the angle is lost in rounding.
+const SHORTEST: f64 = 1e-3;
+/// Below this part of it a way downhill is no longer told by the distance from the targets, which rounds.
+const FINE: f64 = 1e-5;
+/// Locks that say the same twice leave directions without a number: this one, beside 1, decides nothing else.
+const TWICE: f64 = 1e-12;
+const MOST_STEPS: usize = 400;
+const MOST_TURNS: usize = 30;
+const MOST_HALVES: usize = 30;
+
+/// What is locked, between points by their numbers.
+#[derive(Clone, Copy, Debug)]
+enum Lock {
+    Length([usize; 2], f64),
+    /// At the second of the points, from the first to the third, radians; with how short its sides may be.
+    Angle([usize; 3], f64, f64),
+}
+
+/// The points that hang together by locks.
+struct Held {
+    locks: Vec<Lock>,
+    size: f64,
+}
+
+impl Drawing {
+    /// Locks the distance of two points, or the angle at the second of three; or no more if it was.
+    pub(crate) fn lock(&mut self, points: &[String]) -> Result<(), LinkageProblem> {
+        for (k, point) in points.iter().enumerate() {
+            self.at(point)?;
+            if points[..k].contains(point) {
+                let points = [point.clone(), point.clone()];
+                return Err(LinkageProblem::OnePlace { points });
+            }
+        }
+        if !(2..=3).contains(&points.len()) {
+            return Err(unknown(&points.concat()));
+        }
+        let before = self.document.locks.len();
+        self.document.locks.retain(|lock| !same(lock, points));
+        if self.document.locks.len() == before {
+            for pair in points.windows(2) {
+                if self.at(&pair[0])? == self.at(&pair[1])? {
+                    let points = [pair[0].clone(), pair[1].clone()];
+                    return Err(LinkageProblem::OnePlace { points });
+                }
+            }
+            self.document.locks.push(points.to_vec());
+        }
+        Ok(())
+    }
+
+    /// After two points have become one: a lock between the two is none, and none stands twice.
+    pub(crate) fn join_locks(&mut self, point: &str) {
+        let mut kept: Vec<Vec<String>> = Vec::new();
+        for lock in std::mem::take(&mut self.document.locks) {
+            let once = lock.iter().filter(|one| *one == point).count() < 2;
+            if once && !kept.iter().any(|other| same(other, &lock)) {
+                kept.push(lock);
+            }
+        }
+        self.document.locks = kept;
+    }
+
+    /// Where points are when some of them are wanted elsewhere, and whether those have come there. Points of the frame
+    /// stay, unless they are wanted elsewhere themselves; `released` is a lock that is not looked at.
+    pub(crate) fn held(
+        &self,
+        wanted: &BTreeMap<String, Vector>,
+        released: Option<&[String]>,
+    ) -> (BTreeMap<String, Vector>, bool) {
+        let document = &self.document;
+        let looked_at = |lock: &&Vec<String>| !released.is_some_and(|one| same(lock, one));
+        let locks: Vec<&Vec<String>> = document.locks.iter().filter(looked_at).collect();
+        let hanging = hanging(wanted.keys().cloned().collect(), &locks, &document.frame);
+        let names: Vec<&String> = hanging.iter().collect();
+        let number = |name: &String| names.iter().position(|one| *one == name);
+        let place = |name: &&String| self.at(name).map(|at| at.coords);
+        let before: Result<Vec<Vector>, _> = names.iter().map(place).collect();
+        let size = self.size();
+        let Ok(before) = before else {
+            return (wanted.clone(), true);
+        };
+        let locks = locks.iter().filter_map(|lock| {
+            let numbers: Option<Vec<usize>> = lock.iter().map(number).collect();
+            Some(match numbers?[..] {
+                [a, b] => Lock::Length([a, b], (before[a] - before[b]).norm()),
+                [a, b, c] => {
+                    let sides = [before[a] - before[b], before[c] - before[b]];
+                    let shorter = sides[0].norm().min(sides[1].norm());
+                    let least = (0.5 * shorter).min(SHORTEST * size);
+                    Lock::Angle([a, b, c], angle([a, b, c], &before), least)
+                }
+                _ => return None,
+            })
+        });
+        let held = Held {
+            locks: locks.collect(),
+            size,
+        };
+        if held.locks.is_empty() {
+            return (wanted.clone(), true);
+        }
+        let targets: BTreeMap<usize, Vector> = wanted
+            .iter()
+            .filter_map(|(name, to)| Some((number(name)?, *to)))
+            .collect();
+        let is_fixed =
+            |name: &&String| document.frame.contains(name) && !wanted.contains_key(*name);
+        let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
+        let (places, reached) = held.moved(before, &free, &targets);
+        let named = names.into_iter().cloned().zip(places);
+        (named.collect(), reached)
+    }
+}
+
+/// Whether two locks are one: of the same points, an angle at the same one.
+fn same(one: &[String], other: &[String]) -> bool {
+    let turned = one.iter().rev();
+    one == other || (one.len() == other.len() && turned.eq(other.iter()))
+}
+
+/// The points that move with others by locks, and those of the frame that they reach.
+fn hanging(moved: BTreeSet<String>, locks: &[&Vec<String>], frame: &[String]) -> BTreeSet<String> {
+    let mut all = moved.clone();
+    loop {
+        let moves = |point: &String| {
+            all.contains(point) && (moved.contains(point) || !frame.contains(point))
+        };
+        let next = locks.iter().filter(|lock| lock.iter().any(moves));
+        let next: BTreeSet<String> = next.flat_map(|lock| lock.iter().cloned()).collect();
+        let before = all.len();
+        all.extend(next);
+        if all.len() == before {
+            return all;
+        }
+    }
+}
+
+/// The angle at the second point from the first to the third.
+fn angle([a, b, c]: [usize; 3], at: &[Vector]) -> f64 {
+    let [from, to] = [at[a] - at[b], at[c] - at[b]];
+    from.perp(&to).atan2(from.dot(&to))
+}
+
+impl Held {
+    /// Where the points are when some of them go to their targets, and whether they come there. First all that are
+    /// `free` come after them; where they cannot any more, those give way, downhill in their distance from the targets
+    /// along what the locks leave free.
+    fn moved(
+        &self,
+        before: Vec<Vector>,
+        free: &[bool],
+        targets: &BTreeMap<usize, Vector>,
+    ) -> (Vec<Vector>, bool) {
+        let ways = targets.iter().map(|(k, to)| (to - before[*k]).norm());
+        let way = ways.fold(0.0, f64::max);
+        let steps = (way / (STEP * self.size))
+            .ceil()
+            .clamp(1.0, MOST_STEPS as f64);
+        let after: Vec<bool> = (0..before.len())
+            .map(|k| free[k] && !targets.contains_key(&k))
+            .collect();
+        let mut at = before.clone();
+        let mut step = 0.0;
+        while step < steps {
+            let mut next = at.clone();
+            for (k, to) in targets {
+                let share = (step + 1.0) / steps;
+                next[*k] = before[*k] + (to - before[*k]) * share;
+            }
+            let Some(next) = self.put(next, &after) else {
+                return self.nearest(at, free, targets);
+            };
+            at = next;
+            step += 1.0;
+        }
+        for (k, to) in targets {
+            at[*k] = *to;
+        }
+        (at, true)
+    }
+
+    fn nearest(
+        &self,
+        mut at: Vec<Vector>,
+        free: &[bool],
+        targets: &BTreeMap<usize, Vector>,
+    ) -> (Vec<Vector>, bool) {
+        let off = |at: &[Vector]| -> f64 {
+            let squares = targets.iter().map(|(k, to)| (to - at[*k]).norm_squared());
+            squares.sum()
+        };
+        let downhill = |at: &[Vector]| {
+            let mut wish = vec![Vector::zeros(); at.len()];
+            for (k, to) in targets {
+                wish[*k] = to - at[*k];
+            }
+            self.along(at, free, &wish)
+        };
+        let square = |ways: &[Vector]| -> f64 { ways.iter().map(Vector::norm_squared).sum() };
+        let mut way = downhill(&at);
+        for _ in 0..MOST_STEPS {
+            let Some(ways) = way.take() else { break };
+            let (steep, before) = (square(&ways), off(&at));
+            if !(steep.sqrt() > HOLDS * self.size) {
+                break;
+            }
+            let mut share = (STEP * self.size / steep.sqrt()).min(1.0);
+            let better = (0..MOST_HALVES).find_map(|_| {
+                let tried = at.iter().zip(&ways).map(|(at, way)| at + way * share);
+                let tried = self.put(tried.collect(), free);
+                let fall = 0.5 * share * steep;
+                share *= 0.5;
+                let tried = tried?;
+                let next = downhill(&tried)?;
+                let is_better = if steep.sqrt() > FINE * self.size {
+                    off(&tried) < before - fall
+                } else {
+                    square(&next) < 0.8 * steep
+                };
+                is_better.then_some((tried, next))
+            });
+            if let Some((tried, next)) = better {
+                at = tried;
+                way = Some(next);
+            }
+        }
+        let reached = off(&at).sqrt() <= REACHED * self.size;
+        (at, reached)
+    }
+
+    /// The points where the locks hold, by Newton's method with the shortest way of those that are free. None where it
+    /// does not come there.
+    fn put(&self, mut at: Vec<Vector>, free: &[bool]) -> Option<Vec<Vector>> {
+        for _ in 0..MOST_TURNS {
+            let (off, slopes) = self.linear(&at, free)?;
+            if off.amax() <= HOLDS * self.size {
+                return Some(at);
+            }
+            let back = slopes.transpose() * factors(&slopes, &off)?;
+            // Far away nothing is linear.
+            if !(back.amax() <= self.size) {
+                return None;
+            }
+            apply(&mut at, free, &back, -1.0);
+        }
+        None
+    }
+
+    /// What of a wish the locks leave free.
+    fn along(&self, at: &[Vector], free: &[bool], wish: &[Vector]) -> Option<Vec<Vector>> {
+        let (_, slopes) = self.linear(at, free)?;
+        let flat = wish.iter().zip(free).filter(|(_, free)| **free);
+        let flat: Vec<f64> = flat.flat_map(|(wish, _)| [wish.x, wish.y]).collect();
+        let wish = DVector::from_vec(flat);
+        let across = factors(&slopes, &(&slopes * &wish))?;
+        let left = wish - slopes.transpose() * across;
+        let mut ways = vec![Vector::zeros(); at.len()];
+        apply(&mut ways, free, &left, 1.0);
+        Some(ways)
+    }
+
+    /// By how much each lock does not hold, and how that changes with the places that are free. None where points are in
+    /// one place.
+    fn linear(&self, at: &[Vector], free: &[bool]) -> Option<(DVector<f64>, DMatrix<f64>)> {
+        let mut columns = vec![None; free.len()];
+        let mut count = 0;
+        for (column, _) in columns.iter_mut().zip(free).filter(|(_, free)| **free) {
+            *column = Some(count);
+            count += 2;
+        }
+        let mut off = DVector::zeros(self.locks.len());
+        let mut slopes = DMatrix::zeros(self.locks.len(), count);
+        let apart = |way: Vector, least: f64| (way.norm() > least).then_some(way);
+        for (row, lock) in self.locks.iter().enumerate() {
+            let mut add = |point: usize, slope: Vector| {
+                if let Some(column) = columns[point] {
+                    slopes[(row, column)] += slope.x;
+                    slopes[(row, column + 1)] += slope.y;
+                }
+            };
+            match lock {
+                Lock::Length([a, b], length) => {
+                    let way = apart(at[*b] - at[*a], HOLDS * self.size)?;
+                    off[row] = way.norm() - length;
+                    let along = way.normalize();
+                    add(*a, -along);
+                    add(*b, along);
+                }
+                Lock::Angle([a, b, c], wanted, least) => {
+                    let [from, to] = [at[*a] - at[*b], at[*c] - at[*b]];
+                    let [from, to] = [apart(from, *least)?, apart(to, *least)?];
+                    let turned = angle([*a, *b, *c], at) - wanted;
+                    let turned = turned - TAU * (turned / TAU).round();
+                    // Beyond a quarter turn it is on its way to the other side.
+                    if turned.abs() > 0.5 * PI {
+                        return None;
+                    }
+                    // As a length: of the shorter side's end.
+                    let arm = from.norm().min(to.norm());
+                    off[row] = arm * turned;
+                    let across =
+                        |way: Vector| Vector::new(-way.y, way.x) * (arm / way.norm_squared());
+                    add(*a, -across(from));
+                    add(*c, across(to));
+                    add(*b, across(from) - across(to));
+                }
+            }
+        }
+        Some((off, slopes))
+    }
+}
+
+/// How much of each row makes up `sides`, where rows may say the same.
+fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
+    let count = rows.nrows();
+    let square = rows * rows.transpose() + DMatrix::identity(count, count) * TWICE;
+    Some(square.cholesky()?.solve(sides))
+}
+
+/// Adds what a vector of the free places says to all of them.
+fn apply(at: &mut [Vector], free: &[bool], by: &DVector<f64>, share: f64) {
+    let moved = at.iter_mut().zip(free).filter(|(_, free)| **free);
+    for (k, (place, _)) in moved.enumerate() {
+        *place += Vector::new(by[2 * k], by[2 * k + 1]) * share;
+    }
+}

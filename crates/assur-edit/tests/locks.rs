@@ -1,0 +1,305 @@
+//! Lengths and angles that are locked, while points are moved.
+#![allow(clippy::panic, reason = "that is how a test fails")]
+
+use std::f64::consts::TAU;
+
+use assur::Point;
+use assur_edit::{Edit, Edited, edited};
+use assur_file::{LinkDocument, LinkageDocument, PointDocument};
+
+/// Linear congruence (Knuth): the same numbers everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.within(0.0, count as f64) as usize).min(count - 1)
+    }
+}
+
+fn names(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+fn drawing(points: &[(&str, [f64; 2])], frame: &[&str], locks: &[&[&str]]) -> LinkageDocument {
+    let points = points.iter().map(|(name, at)| PointDocument {
+        name: (*name).to_owned(),
+        at: *at,
+    });
+    LinkageDocument {
+        points: points.collect(),
+        frame: names(frame),
+        locks: locks.iter().map(|lock| names(lock)).collect(),
+        ..LinkageDocument::default()
+    }
+}
+
+fn at(document: &LinkageDocument, name: &str) -> Point {
+    let point = document.points.iter().find(|point| point.name == name);
+    point.unwrap().at.into()
+}
+
+/// The length, or the angle, that a lock has.
+fn value(document: &LinkageDocument, lock: &[String]) -> f64 {
+    let places: Vec<Point> = lock.iter().map(|name| at(document, name)).collect();
+    match places[..] {
+        [a, b] => (b - a).norm(),
+        [a, b, c] => {
+            let [from, to] = [a - b, c - b];
+            from.perp(&to).atan2(from.dot(&to))
+        }
+        _ => panic!("{lock:?}"),
+    }
+}
+
+fn put(document: &LinkageDocument, point: &str, at: [f64; 2]) -> Edited {
+    let point = point.to_owned();
+    edited(document, &Edit::Place { point, at }).unwrap()
+}
+
+/// On the circle about a fixed point it stops where that is nearest to the hand, wherever the hand is.
+#[test]
+fn it_stops_at_the_nearest_place() {
+    let before = drawing(
+        &[("A", [1.0, 2.0]), ("B", [4.0, 6.0])],
+        &["A"],
+        &[&["A", "B"]],
+    );
+    for to in [
+        [1.0, 12.0],
+        [4.5, 6.1],
+        [1.5, 2.5],
+        [40.0, -30.0],
+        [-3.0, 9.0],
+    ] {
+        let Edited {
+            document, is_held, ..
+        } = put(&before, "B", to);
+        let way = Point::from(to) - Point::new(1.0, 2.0);
+        let nearest = Point::new(1.0, 2.0) + way.normalize() * 5.0;
+        assert!(is_held);
+        assert!(
+            (at(&document, "B") - nearest).norm() < 1e-9,
+            "{to:?}: {document:?}"
+        );
+        assert_eq!(at(&document, "A"), Point::new(1.0, 2.0));
+    }
+    // Where the circle passes it is not held.
+    let Edited {
+        document, is_held, ..
+    } = put(&before, "B", [1.0, 7.0]);
+    assert!((at(&document, "B") - Point::new(1.0, 7.0)).norm() < 1e-8 && !is_held);
+}
+
+/// Nothing is drawn along without a lock; of a fixed point that is moved itself the other one comes after it.
+#[test]
+fn what_hangs_on_it_comes_along() {
+    let before = drawing(
+        &[
+            ("A", [0.0, 0.0]),
+            ("B", [3.0, 0.0]),
+            ("C", [3.0, 2.0]),
+            ("D", [9.0, 9.0]),
+        ],
+        &["A"],
+        &[&["A", "B"], &["B", "C"], &["A", "B", "C"]],
+    );
+    let Edited {
+        document, is_held, ..
+    } = put(&before, "A", [10.0, 1.0]);
+    assert!(!is_held);
+    assert_eq!(at(&document, "A"), Point::new(10.0, 1.0));
+    assert_eq!(at(&document, "D"), Point::new(9.0, 9.0));
+    for lock in &before.locks {
+        assert!((value(&document, lock) - value(&before, lock)).abs() < 1e-9);
+    }
+    assert!((at(&document, "B") - at(&before, "B")).norm() > 1.0);
+}
+
+/// A triangle of three lengths, an angle and a length of its own again: the same said twice. About a fixed corner it turns.
+#[test]
+fn what_is_said_twice_holds() {
+    let before = drawing(
+        &[("A", [0.0, 0.0]), ("B", [4.0, 0.0]), ("C", [1.0, 3.0])],
+        &["A"],
+        &[
+            &["A", "B"],
+            &["B", "C"],
+            &["C", "A"],
+            &["B", "A", "C"],
+            &["A", "B", "C"],
+        ],
+    );
+    let Edited {
+        document, is_held, ..
+    } = put(&before, "B", [0.0, 6.0]);
+    assert!(is_held);
+    assert!((at(&document, "B") - Point::new(0.0, 4.0)).norm() < 1e-8);
+    assert!(
+        (at(&document, "C") - Point::new(-3.0, 1.0)).norm() < 1e-8,
+        "{document:?}"
+    );
+}
+
+/// The length that is typed is the one that is locked from then on; the others stay.
+#[test]
+fn a_typed_length_is_the_locked_one() {
+    let mut before = drawing(
+        &[("A", [0.0, 0.0]), ("B", [3.0, 0.0]), ("C", [3.0, 2.0])],
+        &["A"],
+        &[&["B", "A"], &["B", "C"]],
+    );
+    before.links = vec![LinkDocument {
+        name: "AB".to_owned(),
+        points: names(&["A", "B"]),
+        ..LinkDocument::default()
+    }];
+    let link = "AB".to_owned();
+    let length = 5.0;
+    let Edited {
+        document, is_held, ..
+    } = edited(&before, &Edit::Stretch { link, length }).unwrap();
+    assert!(!is_held && document.locks == before.locks);
+    assert!((value(&document, &document.locks[0]) - 5.0).abs() < 1e-9);
+    assert!((value(&document, &document.locks[1]) - 2.0).abs() < 1e-9);
+    let after = put(&document, "B", [0.0, 9.0]);
+    assert!((at(&after.document, "B") - Point::new(0.0, 5.0)).norm() < 1e-8);
+}
+
+/// Locks are put and taken away, go with the names of their points, and with what is removed, joined and copied.
+#[test]
+fn locks_go_with_their_points() {
+    let before = drawing(
+        &[
+            ("A", [0.0, 0.0]),
+            ("B", [3.0, 0.0]),
+            ("C", [3.0, 2.0]),
+            ("D", [1.0, 1.0]),
+        ],
+        &["A"],
+        &[],
+    );
+    let edit = |document: &LinkageDocument, edit: Edit| edited(document, &edit).unwrap().document;
+    let lock = |points: &[&str]| Edit::Lock {
+        points: names(points),
+    };
+    let locked = edit(&edit(&before, lock(&["A", "B"])), lock(&["A", "B", "C"]));
+    assert_eq!(locked.locks, [names(&["A", "B"]), names(&["A", "B", "C"])]);
+    assert_eq!(
+        edit(&locked, lock(&["B", "A"])).locks,
+        [names(&["A", "B", "C"])]
+    );
+    assert_eq!(
+        edit(&locked, lock(&["C", "B", "A"])).locks,
+        [names(&["A", "B"])]
+    );
+    let [name, to] = ["B", "Q"].map(str::to_owned);
+    let renamed = edit(&locked, Edit::Rename { name, to });
+    assert_eq!(renamed.locks, [names(&["A", "Q"]), names(&["A", "Q", "C"])]);
+    let points = ["C", "D"].map(str::to_owned);
+    assert_eq!(
+        edit(&locked, Edit::Join { points }).locks[1],
+        names(&["A", "B", "D"])
+    );
+    let points = ["A", "B"].map(str::to_owned);
+    assert!(edit(&locked, Edit::Join { points }).locks.is_empty());
+    let [points, links] = [names(&["C"]), Vec::new()];
+    assert_eq!(
+        edit(&locked, Edit::Remove { points, links }).locks,
+        [names(&["A", "B"])]
+    );
+    let drawing = Box::new(assur_edit::selected(&locked, &names(&["A", "B", "C"]), &[]));
+    let pasted = edit(
+        &locked,
+        Edit::Paste {
+            drawing,
+            by: [5.0, 0.0],
+        },
+    );
+    assert_eq!(pasted.locks.len(), 4);
+    assert_eq!(value(&pasted, &pasted.locks[2]), 3.0);
+    for bad in [
+        &["A"][..],
+        &["A", "A"],
+        &["A", "X"],
+        &["A", "B", "C", "D"],
+        &[],
+    ] {
+        assert!(edited(&before, &lock(bad)).is_err(), "{bad:?}");
+    }
+}
+
+/// Random drawings with random locks, some of them in line or said twice: every lock holds, nothing turns over, what has
+/// no part in it stays to the last digit, and what is not held is where the hand is.
+#[test]
+fn whatever_is_locked_holds() {
+    let letters = ["A", "B", "C", "D", "E", "F", "G"];
+    let mut dice = Dice(777);
+    let [mut held, mut free] = [0, 0];
+    for round in 0..600 {
+        let count = 3 + dice.below(5);
+        let level = round % 5 == 0;
+        let places: Vec<(&str, [f64; 2])> = letters[..count]
+            .iter()
+            .map(|name| {
+                let y = if level { 0.0 } else { dice.within(-5.0, 5.0) };
+                (*name, [dice.within(-5.0, 5.0), y])
+            })
+            .collect();
+        let mut locks: Vec<Vec<&str>> = Vec::new();
+        for _ in 0..=dice.below(2 * count) {
+            let mut lock: Vec<&str> = Vec::new();
+            for _ in 0..2 + dice.below(2) {
+                let name = letters[dice.below(count)];
+                if !lock.contains(&name) {
+                    lock.push(name);
+                }
+            }
+            if lock.len() > 1 {
+                locks.push(lock);
+            }
+        }
+        let locks: Vec<&[&str]> = locks.iter().map(Vec::as_slice).collect();
+        let fixed = &letters[..dice.below(3)];
+        let before = drawing(&places, fixed, &locks);
+        let moved = letters[dice.below(count)];
+        let to = [dice.within(-8.0, 8.0), dice.within(-8.0, 8.0)];
+        let Edited {
+            document, is_held, ..
+        } = put(&before, moved, to);
+        for lock in &before.locks {
+            let [was, is] = [value(&before, lock), value(&document, lock)];
+            // Half a turn is the same to either side.
+            let turned = if lock.len() == 3 { TAU } else { f64::INFINITY };
+            let off = (is - was).abs().min((turned - (is - was).abs()).abs());
+            assert!(off < 1e-9, "{round} {lock:?}: {was} {is} of {before:?}");
+        }
+        let off = (at(&document, moved) - Point::from(to)).norm();
+        assert!(is_held || off < 1e-8, "{round}: {off}");
+        let hanging = |name: &str| {
+            before
+                .locks
+                .iter()
+                .any(|lock| lock.iter().any(|one| one == name))
+        };
+        for point in &before.points {
+            if point.name != moved && !hanging(&point.name) {
+                assert_eq!(at(&document, &point.name), Point::from(point.at));
+            }
+            if fixed.contains(&point.name.as_str()) && point.name != moved {
+                assert_eq!(at(&document, &point.name), Point::from(point.at));
+            }
+        }
+        if is_held {
+            held += 1;
+        } else {
+            free += 1;
+        }
+    }
+    assert!(held > 100 && free > 100, "{held} {free}");
+}
