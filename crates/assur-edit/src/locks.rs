@@ -220,7 +220,8 @@ impl Held {
         for _ in 0..MOST_STEPS {
             let Some(ways) = way.take() else { break };
             let (steep, before) = (square(&ways), off(&at));
-            if !(steep.sqrt() > HOLDS * self.size) {
+            let is_level = steep.sqrt() <= HOLDS * self.size;
+            if is_level || !steep.is_finite() {
                 break;
             }
             let mut share = (STEP * self.size / steep.sqrt()).min(1.0);
@@ -257,7 +258,10 @@ impl Held {
             }
             let back = slopes.transpose() * factors(&slopes, &off)?;
             // Far away nothing is linear.
-            if !(back.amax() <= self.size) {
+            if back
+                .iter()
+                .any(|way| !way.is_finite() || way.abs() > self.size)
+            {
                 return None;
             }
             apply(&mut at, free, &back, -1.0);

@@ -1,5 +1,9 @@
 //! Lengths and angles that are locked, while points are moved.
-#![allow(clippy::panic, reason = "that is how a test fails")]
+#![allow(
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "that is how a test fails"
+)]
 
 use std::f64::consts::TAU;
 
