@@ -25,6 +25,20 @@ pub(crate) async fn check(page: &Page, what: &str) {
     assert_eq!(violations(page).await, json!([]), "{what}");
 }
 
+/// In every language, on a laptop and on a phone, axe finds nothing and nothing is wider than the page.
+pub(crate) async fn named_and_fits(page: &Page) {
+    page.ask(AXE).await;
+    for screen in [(1280, 800), (360, 740)] {
+        page.screen(screen, 1.0).await;
+        for lang in LANGUAGES {
+            page.speak(lang).await;
+            check(page, lang).await;
+            let wide = "return document.documentElement.scrollWidth - innerWidth";
+            assert_eq!(page.ask(wide).await, json!(0), "{lang}");
+        }
+    }
+}
+
 #[tokio::test]
 async fn axe_finds_nothing() {
     let page = Page::open().await;

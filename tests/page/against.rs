@@ -3,11 +3,9 @@
 
 use assur::mechanism::Quantity;
 use assur_file::presets;
-use serde_json::json;
 
-use crate::access::{AXE, check};
+use crate::access::named_and_fits;
 use crate::browser::{Page, setting};
-use crate::device::LANGUAGES;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 use crate::plots::texts;
@@ -182,15 +180,6 @@ async fn lists_of_quantities_are_named_and_fit() {
     let page = Page::open().await;
     page.stop_at("75").await;
     page.choose("plot", "C.dx|C.dy").await;
-    page.ask(AXE).await;
-    for screen in [(1280, 800), (360, 740)] {
-        page.screen(screen, 1.0).await;
-        for lang in LANGUAGES {
-            page.speak(lang).await;
-            check(&page, lang).await;
-            let wide = "return document.documentElement.scrollWidth - innerWidth";
-            assert_eq!(page.ask(wide).await, json!(0), "{lang}");
-        }
-    }
+    named_and_fits(&page).await;
     page.close().await;
 }

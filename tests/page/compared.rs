@@ -2,9 +2,8 @@
 
 use serde_json::json;
 
-use crate::access::{AXE, check};
+use crate::access::named_and_fits;
 use crate::browser::{Page, setting};
-use crate::device::LANGUAGES;
 use crate::gallery::open;
 
 /// The numbers of a row: value and two derivatives of the rocker, of what stands in it.
@@ -187,15 +186,6 @@ async fn comparisons_are_named_and_fit() {
     page.stop_at("75").await;
     page.click("compare-freeze").await;
     page.write("field-l4", "0.9").await;
-    page.ask(AXE).await;
-    for screen in [(1280, 800), (360, 740)] {
-        page.screen(screen, 1.0).await;
-        for lang in LANGUAGES {
-            page.speak(lang).await;
-            check(&page, lang).await;
-            let wide = "return document.documentElement.scrollWidth - innerWidth";
-            assert_eq!(page.ask(wide).await, json!(0), "{lang}");
-        }
-    }
+    named_and_fits(&page).await;
     page.close().await;
 }

@@ -3,12 +3,10 @@
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
-use serde_json::json;
 use thirtyfour::prelude::*;
 
-use crate::access::{AXE, check};
+use crate::access::named_and_fits;
 use crate::browser::Page;
-use crate::device::LANGUAGES;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 use crate::plots::texts;
@@ -132,15 +130,6 @@ async fn lists_of_points_are_named_and_fit() {
     page.stop_at("75").await;
     page.choose("measure-what", "corner").await;
     page.click("measure-add").await;
-    page.ask(AXE).await;
-    for screen in [(1280, 800), (360, 740)] {
-        page.screen(screen, 1.0).await;
-        for lang in LANGUAGES {
-            page.speak(lang).await;
-            check(&page, lang).await;
-            let wide = "return document.documentElement.scrollWidth - innerWidth";
-            assert_eq!(page.ask(wide).await, json!(0), "{lang}");
-        }
-    }
+    named_and_fits(&page).await;
     page.close().await;
 }
