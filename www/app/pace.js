@@ -9,8 +9,12 @@ const REST = 12;
 export class Pace {
   /** Of which mechanism it was written last. */
   #revision = 0;
+  /** Whether it took long. */
+  #long = false;
   /** Until when it rests, in milliseconds. */
   #rests = 0;
+  /** @type {{ revision: number, write: () => void } | null} what is written when the frame is over */
+  #due = null;
   /** Whether a pointer is down. */
   static #pressed = false;
 
@@ -22,16 +26,40 @@ export class Pace {
   /**
    * @param {number} revision of the mechanism
    * @param {() => void} write
-   * @returns {boolean} whether it was written; if not, it has to be tried again
+   * @returns {boolean} whether it is written now, or when this frame is over; if not, it has to be tried again
    */
   keep(revision, write) {
+    if (Pace.#pressed && revision !== this.#revision) {
+      if (performance.now() < this.#rests) return false;
+      if (this.#long) {
+        // What is in hand is on the screen first.
+        if (!this.#due) setTimeout(() => this.#end());
+        this.#due = { revision, write };
+        return true;
+      }
+    }
+    this.#due = null;
+    this.#write(revision, write);
+    return true;
+  }
+
+  #end() {
+    const due = this.#due;
+    this.#due = null;
+    if (due) this.#write(due.revision, due.write);
+  }
+
+  /**
+   * @param {number} revision
+   * @param {() => void} write
+   */
+  #write(revision, write) {
     const begun = performance.now();
-    if (Pace.#pressed && revision !== this.#revision && begun < this.#rests) return false;
     write();
     const written = performance.now();
     const took = written - begun;
     this.#revision = revision;
-    this.#rests = took > BRIEF ? written + REST * took : 0;
-    return true;
+    this.#long = took > BRIEF;
+    this.#rests = this.#long ? written + REST * took : 0;
   }
 }
