@@ -142,7 +142,8 @@ export class Hand {
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
         const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
         this.#page.mechanism.ring(onto || point);
-        edit(this.#page, { edit: "place", point, at: [x, y] });
+        // What is locked may have kept it away from there.
+        if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
       },
       end: () => {
         // The same step: what was dragged there is joined there.

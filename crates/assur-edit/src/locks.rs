@@ -22,7 +22,13 @@ const SHORTEST: f64 = 1e-3;
 const FINE: f64 = 1e-5;
 /// Locks that say the same twice leave directions without a number: this one, beside 1, decides nothing else.
 const TWICE: f64 = 1e-12;
-const MOST_STEPS: usize = 400;
+/// What a step is corrected by is at most this part of it.
+const ASIDE: f64 = 0.3;
+/// A step is not halved any more below this part of the longest one.
+const LEAST_STEP: f64 = 1e-3;
+/// Corrections below this part of the size may be rounding, which does not become smaller from one to the next.
+const ROUNDS: f64 = 1e-11;
+const MOST_STEPS: usize = 600;
 const MOST_TURNS: usize = 30;
 const MOST_HALVES: usize = 30;
 
@@ -95,14 +101,21 @@ impl Drawing {
         let place = |name: &&String| self.at(name).map(|at| at.coords);
         let before: Result<Vec<Vector>, _> = names.iter().map(place).collect();
         let size = self.size();
-        let Ok(before) = before else {
+        let Some(middle) = wanted.keys().find_map(|name| self.at(name).ok()) else {
             return (wanted.clone(), true);
         };
+        let Ok(mut before) = before else {
+            return (wanted.clone(), true);
+        };
+        // Far from the origin what is beside them would be lost in rounding.
+        before.iter_mut().for_each(|place| *place -= middle.coords);
         let locks = locks.iter().filter_map(|lock| {
             let numbers: Option<Vec<usize>> = lock.iter().map(number).collect();
+            // Of points in one place there is nothing to keep.
+            let apart = |a: usize, b: usize| before[a] != before[b];
             Some(match numbers?[..] {
-                [a, b] => Lock::Length([a, b], (before[a] - before[b]).norm()),
-                [a, b, c] => {
+                [a, b] if apart(a, b) => Lock::Length([a, b], (before[a] - before[b]).norm()),
+                [a, b, c] if apart(a, b) && apart(b, c) => {
                     let sides = [before[a] - before[b], before[c] - before[b]];
                     let shorter = sides[0].norm().min(sides[1].norm());
                     let least = (0.5 * shorter).min(SHORTEST * size);
@@ -120,13 +133,19 @@ impl Drawing {
         }
         let targets: BTreeMap<usize, Vector> = wanted
             .iter()
-            .filter_map(|(name, to)| Some((number(name)?, *to)))
+            .filter_map(|(name, to)| Some((number(name)?, to - middle.coords)))
             .collect();
         let is_fixed =
             |name: &&String| document.frame.contains(name) && !wanted.contains_key(*name);
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
-        let (places, reached) = held.moved(before, &free, &targets);
-        let named = names.into_iter().cloned().zip(places);
+        let (places, reached) = held.moved(&before, &free, &targets);
+        let named = names.into_iter().zip(places).zip(before);
+        // What does not move stays to the last digit, and what comes where it is wanted is there.
+        let named = named.filter_map(|((name, to), from)| {
+            let there = wanted.get(name).filter(|_| reached);
+            let moved = (to != from).then_some(to + middle.coords);
+            Some((name.clone(), there.copied().or(moved)?))
+        });
         (named.collect(), reached)
     }
 }
@@ -166,36 +185,38 @@ impl Held {
     /// along what the locks leave free.
     fn moved(
         &self,
-        before: Vec<Vector>,
+        before: &[Vector],
         free: &[bool],
         targets: &BTreeMap<usize, Vector>,
     ) -> (Vec<Vector>, bool) {
         let ways = targets.iter().map(|(k, to)| (to - before[*k]).norm());
         let way = ways.fold(0.0, f64::max);
-        let steps = (way / (STEP * self.size))
-            .ceil()
-            .clamp(1.0, MOST_STEPS as f64);
+        let longest = (STEP * self.size / way).min(1.0);
         let after: Vec<bool> = (0..before.len())
             .map(|k| free[k] && !targets.contains_key(&k))
             .collect();
-        let mut at = before.clone();
-        let mut step = 0.0;
-        while step < steps {
-            let mut next = at.clone();
+        let mut at = before.to_vec();
+        let (mut gone, mut step) = (0.0, longest);
+        for _ in 0..MOST_STEPS {
+            let share = (gone + step).min(1.0);
+            let mut ways = vec![Vector::zeros(); at.len()];
             for (k, to) in targets {
-                let share = (step + 1.0) / steps;
-                next[*k] = before[*k] + (to - before[*k]) * share;
+                ways[*k] = before[*k] + (to - before[*k]) * share - at[*k];
             }
-            let Some(next) = self.put(next, &after) else {
-                return self.nearest(at, free, targets);
-            };
-            at = next;
-            step += 1.0;
+            let next = self.after(&at, free, &after, ways);
+            match next.and_then(|ways| self.gone(&at, &ways, &after)) {
+                Some(next) => {
+                    (at, gone) = (next, share);
+                    step = (2.0 * step).min(longest);
+                }
+                None if step > LEAST_STEP * longest => step *= 0.5,
+                None => break,
+            }
+            if gone >= 1.0 {
+                return (at, true);
+            }
         }
-        for (k, to) in targets {
-            at[*k] = *to;
-        }
-        (at, true)
+        self.nearest(at, free, targets)
     }
 
     fn nearest(
@@ -226,8 +247,8 @@ impl Held {
             }
             let mut share = (STEP * self.size / steep.sqrt()).min(1.0);
             let better = (0..MOST_HALVES).find_map(|_| {
-                let tried = at.iter().zip(&ways).map(|(at, way)| at + way * share);
-                let tried = self.put(tried.collect(), free);
+                let tried: Vec<Vector> = ways.iter().map(|way| way * share).collect();
+                let tried = self.gone(&at, &tried, free);
                 let fall = 0.5 * share * steep;
                 share *= 0.5;
                 let tried = tried?;
@@ -248,22 +269,41 @@ impl Held {
         (at, reached)
     }
 
-    /// The points where the locks hold, by Newton's method with the shortest way of those that are free. None where it
-    /// does not come there.
-    fn put(&self, mut at: Vec<Vector>, free: &[bool]) -> Option<Vec<Vector>> {
+    /// The ways of all points where some go theirs: at first those that come `after` them go along the locks.
+    fn after(
+        &self,
+        at: &[Vector],
+        free: &[bool],
+        after: &[bool],
+        mut ways: Vec<Vector>,
+    ) -> Option<Vec<Vector>> {
+        let (_, all) = self.linear(at, free)?;
+        let (_, slopes) = self.linear(at, after)?;
+        let off = all * flat(&ways, free);
+        let back = slopes.transpose() * factors(&slopes, &off)?;
+        apply(&mut ways, after, &back, -1.0);
+        Some(ways)
+    }
+
+    /// The points where the locks hold after they went their ways, by Newton's method with the shortest way of those that
+    /// are free. None where it does not come there, or not steadily and next to these ways: then what it would find may
+    /// be another way to assemble them.
+    fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
+        let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
+        let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();
+        let mut last = 2.0 * ASIDE * longest;
         for _ in 0..MOST_TURNS {
             let (off, slopes) = self.linear(&at, free)?;
             if off.amax() <= HOLDS * self.size {
                 return Some(at);
             }
             let back = slopes.transpose() * factors(&slopes, &off)?;
-            // Far away nothing is linear.
-            if back
-                .iter()
-                .any(|way| !way.is_finite() || way.abs() > self.size)
-            {
+            let way = back.amax();
+            let is_steady = way <= 0.5 * last || way <= ROUNDS * self.size;
+            if !is_steady || !way.is_finite() {
                 return None;
             }
+            last = way;
             apply(&mut at, free, &back, -1.0);
         }
         None
@@ -272,9 +312,7 @@ impl Held {
     /// What of a wish the locks leave free.
     fn along(&self, at: &[Vector], free: &[bool], wish: &[Vector]) -> Option<Vec<Vector>> {
         let (_, slopes) = self.linear(at, free)?;
-        let flat = wish.iter().zip(free).filter(|(_, free)| **free);
-        let flat: Vec<f64> = flat.flat_map(|(wish, _)| [wish.x, wish.y]).collect();
-        let wish = DVector::from_vec(flat);
+        let wish = flat(wish, free);
         let across = factors(&slopes, &(&slopes * &wish))?;
         let left = wish - slopes.transpose() * across;
         let mut ways = vec![Vector::zeros(); at.len()];
@@ -338,6 +376,12 @@ fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
     let count = rows.nrows();
     let square = rows * rows.transpose() + DMatrix::identity(count, count) * TWICE;
     Some(square.cholesky()?.solve(sides))
+}
+
+/// The places that are free as one vector.
+fn flat(places: &[Vector], free: &[bool]) -> DVector<f64> {
+    let free = places.iter().zip(free).filter(|(_, free)| **free);
+    DVector::from_vec(free.flat_map(|(place, _)| [place.x, place.y]).collect())
 }
 
 /// Adds what a vector of the free places says to all of them.

@@ -35,13 +35,8 @@ impl Drawing {
             self.document.tracers[index].at = at;
             return Ok(());
         }
-        self.put_at(point, to, None)
-    }
-
-    /// A point stands at a place, with the guides that go along; `released` is a lock that does not hold meanwhile.
-    fn put_at(&mut self, point: &str, to: [f64; 2], released: Option<&[String]>) -> Done {
         let moved = self.carried(point, to)?;
-        self.go(&moved, released);
+        self.go(&moved, None);
         Ok(())
     }
 
@@ -62,7 +57,7 @@ impl Drawing {
     }
 
     /// Points go where they are wanted, as far as what is locked lets them, and what hangs on them comes along. A link
-    /// that is not only shifted is as it is drawn from then on.
+    /// that is not only shifted is as it is drawn from then on. `released` is a lock that does not hold meanwhile.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);
         self.is_held |= !reached;
@@ -100,11 +95,10 @@ impl Drawing {
             });
         }
         // The length that is typed is the one that is locked from then on.
-        self.put_at(
-            &second,
-            (from + along * length).into(),
-            Some(&[first, second.clone()]),
-        )
+        let mut moved = self.carried(&second, (from + along * length).into())?;
+        moved.insert(first.clone(), from.coords);
+        self.go(&moved, Some(&[first, second]));
+        Ok(())
     }
 
     /// The points of a link turn about its first one until it stands as wanted.

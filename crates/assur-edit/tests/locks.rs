@@ -175,6 +175,126 @@ fn a_typed_length_is_the_locked_one() {
     assert!((at(&after.document, "B") - Point::new(0.0, 5.0)).norm() < 1e-8);
 }
 
+/// Also where nothing is fixed: the first end stays, the other corner comes along.
+#[test]
+fn a_typed_length_of_what_is_free() {
+    let mut before = drawing(
+        &[("A", [0.0, 0.0]), ("B", [4.0, 0.0]), ("C", [4.0, 3.0])],
+        &[],
+        &[&["A", "B"], &["B", "C"], &["C", "A"]],
+    );
+    before.links = vec![LinkDocument {
+        name: "AB".to_owned(),
+        points: names(&["A", "B"]),
+        ..LinkDocument::default()
+    }];
+    let link = "AB".to_owned();
+    let length = 4.5;
+    let Edited {
+        document, is_held, ..
+    } = edited(&before, &Edit::Stretch { link, length }).unwrap();
+    assert!(!is_held && at(&document, "A") == Point::origin());
+    for (lock, length) in document.locks.iter().zip([4.5, 3.0, 5.0]) {
+        assert!((value(&document, lock) - length).abs() < 1e-9, "{lock:?}");
+    }
+}
+
+/// However thin a triangle of three lengths is, it does not turn over, wherever a corner is dragged.
+#[test]
+fn thin_triangles_do_not_turn_over() {
+    let mut dice = Dice(4242);
+    for height in [1.0, 0.3, 0.1, 0.03, 0.01] {
+        for round in 0..100 {
+            let base = dice.within(2.0, 5.0);
+            let foot = dice.within(0.2, 0.8) * base;
+            let fixed: &[&str] = if round % 2 == 0 { &[] } else { &["A"] };
+            let before = drawing(
+                &[("A", [0.0, 0.0]), ("B", [base, 0.0]), ("C", [foot, height])],
+                fixed,
+                &[&["A", "B"], &["B", "C"], &["C", "A"]],
+            );
+            let dragged = ["B", "C"][dice.below(2)];
+            let to = [dice.within(-9.0, 9.0), dice.within(-9.0, 9.0)];
+            let Edited {
+                document, is_held, ..
+            } = put(&before, dragged, to);
+            let [a, b, c] = ["A", "B", "C"].map(|name| at(&document, name));
+            assert!(
+                (b - a).perp(&(c - a)) > 0.0,
+                "{round} of {height}: {document:?}"
+            );
+            for lock in &before.locks {
+                let off = value(&document, lock) - value(&before, lock);
+                assert!(off.abs() < 1e-9, "{round} of {height}: {off:e}");
+            }
+            assert_eq!(is_held, round % 2 == 1, "{round} of {height}");
+        }
+    }
+}
+
+/// Far from the origin it is as anywhere, as far as the digits of the places go.
+#[test]
+fn far_from_the_origin_it_moves_alike() {
+    for far in [0.0, 1e4, 1e6, 1e8] {
+        let before = drawing(
+            &[
+                ("A", [far, far]),
+                ("B", [far + 2.0, far]),
+                ("C", [far + 2.0, far + 2.0]),
+            ],
+            &["A"],
+            &[&["A", "B"], &["B", "C"]],
+        );
+        let Edited {
+            document, is_held, ..
+        } = put(&before, "C", [far - 1.0, far + 3.0]);
+        assert!(!is_held, "{far}");
+        assert_eq!(at(&document, "C"), Point::new(far - 1.0, far + 3.0));
+        for lock in &before.locks {
+            assert!(
+                (value(&document, lock) - 2.0).abs() < 1e-9 + 1e-15 * far,
+                "{far}"
+            );
+        }
+    }
+}
+
+/// A lock of points that are in one place keeps nothing, and holds nothing back.
+#[test]
+fn points_in_one_place_have_nothing_to_keep() {
+    let before = drawing(
+        &[("A", [0.0, 0.0]), ("B", [0.0, 0.0]), ("C", [1.0, 0.0])],
+        &[],
+        &[&["A", "B"], &["A", "B", "C"], &["B", "C"]],
+    );
+    let Edited {
+        document, is_held, ..
+    } = put(&before, "B", [3.0, 1.0]);
+    assert!(!is_held && at(&document, "A") == Point::origin());
+    assert!((value(&document, &document.locks[2]) - 1.0).abs() < 1e-9);
+}
+
+/// A lock of what is not there, of too few or too many, or of one point twice is refused by its place in the list.
+#[test]
+fn bad_locks_are_named() {
+    for (lock, code) in [
+        (&["A"][..], "bad_lock"),
+        (&["A", "B", "C", "A"], "bad_lock"),
+        (&["A", "A"], "bad_lock"),
+        (&["A", "B", "A"], "bad_lock"),
+        (&["A", "Q"], "unknown_name"),
+    ] {
+        let points = [("A", [0.0, 0.0]), ("B", [1.0, 0.0]), ("C", [1.0, 1.0])];
+        let document = drawing(&points, &[], &[&["A", "B"], lock]);
+        let problems = document.check().unwrap_err();
+        let found = serde_json::to_value(&problems).unwrap();
+        assert_eq!(found[0]["code"], code, "{lock:?}");
+        if code == "bad_lock" {
+            assert_eq!(found[0]["path"], "locks[1]");
+        }
+    }
+}
+
 /// Locks are put and taken away, go with the names of their points, and with what is removed, joined and copied.
 #[test]
 fn locks_go_with_their_points() {
