@@ -162,10 +162,9 @@ async fn the_map_is_a_way_to_go() {
         .await;
     let before = followed(&page).await;
     let [x, y] = [0, 1].map(|k| other[k].as_f64().unwrap());
-    for what in ["mousePressed", "mouseReleased"] {
-        let event = json!({ "type": what, "x": x, "y": y, "button": "left", "clickCount": 1 });
-        page.tool("Input.dispatchMouseEvent", event).await;
-    }
+    let chain = page.driver.action_chain();
+    let chain = chain.move_to(x.round() as i64, y.round() as i64).click();
+    chain.perform().await.unwrap();
     page.settle().await;
     assert_ne!(followed(&page).await, before);
     let angle = page.value("out-input").await;

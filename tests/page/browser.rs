@@ -7,11 +7,16 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
-use serde_json::json;
+use serde_json::{Value, json};
 use thirtyfour::prelude::*;
-use thirtyfour::{ChromiumLikeCapabilities, LoggingPrefsLogLevel};
 
 use crate::picture::Picture;
+use firefox::Firefox;
+
+#[path = "browser/chromium.rs"]
+mod chromium;
+#[path = "browser/firefox.rs"]
+mod firefox;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -22,6 +27,21 @@ pub(crate) struct Page {
     server: Child,
     port: u16,
     downloads: PathBuf,
+    /// Where the page is not in Chromium.
+    firefox: Option<Firefox>,
+}
+
+/// Whether the pages are opened in Firefox: `ASSUR_BROWSER` says so.
+pub(crate) fn in_firefox() -> bool {
+    env::var("ASSUR_BROWSER").is_ok_and(|browser| browser == "firefox")
+}
+
+/// Whether a test can only be asked of Chromium, which it is not in; the reason is printed.
+pub(crate) fn lacking(what: &str) -> bool {
+    if in_firefox() {
+        println!("not asked of Firefox, which lacks {what}");
+    }
+    in_firefox()
 }
 
 impl Drop for Page {
@@ -52,17 +72,25 @@ pub(crate) fn setting(name: &str) -> String {
 /// A driver of browsers and its port. It looks for a free port before it takes it: where another one
 /// takes it in between, it ends without one.
 fn driver() -> Option<(Child, u16)> {
-    let mut server = Command::new(setting("CHROMEDRIVER"))
-        .arg("--port=0")
+    let (program, options, before_port) = if in_firefox() {
+        firefox::DRIVER
+    } else {
+        chromium::DRIVER
+    };
+    let mut server = Command::new(setting(program))
+        .args(options)
+        .envs(firefox::ROOM)
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    let said = BufReader::new(server.stdout.take().unwrap());
-    let port = said.lines().map_while(Result::ok).find_map(|line| {
-        let (_, port) = line.split_once("successfully on port ")?;
-        port.trim_end_matches('.').parse().ok()
+    let mut said = BufReader::new(server.stdout.take().unwrap()).lines();
+    let port = said.by_ref().map_while(Result::ok).find_map(|line| {
+        let (_, port) = line.split_once(before_port)?;
+        port.trim().trim_end_matches('.').parse().ok()
     });
+    // A driver that goes on talking is not to wait for a listener.
+    std::thread::spawn(move || said.for_each(drop));
     if port.is_none() {
         server.wait().unwrap();
     }
@@ -79,9 +107,7 @@ impl Page {
     /// there.
     pub(crate) async fn open_at(url: &str, lang: &str) -> Self {
         let page = Self::browser(lang).await;
-        let known = "try { localStorage.setItem('assur.welcome', 'closed') } catch {}";
-        let script = json!({ "source": known });
-        page.tool("Page.addScriptToEvaluateOnNewDocument", script)
+        page.before("try { localStorage.setItem('assur.welcome', 'closed') } catch {}")
             .await;
         page.driver.goto(url).await.unwrap();
         page.ready().await;
@@ -110,38 +136,34 @@ impl Page {
         let downloads = env::temp_dir().join(format!("assur-page-{}-{port}", std::process::id()));
         fs::create_dir_all(&downloads).unwrap();
 
-        let mut wanted = DesiredCapabilities::chrome();
-        wanted.set_binary(&setting("CHROME")).unwrap();
-        wanted
-            .set_browser_log_level(LoggingPrefsLogLevel::All)
-            .unwrap();
-        for argument in [
-            "--headless=new",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-dev-shm-usage",
-            "--no-first-run",
-            "--disable-background-networking",
-            "--disable-component-update",
-            "--disable-sync",
-            "--hide-scrollbars",
-            "--force-device-scale-factor=1",
-            "--window-size=1280,940", // of which the page has 1280 by 800
-            &format!("--lang={lang}"),
-            &format!("--accept-lang={lang}"),
-        ] {
-            wanted.add_arg(argument).unwrap();
-        }
-        let prefs = serde_json::json!({ "download.default_directory": downloads });
-        wanted.add_experimental_option("prefs", prefs).unwrap();
-        let driver = WebDriver::new(format!("http://127.0.0.1:{port}"), wanted)
-            .await
-            .unwrap();
+        let address = format!("http://127.0.0.1:{port}");
+        let (driver, firefox) = if in_firefox() {
+            let wanted = firefox::wanted(lang, &downloads);
+            let driver = WebDriver::new(address, wanted).await.unwrap();
+            let firefox = Firefox::of(&driver).await;
+            (driver, Some(firefox))
+        } else {
+            let wanted = chromium::wanted(lang, &downloads);
+            (WebDriver::new(address, wanted).await.unwrap(), None)
+        };
         Self {
             driver,
             server,
             port,
             downloads,
+            firefox,
+        }
+    }
+
+    /// Has a script run before those of any page that is opened from now on.
+    pub(crate) async fn before(&self, script: &str) {
+        match &self.firefox {
+            Some(firefox) => firefox.before(script).await,
+            None => {
+                let script = json!({ "source": script });
+                self.tool("Page.addScriptToEvaluateOnNewDocument", script)
+                    .await;
+            }
         }
     }
 
@@ -191,19 +213,19 @@ impl Page {
     }
 
     /// What a script of the test returns.
-    pub(crate) async fn ask(&self, script: &str) -> serde_json::Value {
+    pub(crate) async fn ask(&self, script: &str) -> Value {
         let answer = self.driver.execute(script, Vec::new()).await.unwrap();
         answer.json().clone()
     }
 
     /// Has the browser's own tools do something.
-    pub(crate) async fn tool(&self, command: &str, with: serde_json::Value) -> serde_json::Value {
+    pub(crate) async fn tool(&self, command: &str, with: Value) -> Value {
         let tools = self.driver.cdp();
         tools.send_raw(command, with).await.unwrap()
     }
 
     /// What an asynchronous script of the test hands over.
-    pub(crate) async fn wait_for(&self, script: &str) -> serde_json::Value {
+    pub(crate) async fn wait_for(&self, script: &str) -> Value {
         let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
         answer.json().clone()
     }
@@ -236,10 +258,68 @@ impl Page {
 
     /// What a person has asked of the system: `prefers-color-scheme`, `dark`.
     pub(crate) async fn prefer(&self, feature: &str, value: &str) {
-        let features = json!({ "features": [{ "name": feature, "value": value }] });
-        let tools = self.driver.cdp();
-        let sent = tools.send_raw("Emulation.setEmulatedMedia", features);
-        sent.await.unwrap();
+        self.show_on("", &[(feature, value)]).await;
+        self.settle().await;
+    }
+
+    /// The medium that the page is shown on, the screen where nothing is said, and what a person has asked of the system.
+    pub(crate) async fn show_on(&self, medium: &str, asked: &[(&str, &str)]) {
+        if self.firefox.is_none() {
+            let features = asked
+                .iter()
+                .map(|(name, value)| json!({ "name": name, "value": value }));
+            let features: Vec<Value> = features.collect();
+            let media = json!({ "media": medium, "features": features });
+            self.tool("Emulation.setEmulatedMedia", media).await;
+            return;
+        }
+        let mut script = format!(
+            "const shown = gBrowser.selectedBrowser.browsingContext; shown.mediumOverride = '{medium}';"
+        );
+        for (feature, value) in asked {
+            script += &match *feature {
+                "prefers-color-scheme" => format!("shown.prefersColorSchemeOverride = '{value}';"),
+                "prefers-reduced-motion" => {
+                    let reduced = u8::from(*value == "reduce");
+                    format!("Services.prefs.setIntPref('ui.prefersReducedMotion', {reduced});")
+                }
+                other => panic!("nobody has asked Firefox for {other} yet"),
+            };
+        }
+        firefox::within(&self.driver, &script).await;
+    }
+
+    /// A screen of a size in pixels of the reader, with so many device pixels to each.
+    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
+        match &self.firefox {
+            Some(firefox) => firefox.screen((width, height), ratio).await,
+            None => {
+                let screen = json!({ "width": width, "height": height,
+                    "deviceScaleFactor": ratio, "mobile": false });
+                self.tool("Emulation.setDeviceMetricsOverride", screen)
+                    .await;
+            }
+        }
+        self.settle().await;
+        self.settle().await;
+    }
+
+    /// A screen that is touched instead of a mouse.
+    pub(crate) async fn touched(&self) {
+        if self.firefox.is_some() {
+            let coarse = "for (const which of ['primary', 'all']) Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, 1);
+                gBrowser.selectedBrowser.browsingContext.touchEventsOverride = 'enabled';";
+            firefox::within(&self.driver, coarse).await;
+        } else {
+            let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
+            self.tool("Emulation.setTouchEmulationEnabled", touch).await;
+        }
+        self.settle().await;
+    }
+
+    /// Hands on the page, where the client has no words for them: a sequence of actions for each.
+    pub(crate) async fn act(&self, hands: Value) {
+        firefox::act(&self.driver, hands).await;
         self.settle().await;
     }
 
@@ -251,11 +331,7 @@ impl Page {
 
     /// What a script of the test gives to its last argument, a function, in its time.
     #[allow(dead_code, reason = "page_speed has no such script")]
-    pub(crate) async fn ask_later(
-        &self,
-        script: &str,
-        arguments: Vec<serde_json::Value>,
-    ) -> serde_json::Value {
+    pub(crate) async fn ask_later(&self, script: &str, arguments: Vec<Value>) -> Value {
         let answer = self.driver.execute_async(script, arguments).await.unwrap();
         answer.json().clone()
     }
@@ -301,6 +377,9 @@ impl Page {
 
     /// What has been said on the console since this was asked last.
     pub(crate) async fn said(&self) -> Vec<String> {
+        if let Some(firefox) = &self.firefox {
+            return firefox.said();
+        }
         let said = self.driver.browser_log().await.unwrap();
         said.iter().map(|entry| format!("{entry:?}")).collect()
     }

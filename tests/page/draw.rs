@@ -1,6 +1,8 @@
 //! Drawn from nothing by events alone: with a mouse and keys, as a lecturer would. What is drawn moves
 //! as the mechanism of the catalogue does, and the presses are counted.
 
+use std::time::Instant;
+
 use assur::Point;
 use assur::mechanism::Mechanism;
 use assur::motion::Motion;
@@ -17,6 +19,7 @@ const MARGIN: f64 = 44.0;
 pub(crate) struct Sheet<'a> {
     pub(crate) page: &'a Page,
     pub(crate) presses: usize,
+    begun: Instant,
     scale: f64,
     middle: (f64, f64),
 }
@@ -41,6 +44,7 @@ impl<'a> Sheet<'a> {
         Self {
             page,
             presses: 2,
+            begun: Instant::now(),
             scale,
             middle: (area.width / 2.0, inset + (area.height - inset) / 2.0),
         }
@@ -101,6 +105,12 @@ impl<'a> Sheet<'a> {
                     .await;
             }
         }
+    }
+
+    /// How many presses it took, and how long with each press drawn before the next.
+    pub(crate) fn tell(&self, name: &str) {
+        let seconds = self.begun.elapsed().as_secs_f64();
+        println!("{name}: {} presses, {seconds:.1} s", self.presses);
     }
 
     /// What is drawn, as it is saved.
@@ -170,6 +180,7 @@ async fn a_four_bar_takes_eight_presses() {
     assert_eq!(page.text("out-draft-w").await, "1");
     sheet.mend().await;
     assert_eq!(sheet.presses, 8);
+    sheet.tell("Four-bar");
     let state = sheet.saved().await;
     let motion = state.document.motion().unwrap();
     assert_eq!(motion.mechanism().formula(), "I(frame,AB) → II₂(BC,CD)");
@@ -218,7 +229,7 @@ async fn jansen_is_drawn() {
     sheet.line(&[at(-43.0, -36.5), at(-43.0, -92.0)]).await;
     sheet.mend().await;
     assert!(sheet.presses <= 60, "{} presses", sheet.presses);
-    println!("Jansen's leg: {} presses", sheet.presses);
+    sheet.tell("Jansen's leg");
     sheet
         .type_places(&[
             ("A", [0.0, 0.0]),
@@ -261,7 +272,7 @@ async fn a_whitworth_shaper_is_drawn() {
     sheet.line(&[[3.0, 1.8], [2.3, -0.2]]).await;
     sheet.line(&[[-2.2, -1.0], [-4.0, -1.0]]).await;
     sheet.mend().await;
-    println!("Whitworth's shaper: {} presses", sheet.presses);
+    sheet.tell("Whitworth's shaper");
     sheet
         .type_places(&[
             ("A", [0.0, 0.0]),
@@ -300,7 +311,7 @@ async fn a_stephenson_chain_of_the_third_kind_is_drawn() {
         .line(&[at(1.2, 3.6), at(4.8, 0.6), at(6.4, 2.4), at(6.4, 2.4)])
         .await;
     sheet.mend().await;
-    println!("Stephenson III: {} presses", sheet.presses);
+    sheet.tell("Stephenson III");
     sheet
         .type_places(&[
             ("A", [0.0, 0.0]),
@@ -344,7 +355,7 @@ async fn the_class_four_mechanism_is_drawn() {
     sheet.tool("plate").await;
     sheet.line(&[at(3.2, 1.24), at(0.4, -1.8)]).await;
     sheet.mend().await;
-    println!("Class IV: {} presses", sheet.presses);
+    sheet.tell("Class IV");
     sheet
         .type_places(&[
             ("A", [0.0, 0.0]),

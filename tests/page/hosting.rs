@@ -51,11 +51,7 @@ async fn there(page: &Page, selector: &str) {
 async fn everything_works_under_the_policy_and_then_without_the_network() {
     let host = Host::start(&folder(), BELOW);
     let page = Page::open_at(&host.url(), "en-US").await;
-    page.tool(
-        "Page.addScriptToEvaluateOnNewDocument",
-        json!({ "source": LISTEN }),
-    )
-    .await;
+    page.before(LISTEN).await;
     page.reload().await;
     moves(&page).await;
     kept(&page).await;

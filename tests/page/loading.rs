@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::browser::Page;
+use crate::browser::{Page, lacking};
 
 /// The head of the page asks for all of it, so that it comes with the second round trip: no
 /// script has to arrive before it says what else is needed.
@@ -42,6 +42,9 @@ async fn the_first_view_is_asked_for_at_once() {
 /// While a part of the page is on its way over a slow line, the page says that it is busy.
 #[tokio::test]
 async fn what_is_on_its_way_shows_that_it_is() {
+    if lacking("a slow network") {
+        return;
+    }
     let page = Page::open().await;
     page.stop_at("60").await;
     page.tool("Network.enable", json!({})).await;

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::browser::Page;
+use crate::browser::{Page, in_firefox};
 
 impl Page {
     /// Drags with the pointer over a control, from and to shares of its width.
@@ -61,6 +61,10 @@ impl Page {
             return [area.x, area.y];";
         let corner = self.driver.execute(script, vec![id.into()]).await.unwrap();
         let [left, top]: [f64; 2] = corner.convert().unwrap();
+        if in_firefox() {
+            self.act(hands(moments, [left, top])).await;
+            return;
+        }
         let tools = self.driver.cdp();
         for (index, moment) in moments.iter().enumerate() {
             let points: Vec<_> = moment
@@ -93,11 +97,42 @@ impl Page {
     /// Turns the wheel over a place of an element; away from the person is below 0.
     pub(crate) async fn wheel(&self, id: &str, (x, y): (f64, f64), by: f64) {
         let area = self.element(id).await.rect().await.unwrap();
-        let tools = self.driver.cdp();
+        if in_firefox() {
+            let turn = json!({ "type": "scroll", "x": (area.x + x).round(), "y": (area.y + y).round(),
+                "deltaX": 0, "deltaY": by });
+            self.act(json!([{ "type": "wheel", "id": "wheel", "actions": [turn] }]))
+                .await;
+            return;
+        }
         let event = json!({ "type": "mouseWheel", "x": area.x + x, "y": area.y + y,
             "deltaX": 0, "deltaY": by });
-        let sent = tools.send_raw("Input.dispatchMouseEvent", event);
-        sent.await.unwrap();
+        self.tool("Input.dispatchMouseEvent", event).await;
         self.settle().await;
     }
+}
+
+/// Fingers as sequences of actions: each is put down at the first moment it is there, moved, and lifted at the end.
+fn hands(moments: &[Vec<(f64, f64)>], [left, top]: [f64; 2]) -> serde_json::Value {
+    let most = moments.iter().map(Vec::len).max().unwrap_or(0);
+    let finger = |finger: usize| {
+        let mut down = false;
+        let mut actions = Vec::new();
+        for moment in moments {
+            let Some((x, y)) = moment.get(finger) else {
+                actions.extend([json!({ "type": "pause" }), json!({ "type": "pause" })]);
+                continue;
+            };
+            actions.push(json!({ "type": "pointerMove", "x": (left + x).round(), "y": (top + y).round(), "duration": 0 }));
+            actions.push(if down {
+                json!({ "type": "pause" })
+            } else {
+                json!({ "type": "pointerDown", "button": 0 })
+            });
+            down = true;
+        }
+        actions.push(json!({ "type": "pointerUp", "button": 0 }));
+        json!({ "type": "pointer", "id": format!("finger {finger}"), "parameters": { "pointerType": "touch" },
+            "actions": actions })
+    };
+    (0..most).map(finger).collect()
 }

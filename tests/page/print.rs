@@ -1,6 +1,7 @@
 //! What is printed: a worksheet in the place of the page.
 
 use serde_json::json;
+use thirtyfour::common::print::PrintParameters;
 
 use crate::browser::{Page, setting};
 use crate::gallery;
@@ -14,9 +15,8 @@ async fn printed(page: &Page) {
     })
     .await;
     page.ask("dispatchEvent(new Event('beforeprint'))").await;
-    let dark = json!([{ "name": "prefers-color-scheme", "value": "dark" }]);
-    let media = json!({ "media": "print", "features": dark });
-    page.tool("Emulation.setEmulatedMedia", media).await;
+    page.show_on("print", &[("prefers-color-scheme", "dark")])
+        .await;
 }
 
 async fn texts(page: &Page, selector: &str) -> Vec<String> {
@@ -58,13 +58,8 @@ async fn a_mechanism_is_printed_with_its_numbers_and_its_address() {
         )
         .await;
     assert_eq!(seen, json!([0, "rgb(255, 255, 255)", true]));
-    let pdf = page
-        .tool(
-            "Page.printToPDF",
-            json!({ "printBackground": true, "paperWidth": 8.27, "paperHeight": 11.69 }),
-        )
-        .await;
-    assert!(pdf["data"].as_str().unwrap().len() > 20_000);
+    let pdf = page.driver.print_page(PrintParameters::default()).await;
+    assert!(pdf.unwrap().len() > 15_000);
     page.ask("dispatchEvent(new Event('afterprint'))").await;
     assert_eq!(page.count("#worksheet").await, 0);
     page.close().await;

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use assur_file::State;
 use serde_json::{Value, json};
 
-use crate::browser::{Page, setting};
+use crate::browser::{Page, lacking, setting};
 use crate::dice::Dice;
 
 /// The centres of all that can be used and is seen, with what it is.
@@ -356,6 +356,9 @@ async fn nothing_breaks_in_a_train() {
 
 /// Does whatever comes to hand, beginning at an address and with these presses.
 async fn wander(address: &str, presses: &[&str]) {
+    if lacking("mouse and keys that nothing waits for") {
+        return;
+    }
     let seed = asked("ASSUR_RANDOM_SEED", 20_261_122);
     let time = Duration::from_secs(asked("ASSUR_RANDOM_SECONDS", 20));
     let page = Page::open_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;

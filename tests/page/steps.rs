@@ -474,11 +474,7 @@ async fn a_form_the_table_lacks() {
             delete table['wheels.teeth.many'];
             return new Response(JSON.stringify(table));
         };";
-    page.tool(
-        "Page.addScriptToEvaluateOnNewDocument",
-        json!({ "source": lacking }),
-    )
-    .await;
+    page.before(lacking).await;
     page.anew(&setting("ASSUR_URL")).await;
     page.write("field-z5", "25").await;
     let said = page.attribute("slider-z5", "aria-valuetext").await;
