@@ -33,7 +33,7 @@ pub(crate) async fn named_and_fits(page: &Page) {
         for lang in LANGUAGES {
             page.speak(lang).await;
             check(page, lang).await;
-            let wide = "return document.documentElement.scrollWidth - innerWidth";
+            let wide = "const { scrollWidth, clientWidth } = document.documentElement; return scrollWidth - clientWidth";
             assert_eq!(page.ask(wide).await, json!(0), "{lang}");
         }
     }

@@ -238,7 +238,11 @@ impl Page {
     /// The bytes of a file that the page saves, and takes it away.
     pub(crate) async fn saved(&self, name: &str) -> Vec<u8> {
         let path = self.downloads.join(name);
-        self.until(name, async || path.exists()).await;
+        // Firefox keeps the place by an empty file until the other one, beside it, is whole.
+        self.until(name, async || {
+            fs::metadata(&path).is_ok_and(|file| file.len() > 0)
+        })
+        .await;
         let bytes = fs::read(&path).unwrap();
         fs::remove_file(path).unwrap();
         bytes

@@ -52,7 +52,7 @@ async fn parameters_say_what_is_shown() {
         let noticed = "return document.getElementById('notice').hidden";
         assert_eq!(page.ask(noticed).await, json!(true), "{parameters}");
         // A frame is filled, whatever its size, without being wider.
-        let wider = "return document.documentElement.scrollWidth - innerWidth";
+        let wider = "const { scrollWidth, clientWidth } = document.documentElement; return scrollWidth - clientWidth";
         assert_eq!(page.ask(wider).await, json!(0), "{parameters}");
         page.close().await;
     }
