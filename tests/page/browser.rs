@@ -50,9 +50,9 @@ impl Drop for Page {
     fn drop(&mut self) {
         let _ = self.driver.clone().leak();
         if let Ok(mut server) = TcpStream::connect(("127.0.0.1", self.port)) {
-            let session = self.driver.handle().session_id();
+            let (session, port) = (self.driver.handle().session_id(), self.port);
             let end = format!(
-                "DELETE /session/{session} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+                "DELETE /session/{session} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n"
             );
             let _ = server.write_all(end.as_bytes());
             let _ = server.set_read_timeout(Some(PATIENCE));
