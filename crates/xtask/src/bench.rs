@@ -7,7 +7,7 @@ use std::io::Write as _;
 
 use anyhow::{Context, Result};
 
-use crate::browser;
+use crate::browser::{self, Kind};
 use crate::step::{announce, output};
 use crate::test::{browser_tests, page_test};
 use crate::tools;
@@ -18,7 +18,7 @@ use crate::{bundle, server, site};
 /// of its download; the page is played and dragged for some minutes.
 pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     tools::wasm_pack(workspace)?;
-    let browser = browser::find_or_install(workspace)?;
+    let browser = browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
     bundle::write(workspace)?;
 

@@ -1,21 +1,49 @@
-//! Chrome or Chromium and the driver that steers it.
+//! The browsers that tests run in, and the drivers that steer them.
 
 use std::env;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
+use clap::ValueEnum;
 
 use crate::step::{announce, quiet_output, run};
+use crate::tools;
 use crate::workspace::Workspace;
+
+/// A browser that the tests of the page can be run in.
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum Kind {
+    /// Chrome or Chromium
+    Chromium,
+    /// Firefox, also of extended support
+    Firefox,
+}
 
 /// A browser and its driver.
 pub(crate) struct Browser {
-    pub(crate) chrome: PathBuf,
+    kind: Kind,
+    pub(crate) program: PathBuf,
     pub(crate) driver: PathBuf,
 }
 
-/// One of the two programs: the variable that names it, the names and the places it goes by.
+impl Browser {
+    /// The variables by which the tests of the page find it.
+    pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
+        let (name, program, driver) = match self.kind {
+            Kind::Chromium => ("chromium", CHROME, CHROMEDRIVER),
+            Kind::Firefox => ("firefox", FIREFOX, GECKODRIVER),
+        };
+        [
+            ("ASSUR_BROWSER", name.as_ref()),
+            (program.variable, self.program.as_ref()),
+            (driver.variable, self.driver.as_ref()),
+        ]
+    }
+}
+
+/// One of the programs: the variable that names it, the names and the places it goes by.
 struct Program {
     variable: &'static str,
     names: &'static [&'static str],
@@ -47,7 +75,7 @@ const CHROME: Program = Program {
     ],
 };
 
-const DRIVER: Program = Program {
+const CHROMEDRIVER: Program = Program {
     variable: "CHROMEDRIVER",
     names: &["chromedriver", "chromium.chromedriver"],
     places: &[
@@ -62,61 +90,92 @@ const DRIVER: Program = Program {
     ],
 };
 
-const WHAT: &str = "browser and driver";
+const FIREFOX: Program = Program {
+    variable: "FIREFOX",
+    names: &["firefox", "firefox-esr"],
+    places: &[
+        "/usr/bin/firefox-esr",
+        "/usr/bin/firefox",
+        "/snap/bin/firefox",
+        "/Applications/Firefox.app/Contents/MacOS/firefox",
+        r"C:\Program Files\Mozilla Firefox\firefox.exe",
+        r"C:\Program Files (x86)\Mozilla Firefox\firefox.exe",
+    ],
+};
 
-/// Finds both or, where the system's packages can be installed, installs both.
-pub(crate) fn find_or_install(workspace: &Workspace) -> Result<Browser> {
-    if let Some(browser) = find()? {
-        announce(
-            WHAT,
-            &format!("already there ({})", browser.chrome.display()),
-        );
-        return Ok(browser);
+const GECKODRIVER: Program = Program {
+    variable: "GECKODRIVER",
+    names: &["geckodriver"],
+    places: &[
+        "/usr/local/bin/geckodriver",
+        "/opt/homebrew/bin/geckodriver",
+    ],
+};
+
+/// Finds a browser and its driver or, where the system's packages can be installed, installs what
+/// is missing.
+pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Browser> {
+    // Without a font the browser would draw no text.
+    const FONTS: &str = "fonts-dejavu-core";
+    let (program, driver) = match kind {
+        Kind::Chromium => in_place(
+            workspace,
+            "Chromium and its driver",
+            || Ok(CHROME.find()?.zip(CHROMEDRIVER.find()?)),
+            &["chromium", "chromium-driver", FONTS],
+        )?,
+        Kind::Firefox => (
+            in_place(
+                workspace,
+                "Firefox",
+                || FIREFOX.find(),
+                &["firefox-esr", FONTS],
+            )?,
+            // The system's packages do not have the driver.
+            GECKODRIVER
+                .find()?
+                .map_or_else(|| tools::geckodriver(workspace), Ok)?,
+        ),
+    };
+    Ok(Browser {
+        kind,
+        program,
+        driver,
+    })
+}
+
+/// What is found, or is found after the system's packages have been installed.
+fn in_place<T>(
+    workspace: &Workspace,
+    what: &str,
+    find: impl Fn() -> Result<Option<T>>,
+    packages: &[&str],
+) -> Result<T> {
+    if let Some(found) = find()? {
+        announce(what, "already there");
+        return Ok(found);
     }
+    let variables =
+        "or name what is there by the environment variables of `cargo xtask test --help`";
     if !Path::new("/etc/debian_version").exists() || which::which("apt-get").is_err() {
-        bail!(
-            "Chrome or Chromium and the chromedriver of the same version are needed: install both, \
-             or name them by the environment variables CHROME and CHROMEDRIVER"
-        );
+        bail!("{what} must be installed: do so, {variables}");
     }
     if quiet_output(Command::new("id").arg("-u")).is_none_or(|user| user.trim() != "0") {
-        bail!(
-            "Chromium and its driver are needed: run `apt-get install chromium chromium-driver` as \
-             root, or name others by the environment variables CHROME and CHROMEDRIVER"
-        );
+        let packages = packages.join(" ");
+        bail!("{what}: run `apt-get install {packages}` as root, {variables}");
     }
-    announce(WHAT, "installing by apt-get");
-    for arguments in [
-        &["update"][..],
-        // Without a font the browser would draw no text.
-        &[
-            "install",
-            "-y",
-            "--no-install-recommends",
-            "chromium",
-            "chromium-driver",
-            "fonts-dejavu-core",
-        ],
-    ] {
+    announce(what, "installing by apt-get");
+    let install = ["install", "-y", "--no-install-recommends"];
+    for arguments in [&["update"][..], &[&install[..], packages].concat()] {
         let mut apt = workspace.command("apt-get");
         run(
             apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive"),
-            WHAT,
+            what,
         )?;
     }
-    match find()? {
-        Some(browser) => Ok(browser),
-        None => {
-            bail!("apt-get installed Chromium and its driver but they are not in the usual places")
-        }
-    }
-}
-
-fn find() -> Result<Option<Browser>> {
-    let (chrome, driver) = (CHROME.find()?, DRIVER.find()?);
-    Ok(chrome
-        .zip(driver)
-        .map(|(chrome, driver)| Browser { chrome, driver }))
+    find()?.with_context(|| {
+        format!("apt-get installed {what}, which cannot be found in the usual places")
+    })
 }
 
 impl Program {

@@ -31,6 +31,7 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 
+use crate::browser::Kind;
 use crate::workspace::Workspace;
 
 /// Sets up, builds, serves and tests Assur.
@@ -67,7 +68,17 @@ enum Task {
     /// Debian, as root) Chromium with its driver. The environment variables CHROME and CHROMEDRIVER
     /// name another browser. The last line says how many checks passed and failed; the exit code is
     /// 1 if any failed.
-    Test,
+    ///
+    /// With a browser named, only the tests of the page are run, in that one. FIREFOX and
+    /// GECKODRIVER name another Firefox and its driver, which is built by cargo if it is missing.
+    Test {
+        /// Only the tests of the page, in this browser
+        #[arg(long)]
+        browser: Option<Kind>,
+        /// Only those tests of the page whose names hold one of these words
+        #[arg(requires = "browser")]
+        words: Vec<String>,
+    },
     /// Prints how fast engine and page are, beside a yardstick of the same run
     ///
     /// Installs what is missing as `test` does. Nothing fails for being slow.
@@ -100,7 +111,14 @@ fn perform(task: &Task) -> Result<ExitCode> {
     let workspace = Workspace::locate()?;
     match task {
         Task::Serve { port, no_open } => serve(&workspace, *port, !no_open)?,
-        Task::Test => return test::run(&workspace),
+        Task::Test {
+            browser: None,
+            words: _,
+        } => return test::run(&workspace),
+        Task::Test {
+            browser: Some(kind),
+            words,
+        } => return test::run_page(&workspace, *kind, words),
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;

@@ -8,7 +8,7 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, Error, Result, anyhow};
 use serde_json::Value;
 
-use crate::browser::{self, Browser};
+use crate::browser::{self, Browser, Kind};
 use crate::step::{announce, run as run_step};
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
@@ -116,6 +116,32 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
         page_tests(workspace, &ready.browser, &site, &bundled),
     );
 
+    ended(&tally)
+}
+
+/// Runs the tests of the page alone, in one browser: all, or those whose names hold one of the words.
+pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> Result<ExitCode> {
+    let browser = told(
+        "browser and driver",
+        browser::find_or_install(workspace, kind),
+    );
+    let mut tally = Tally::default();
+    let mut site = Err(anyhow!("the page was not built"));
+    tally.check("page", || {
+        site::set_up_and_build(workspace)?;
+        bundle::write(workspace)?;
+        site = Ok(());
+        Ok(())
+    });
+    let command = page_tests(workspace, &browser, &site, &site).map(|mut command| {
+        command.arg("--").args(words);
+        command
+    });
+    tally.tests("page tests in the browser", command);
+    ended(&tally)
+}
+
+fn ended(tally: &Tally) -> Result<ExitCode> {
     let passed = tally
         .summarise(std::io::stdout())
         .context("the summary cannot be written")?;
@@ -134,7 +160,10 @@ impl SetUp {
             bindgen: told("wasm-bindgen", tools::wasm_bindgen(workspace)),
             pack: told("wasm-pack", tools::wasm_pack(workspace)),
             typescript: told("TypeScript", tools::typescript(workspace)),
-            browser: told("browser and driver", browser::find_or_install(workspace)),
+            browser: told(
+                "browser and driver",
+                browser::find_or_install(workspace, Kind::Chromium),
+            ),
         }
     }
 
@@ -184,7 +213,10 @@ fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Re
         .get_mut("goog:chromeOptions")
         .and_then(Value::as_object_mut)
         .with_context(known)?
-        .insert("binary".to_owned(), browser.chrome.to_string_lossy().into());
+        .insert(
+            "binary".to_owned(),
+            browser.program.to_string_lossy().into(),
+        );
     let path = workspace.target().join("webdriver.json");
     fs::write(&path, value.to_string())
         .with_context(|| format!("{} cannot be written", path.display()))?;
@@ -222,8 +254,7 @@ pub(crate) fn page_test(
     let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", name]);
     test.env("ASSUR_URL", format!("http://{address}/"))
         .env("ASSUR_BUNDLE", workspace.bundle())
-        .env("CHROME", &browser.chrome)
-        .env("CHROMEDRIVER", &browser.driver);
+        .envs(browser.variables());
     test
 }
 

@@ -15,6 +15,8 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
 const WASM_PACK: &str = "0.15.1";
 
+const GECKODRIVER: &str = "0.37.1";
+
 const TYPESCRIPT: &str = "7.0.2";
 
 const THERE: &str = "already there";
@@ -78,6 +80,18 @@ pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<()> {
         WASM_PACK,
         &["--locked"],
     )
+}
+
+/// The driver of Firefox, and where it lies.
+pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
+    installed(
+        workspace,
+        "geckodriver",
+        "geckodriver",
+        GECKODRIVER,
+        &["--locked"],
+    )?;
+    Ok(path(workspace, "geckodriver"))
 }
 
 /// TypeScript, whose checker reads the scripts of the page.
