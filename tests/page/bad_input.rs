@@ -51,7 +51,8 @@ async fn impossible_length_and_back() {
         page.attribute("field-l4", "aria-invalid").await.as_deref(),
         Some("true")
     );
-    assert!(page.picture("mechanism").await.difference(&good) < ALIKE);
+    let off = page.picture("mechanism").await.difference(&good);
+    assert!(off < ALIKE, "{off}");
     page.close().await;
 }
 
@@ -89,10 +90,8 @@ async fn bad_numbers_are_named_and_recovered_from() {
         }
         page.write(field, back).await;
         assert_eq!(page.text("problem").await, "", "{field}");
-        assert!(
-            page.picture("mechanism").await.difference(&good) < ALIKE,
-            "{field}"
-        );
+        let off = page.picture("mechanism").await.difference(&good);
+        assert!(off < ALIKE, "{field}: {off}");
     }
     page.close().await;
 }

@@ -16,7 +16,7 @@ use firefox::Firefox;
 #[path = "browser/chromium.rs"]
 mod chromium;
 #[path = "browser/firefox.rs"]
-mod firefox;
+pub(crate) mod firefox;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -28,7 +28,7 @@ pub(crate) struct Page {
     port: u16,
     downloads: PathBuf,
     /// Where the page is not in Chromium.
-    firefox: Option<Firefox>,
+    pub(crate) firefox: Option<Firefox>,
 }
 
 /// Whether the pages are opened in Firefox: `ASSUR_BROWSER` says so.
@@ -258,67 +258,6 @@ impl Page {
             picture.src = URL.createObjectURL(new Blob([arguments[0]], { type: 'image/svg+xml' }));";
         let shown = self.driver.execute_async(script, vec![svg.into()]);
         shown.await.unwrap();
-    }
-
-    /// What a person has asked of the system: `prefers-color-scheme`, `dark`.
-    pub(crate) async fn prefer(&self, feature: &str, value: &str) {
-        self.show_on("", &[(feature, value)]).await;
-        self.settle().await;
-    }
-
-    /// The medium that the page is shown on, the screen where nothing is said, and what a person has asked of the system.
-    pub(crate) async fn show_on(&self, medium: &str, asked: &[(&str, &str)]) {
-        if self.firefox.is_none() {
-            let features = asked
-                .iter()
-                .map(|(name, value)| json!({ "name": name, "value": value }));
-            let features: Vec<Value> = features.collect();
-            let media = json!({ "media": medium, "features": features });
-            self.tool("Emulation.setEmulatedMedia", media).await;
-            return;
-        }
-        let mut script = format!(
-            "const shown = gBrowser.selectedBrowser.browsingContext; shown.mediumOverride = '{medium}';"
-        );
-        for (feature, value) in asked {
-            script += &match *feature {
-                "prefers-color-scheme" => format!("shown.prefersColorSchemeOverride = '{value}';"),
-                "prefers-reduced-motion" => {
-                    let reduced = u8::from(*value == "reduce");
-                    format!("Services.prefs.setIntPref('ui.prefersReducedMotion', {reduced});")
-                }
-                other => panic!("nobody has asked Firefox for {other} yet"),
-            };
-        }
-        firefox::within(&self.driver, &script).await;
-    }
-
-    /// A screen of a size in pixels of the reader, with so many device pixels to each.
-    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
-        match &self.firefox {
-            Some(firefox) => firefox.screen((width, height), ratio).await,
-            None => {
-                let screen = json!({ "width": width, "height": height,
-                    "deviceScaleFactor": ratio, "mobile": false });
-                self.tool("Emulation.setDeviceMetricsOverride", screen)
-                    .await;
-            }
-        }
-        self.settle().await;
-        self.settle().await;
-    }
-
-    /// A screen that is touched instead of a mouse.
-    pub(crate) async fn touched(&self) {
-        if self.firefox.is_some() {
-            let coarse = "for (const which of ['primary', 'all']) Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, 1);
-                gBrowser.selectedBrowser.browsingContext.touchEventsOverride = 'enabled';";
-            firefox::within(&self.driver, coarse).await;
-        } else {
-            let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
-            self.tool("Emulation.setTouchEmulationEnabled", touch).await;
-        }
-        self.settle().await;
     }
 
     /// Hands on the page, where the client has no words for them: a sequence of actions for each.

@@ -1,8 +1,71 @@
 //! Screens, hands and eyes of other readers: what the browser can be told to be.
 
-use crate::browser::Page;
+use serde_json::{Value, json};
+
+use crate::browser::{Page, firefox};
 
 impl Page {
+    /// What a person has asked of the system: `prefers-color-scheme`, `dark`.
+    pub(crate) async fn prefer(&self, feature: &str, value: &str) {
+        self.show_on("", &[(feature, value)]).await;
+        self.settle().await;
+    }
+
+    /// The medium that the page is shown on, the screen where nothing is said, and what a person has asked of the system.
+    pub(crate) async fn show_on(&self, medium: &str, asked: &[(&str, &str)]) {
+        if self.firefox.is_none() {
+            let features = asked
+                .iter()
+                .map(|(name, value)| json!({ "name": name, "value": value }));
+            let features: Vec<Value> = features.collect();
+            let media = json!({ "media": medium, "features": features });
+            self.tool("Emulation.setEmulatedMedia", media).await;
+            return;
+        }
+        let mut script = format!(
+            "const shown = gBrowser.selectedBrowser.browsingContext; shown.mediumOverride = '{medium}';"
+        );
+        for (feature, value) in asked {
+            script += &match *feature {
+                "prefers-color-scheme" => format!("shown.prefersColorSchemeOverride = '{value}';"),
+                "prefers-reduced-motion" => {
+                    let reduced = u8::from(*value == "reduce");
+                    format!("Services.prefs.setIntPref('ui.prefersReducedMotion', {reduced});")
+                }
+                other => panic!("nobody has asked Firefox for {other} yet"),
+            };
+        }
+        firefox::within(&self.driver, &script).await;
+    }
+
+    /// A screen of a size in pixels of the reader, with so many device pixels to each.
+    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
+        match &self.firefox {
+            Some(firefox) => firefox.screen((width, height), ratio).await,
+            None => {
+                let screen = json!({ "width": width, "height": height,
+                    "deviceScaleFactor": ratio, "mobile": false });
+                self.tool("Emulation.setDeviceMetricsOverride", screen)
+                    .await;
+            }
+        }
+        self.settle().await;
+        self.settle().await;
+    }
+
+    /// A screen that is touched instead of a mouse.
+    pub(crate) async fn touched(&self) {
+        if self.firefox.is_some() {
+            let coarse = "for (const which of ['primary', 'all']) Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, 1);
+                gBrowser.selectedBrowser.browsingContext.touchEventsOverride = 'enabled';";
+            firefox::within(&self.driver, coarse).await;
+        } else {
+            let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
+            self.tool("Emulation.setTouchEmulationEnabled", touch).await;
+        }
+        self.settle().await;
+    }
+
     /// The page in a language.
     pub(crate) async fn speak(&self, lang: &str) {
         self.choose("lang", lang).await;

@@ -423,12 +423,15 @@ async fn the_drawing_is_saved_as_png() {
 #[tokio::test]
 async fn plots_are_saved_under_a_legend() {
     let page = open().await;
-    let area = page.element("charts").await.rect().await.unwrap();
+    let area = "const { clientWidth, clientHeight } = document.getElementById('charts'); arguments[0]([clientWidth, clientHeight])";
+    let [width, height] = page.numbers(area).await[..] else {
+        panic!("two sides")
+    };
     let legend = 20.0;
     let svg = save_text(&page, "export-plots-svg", "assur-mixer-a-plots.svg").await;
     let svg = Document::parse(&svg).unwrap();
     let drawn = elements(&svg);
-    check_head(&drawn, area.width, area.height + legend);
+    check_head(&drawn, width, height + legend);
     let labels = texts(&drawn);
     for label in [
         "φ₃′",
@@ -465,14 +468,11 @@ async fn plots_are_saved_under_a_legend() {
 
     let png = save(&page, "export-plots-png", "assur-mixer-a-plots.png").await;
     let png = Picture::decode(&png);
-    let height = SHARPNESS * (area.height + legend) as usize;
-    assert_eq!(
-        (png.width, png.height),
-        (SHARPNESS * area.width as usize, height)
-    );
+    let high = SHARPNESS * (height + legend) as usize;
+    assert_eq!((png.width, png.height), (SHARPNESS * width as usize, high));
     for colour in [ROCKER, WHEEL5] {
         for third in 0..3 {
-            let rows = third * height / 3..(third + 1) * height / 3;
+            let rows = third * high / 3..(third + 1) * high / 3;
             let curve = png.places(colour).filter(|(_, y)| rows.contains(y));
             assert!(curve.count() > 2000, "{colour:?} in plot {third}");
         }

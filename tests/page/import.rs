@@ -27,7 +27,9 @@ fn of_linkage(name: &str) -> String {
 async fn paste(page: &Page, text: &str, into: &str) -> bool {
     let script = format!(
         "const data = new DataTransfer(); data.setData('text/plain', {});
-         const event = new ClipboardEvent('paste', {{ clipboardData: data, bubbles: true, cancelable: true }});
+         const event = new ClipboardEvent('paste', {{ bubbles: true, cancelable: true }});
+         // Not every browser takes it from a script.
+         Object.defineProperty(event, 'clipboardData', {{ value: data }});
          return !document.querySelector({}).dispatchEvent(event);",
         json!(text),
         json!(into)

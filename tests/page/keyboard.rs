@@ -16,13 +16,21 @@ async fn focused(page: &Page) -> String {
     page.ask(script).await.as_str().unwrap().to_owned()
 }
 
-/// Presses Tab until an element has the focus.
+/// Presses Tab until an element has the focus, with Shift where that is back: beyond the last element Tab leads out of the page.
 async fn tab_to(page: &Page, id: &str) {
+    let before = format!(
+        "return Boolean(document.activeElement.compareDocumentPosition(document.getElementById('{id}')) & Node.DOCUMENT_POSITION_PRECEDING)"
+    );
+    let back = page.ask(&before).await == json!(true);
     for _ in 0..STOPS {
         if focused(page).await == id {
             return;
         }
-        page.keys(Key::Tab + "").await;
+        if back {
+            page.chord(&[Key::Shift], Key::Tab).await;
+        } else {
+            page.keys(Key::Tab + "").await;
+        }
     }
     panic!("no press of Tab leads to {id}");
 }

@@ -103,6 +103,8 @@ async fn numbers_keep_off_labels() {
 #[tokio::test]
 async fn how_well_dyads_transmit_is_plotted() {
     let page = Page::open().await;
+    // High enough for every label, whatever the font.
+    page.screen((1280, 900), 1.0).await;
     page.stop_at("0").await;
     page.choose("plot", "C.transmission").await;
     let seen = texts(&page).await;

@@ -191,8 +191,9 @@ async fn bad_inputs_are_named_and_recovered_from() {
 /// Radians in a second by which the crank is turned from frame to frame. A frame that
 /// is long in coming counts as a tenth of a second.
 async fn speeds(page: &Page) -> Vec<f64> {
+    // Names of modules are known to scripts of the page alone.
     let script = "const done = arguments[0];
-        import('assur/pkg/assur_web.js').then(({ Simulator }) => {
+        window.eval(\"import('assur/pkg/assur_web.js')\").then(({ Simulator }) => {
             const kind = Simulator.prototype;
             const { advance } = kind;
             const frames = [];

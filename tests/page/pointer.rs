@@ -98,8 +98,9 @@ impl Page {
     pub(crate) async fn wheel(&self, id: &str, (x, y): (f64, f64), by: f64) {
         let area = self.element(id).await.rect().await.unwrap();
         if in_firefox() {
-            let turn = json!({ "type": "scroll", "x": (area.x + x).round(), "y": (area.y + y).round(),
-                "deltaX": 0, "deltaY": by });
+            let whole = |number: f64| number.round() as i64;
+            let turn = json!({ "type": "scroll", "x": whole(area.x + x), "y": whole(area.y + y),
+                "deltaX": 0, "deltaY": whole(by) });
             self.act(json!([{ "type": "wheel", "id": "wheel", "actions": [turn] }]))
                 .await;
             return;

@@ -23,6 +23,8 @@ export class History {
   #walking = false;
   /** Whether a pointer has changed, or changes, something. */
   #pointed = false;
+  /** @type {HTMLInputElement | null} the slider under a pressed pointer */
+  #slid = null;
   #store;
   #drafts;
 
@@ -41,10 +43,21 @@ export class History {
     });
     for (const end of ENDS) {
       addEventListener(end, ({ target }) => {
+        const slider = target instanceof HTMLInputElement && target.type === "range" ? target : null;
         // A slider moved by keys changes at every press: they are one step until the focus leaves it.
-        const pressed = end === "change" && target instanceof HTMLInputElement && target.type === "range";
-        if (!pressed) this.close();
-        if (end === "pointerdown") this.#pointed = true;
+        const pressed = end === "change" && slider;
+        if (end === "pointerdown") {
+          this.#pointed = true;
+          this.#slid = slider;
+        }
+        // Firefox moves a slider that is pressed before the focus leaves what had it.
+        const left = this.#slid !== null && slider !== this.#slid;
+        if (!pressed && !left) this.close();
+      }, true);
+    }
+    for (const end of ["pointerup", "pointercancel"]) {
+      addEventListener(end, () => {
+        this.#slid = null;
       }, true);
     }
     // Keys after a drag are another step.

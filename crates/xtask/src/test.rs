@@ -105,10 +105,7 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
     let mut bundled = Err(anyhow!("the one-file page was not written"));
     tally.check("one-file page, folder for a host, package", || {
         needed(&site)?;
-        bundle::write(workspace)?;
-        hosting::write(workspace)?;
-        npm::write(workspace)?;
-        bundled = Ok(());
+        bundled = Ok(write_all(workspace)?);
         Ok(())
     });
     tally.tests_in_company(
@@ -129,8 +126,7 @@ pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> R
     let mut site = Err(anyhow!("the page was not built"));
     tally.check("page", || {
         site::set_up_and_build(workspace)?;
-        bundle::write(workspace)?;
-        site = Ok(());
+        site = Ok(write_all(workspace)?);
         Ok(())
     });
     let command = page_tests(workspace, &browser, &site, &site).map(|mut command| {
@@ -139,6 +135,13 @@ pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> R
     });
     tally.tests("page tests in the browser", command);
     ended(&tally)
+}
+
+/// All that is made of the built page: the one file, the folder for a host, the package.
+fn write_all(workspace: &Workspace) -> Result<()> {
+    bundle::write(workspace)?;
+    hosting::write(workspace)?;
+    npm::write(workspace)
 }
 
 fn ended(tally: &Tally) -> Result<ExitCode> {

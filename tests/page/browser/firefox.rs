@@ -69,7 +69,7 @@ impl FormatRequestData for Plain {
 }
 
 /// The second line to the browser.
-pub(super) struct Firefox {
+pub(crate) struct Firefox {
     bidi: BiDi,
     window: Value,
     said: Arc<Mutex<Vec<String>>>,
@@ -115,7 +115,7 @@ impl Firefox {
         self.send("script.addPreloadScript", script).await;
     }
 
-    pub(super) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
+    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
         let size = json!({ "width": width, "height": height });
         let screen = json!({ "context": self.window, "viewport": size, "devicePixelRatio": ratio });
         self.send("browsingContext.setViewport", screen).await;
@@ -130,7 +130,7 @@ pub(super) async fn act(driver: &WebDriver, hands: Value) {
 }
 
 /// Runs a script with the browser's own rights, for what no protocol can ask for.
-pub(super) async fn within(driver: &WebDriver, script: &str) {
+pub(crate) async fn within(driver: &WebDriver, script: &str) {
     for (context, script) in [("chrome", Some(script)), ("content", None)] {
         let endpoint = "moz/context";
         let body = json!({ "context": context });
