@@ -2,10 +2,16 @@
 //! the last good drawing stays, and good input recovers.
 
 use crate::browser::Page;
+use crate::picture::Picture;
 
 /// Pixels by which two pictures of the same drawing may differ: edges are smoothed
 /// from what was drawn before.
 const ALIKE: usize = 20;
+
+/// Whether the drawing is that of a picture: what was faded comes back by and by.
+async fn alike(page: &Page, good: &Picture) -> bool {
+    page.picture("mechanism").await.difference(good) < ALIKE
+}
 
 #[tokio::test]
 async fn impossible_length_and_back() {
@@ -51,8 +57,8 @@ async fn impossible_length_and_back() {
         page.attribute("field-l4", "aria-invalid").await.as_deref(),
         Some("true")
     );
-    let off = page.picture("mechanism").await.difference(&good);
-    assert!(off < ALIKE, "{off}");
+    page.until("the drawing", async || alike(&page, &good).await)
+        .await;
     page.close().await;
 }
 
@@ -90,8 +96,7 @@ async fn bad_numbers_are_named_and_recovered_from() {
         }
         page.write(field, back).await;
         assert_eq!(page.text("problem").await, "", "{field}");
-        let off = page.picture("mechanism").await.difference(&good);
-        assert!(off < ALIKE, "{field}: {off}");
+        page.until(field, async || alike(&page, &good).await).await;
     }
     page.close().await;
 }

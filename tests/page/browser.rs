@@ -170,8 +170,10 @@ impl Page {
     /// Waits until the page has been drawn.
     async fn ready(&self) {
         self.until("the page to be ready", async || {
-            let root = self.driver.find(By::Css("html")).await.unwrap();
-            root.attr("data-ready").await.unwrap().as_deref() == Some("true")
+            // Between two pages there is neither of them.
+            let asked = "return document.documentElement?.dataset.ready === 'true'";
+            let answer = self.driver.execute(asked, Vec::new()).await;
+            answer.is_ok_and(|answer| *answer.json() == json!(true))
         })
         .await;
     }
@@ -197,7 +199,13 @@ impl Page {
     }
 
     pub(crate) async fn reload(&self) {
-        self.driver.refresh().await.unwrap();
+        if self.firefox.is_some() {
+            // Its driver would pass over what is kept for days without a network.
+            self.ask("document.documentElement.dataset.ready = 'left'; location.reload()")
+                .await;
+        } else {
+            self.driver.refresh().await.unwrap();
+        }
         self.ready().await;
         self.settle().await;
     }

@@ -242,8 +242,12 @@ async fn a_page_of_others_shows_it_by_one_script() {
         .await;
     assert_eq!(none, json!([2, false, null]));
     let _ = fs::remove_dir_all(place);
-    // The browser warns of frames of the same host, before it knows of which host they are.
+    // The browser warns of frames of the same host, before it knows of which host they are; their page has no icon.
     let said = page.said().await;
-    let warned = |entry: &String| entry.contains("allow-scripts and allow-same-origin");
+    let warned = |entry: &String| {
+        ["allow-scripts and allow-same-origin", "/favicon.ico"]
+            .iter()
+            .any(|known| entry.contains(known))
+    };
     assert!(said.iter().all(warned), "{said:#?}");
 }

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
+use serde_json::json;
 use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
@@ -45,7 +46,7 @@ async fn check_point(page: &Page, point: &str, degrees: f64, [speed, acceleratio
 /// Everything that is written on the plots, and beside their cursor, when they are drawn anew.
 pub(crate) async fn texts(page: &Page) -> Vec<String> {
     page.ask(
-        "const kind = CanvasRenderingContext2D.prototype;
+        "const kind = window.CanvasRenderingContext2D.prototype;
         if (!window.plain) {
             window.plain = kind.fillText;
             kind.fillText = function (text, ...place) {
@@ -62,6 +63,10 @@ pub(crate) async fn texts(page: &Page) -> Vec<String> {
     page.settle().await;
     page.ask("document.querySelector('.charts').style.flex = ''")
         .await;
+    page.until("the plots", async || {
+        page.ask("return window.seen.length > 0").await == json!(true)
+    })
+    .await;
     page.settle().await;
     let seen = page.ask("return window.seen").await;
     let seen = seen.as_array().unwrap().iter();

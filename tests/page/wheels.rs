@@ -72,9 +72,13 @@ async fn wheels_are_put_up_and_taken_away() {
     let mixer = Mixer::new(&dimensions).unwrap();
     let centre = Point::new(0.85, 0.0) + mixer.gears.pairs()[1].driven_wheel().centre;
     let (x, y) = View::showing(&page, &dimensions).await.at(centre);
+    // Where the coupler does not lie over it.
+    page.stop_at("100").await;
+    page.hover("mechanism", (9.0, 9.0)).await;
     let seen = page.picture("mechanism").await.cloud(WHEEL6);
     assert!(seen.count > 200, "{seen:?}");
     assert!((seen.x - x).hypot(seen.y - y) < 4.0, "{seen:?} {x} {y}");
+    page.stop_at("75").await;
 
     page.write("field-z6", "24").await;
     page.write("field-beta6", "-10").await;

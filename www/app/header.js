@@ -9,6 +9,7 @@ export class Header {
   #redo = byId("redo", HTMLButtonElement);
   #projector = byId("projector", HTMLButtonElement);
   #settings = byId("settings", HTMLButtonElement);
+  #menu = byId("menu", HTMLDetailsElement);
   #history;
 
   /**
@@ -20,10 +21,9 @@ export class Header {
     byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
-    const menu = byId("menu", HTMLDetailsElement);
-    // It closes when something in it, or anything else, is pressed.
+    // The menu closes when something in it, or anything else, is pressed.
     addEventListener("click", ({ target }) => {
-      if (target instanceof Node && !menu.querySelector("summary")?.contains(target)) menu.open = false;
+      if (target instanceof Node && !this.#menu.querySelector("summary")?.contains(target)) this.#closeMenu();
     });
   }
 
@@ -36,9 +36,13 @@ export class Header {
   /** Closes the menu and folds the rail. */
   close() {
     this.fold(false);
-    const menu = byId("menu", HTMLDetailsElement);
-    if (menu.contains(document.activeElement)) menu.querySelector("summary")?.focus();
-    menu.open = false;
+    this.#closeMenu();
+  }
+
+  /** The focus goes from an entry to the menu's button, else it would be lost. */
+  #closeMenu() {
+    if (this.#menu.contains(document.activeElement)) this.#menu.querySelector("summary")?.focus();
+    this.#menu.open = false;
   }
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
