@@ -7,6 +7,7 @@
 mod bench;
 mod browser;
 mod bundle;
+mod dist;
 mod hosting;
 mod kinds;
 mod lessons;
@@ -122,9 +123,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
-            bundle::write(&workspace)?;
-            hosting::write(&workspace)?;
-            npm::write(&workspace)?;
+            dist::write(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;

@@ -64,7 +64,8 @@ impl Tally {
     }
 
     /// The same for tests that drive a browser as a person would: where the machine is busy one may come too late.
-    /// Those that fail are run once more, each alone, and what passes then is told by name.
+    /// Those that fail are run once more, each alone, and what passes then is told by name. What is added to the
+    /// command must go to the tests.
     pub(crate) fn tests_in_company(&mut self, name: &str, command: Result<Command>) {
         let began = Instant::now();
         announce(name, "running");
@@ -82,7 +83,7 @@ impl Tally {
                 &format!("once more, each alone: {}", failed.join(", ")),
             );
             command
-                .args(["--", "--test-threads", "1", "--exact"])
+                .args(["--test-threads", "1", "--exact"])
                 .args(&failed);
             let mut again = Count::default();
             let mut still = Vec::new();

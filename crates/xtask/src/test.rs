@@ -13,7 +13,7 @@ use crate::step::{announce, run as run_step};
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
-use crate::{bundle, hosting, npm, server, site};
+use crate::{dist, server, site};
 
 /// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
 const WASM_TIME: &str = "300";
@@ -105,7 +105,7 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
     let mut bundled = Err(anyhow!("the one-file page was not written"));
     tally.check("one-file page, folder for a host, package", || {
         needed(&site)?;
-        bundled = Ok(write_all(workspace)?);
+        bundled = Ok(dist::write(workspace)?);
         Ok(())
     });
     tally.tests_in_company(
@@ -126,22 +126,15 @@ pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> R
     let mut site = Err(anyhow!("the page was not built"));
     tally.check("page", || {
         site::set_up_and_build(workspace)?;
-        site = Ok(write_all(workspace)?);
+        site = Ok(dist::write(workspace)?);
         Ok(())
     });
     let command = page_tests(workspace, &browser, &site, &site).map(|mut command| {
-        command.arg("--").args(words);
+        command.args(words);
         command
     });
-    tally.tests("page tests in the browser", command);
+    tally.tests_in_company("page tests in the browser", command);
     ended(&tally)
-}
-
-/// All that is made of the built page: the one file, the folder for a host, the package.
-fn write_all(workspace: &Workspace) -> Result<()> {
-    bundle::write(workspace)?;
-    hosting::write(workspace)?;
-    npm::write(workspace)
 }
 
 fn ended(tally: &Tally) -> Result<ExitCode> {
@@ -227,7 +220,7 @@ fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Re
 }
 
 /// Tests of the page as `serve` ships it and as the one file, driven through the browser. They find
-/// what they need in the environment.
+/// what they need in the environment. What is added to the command goes to the tests themselves.
 fn page_tests(
     workspace: &Workspace,
     browser: &Result<Browser>,
@@ -244,6 +237,7 @@ fn page_tests(
     let (with_more, _workers) = server::start(server::listen(0)?, &more)?;
     let mut test = page_test(workspace, "page", address, browser);
     test.env("ASSUR_MORE_URL", format!("http://{with_more}/"));
+    test.arg("--");
     Ok(test)
 }
 
