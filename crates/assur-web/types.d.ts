@@ -53,7 +53,11 @@ bounds: [number, number, number, number],
 /**
  * How long the line is that shows the scale.
  */
-bar: number, };
+bar: number, 
+/**
+ * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+ */
+smaller: number, };
 export type PolygonStepHere = { 
 /**
  * The pole, an equation, points by the image of their link, points of a group that is no dyad.
