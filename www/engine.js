@@ -348,6 +348,16 @@ export class Engine {
 
   /**
    * @param {number} input
+   * @param {number} x
+   * @param {number} y
+   * @returns {import("assur/types/web.js").LinkHere | null} the link that is drawn nearest to a place
+   */
+  linkAt(input, x, y) {
+    return this.ask((simulator) => simulator.linkAt(input, x, y));
+  }
+
+  /**
+   * @param {number} input
    * @returns {import("assur/types/web.js").AssembliesHere} all assemblies there
    */
   assemblies(input) {

@@ -636,9 +636,9 @@ export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 
 /**
- * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
+ * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
  */
-what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner", of: Array<string>, 
+what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
  * The number by which the angle is called.
  */

@@ -26,6 +26,7 @@ const COLUMNS = Object.freeze({
   y: Object.freeze(["export.column.y", "export.column.vy", "export.column.ay"]),
   distance: Object.freeze(["export.column.distance", "export.column.distance_v", "export.column.distance_a"]),
   corner: Object.freeze(["export.column.corner", "export.column.corner_v", "export.column.corner_a"]),
+  between: Object.freeze(["export.column.between", "export.column.between_v", "export.column.between_a"]),
 });
 
 /** Digits of a dimension: no more than what it was before it was drawn. */
