@@ -416,6 +416,15 @@ export class Engine {
   }
 
   /**
+   * @param {number} steps to a turn, or to the range of a driven slide
+   * @returns {SweepTable} the motion as a table, with that of what is compared with it
+   */
+  sweep(steps) {
+    const { shown } = this.#compared;
+    return this.ask((simulator) => (shown ? simulator.sweepCompared(steps, shown) : simulator.sweep(steps)));
+  }
+
+  /**
    * Puts a question to the simulator: a part that is loaded later puts its own.
    * @template T
    * @param {(simulator: module.Simulator) => T} question

@@ -85,6 +85,13 @@ export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | 
  */
 known: boolean, };
 export type FoundHere = { name: string, rates: [number, number], };
+export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
+export type CircleHere = { point: string, 
+/**
+ * The radius with two derivatives, as the axes have them.
+ */
+radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
+export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
 export type MotionsMap = { 
 /**
  * The link by whose angle assemblies are numbered.
@@ -712,7 +719,11 @@ number: string | null, role: string,
  */
 level: number | null, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
-export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, };
+export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
+/**
+ * Of what it is compared with the table at the same inputs.
+ */
+compared: SweepTable | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
  * Of two points, as in `A-B`, or of one.
@@ -727,7 +738,7 @@ name: string,
  * None where the name is all that is told.
  */
 quantity: SweepQuantity | null, };
-export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner", of: string, order: number, };
+export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
 /**
  * Degrees of a crank, else in the unit of the lengths.
