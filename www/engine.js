@@ -348,6 +348,16 @@ export class Engine {
 
   /**
    * @param {number} input
+   * @param {number} x
+   * @param {number} y
+   * @returns {import("assur/types/web.js").LinkHere | null} the link that is drawn nearest to a place
+   */
+  linkAt(input, x, y) {
+    return this.ask((simulator) => simulator.linkAt(input, x, y));
+  }
+
+  /**
+   * @param {number} input
    * @returns {import("assur/types/web.js").AssembliesHere} all assemblies there
    */
   assemblies(input) {
@@ -403,6 +413,15 @@ export class Engine {
     const on = /** @type {CanvasRenderingContext2D} */ (context);
     const { shown } = this.#compared;
     return this.ask((simulator) => (shown ? simulator.chartCompared(on, request, shown) : simulator.chart(on, request)));
+  }
+
+  /**
+   * @param {number} steps to a turn, or to the range of a driven slide
+   * @returns {SweepTable} the motion as a table, with that of what is compared with it
+   */
+  sweep(steps) {
+    const { shown } = this.#compared;
+    return this.ask((simulator) => (shown ? simulator.sweepCompared(steps, shown) : simulator.sweep(steps)));
   }
 
   /**

@@ -86,7 +86,8 @@ about: string,
  */
 relative_to: string, 
 /**
- * What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
+ * What is measured between points or links, by its names (`A-C.distance`, `A-B-C.corner`, `crank-rocker.between`): drawn,
+ * read and listed.
  */
 measures: Array<string>, 
 /**

@@ -53,7 +53,11 @@ bounds: [number, number, number, number],
 /**
  * How long the line is that shows the scale.
  */
-bar: number, };
+bar: number, 
+/**
+ * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+ */
+smaller: number, };
 export type PolygonStepHere = { 
 /**
  * The pole, an equation, points by the image of their link, points of a group that is no dyad.
@@ -81,6 +85,13 @@ export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | 
  */
 known: boolean, };
 export type FoundHere = { name: string, rates: [number, number], };
+export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
+export type CircleHere = { point: string, 
+/**
+ * The radius with two derivatives, as the axes have them.
+ */
+radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
+export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
 export type MotionsMap = { 
 /**
  * The link by whose angle assemblies are numbered.
@@ -632,9 +643,9 @@ export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 
 /**
- * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
+ * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
  */
-what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner", of: Array<string>, 
+what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
  * The number by which the angle is called.
  */
@@ -708,7 +719,11 @@ number: string | null, role: string,
  */
 level: number | null, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
-export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, };
+export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
+/**
+ * Of what it is compared with the table at the same inputs.
+ */
+compared: SweepTable | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
  * Of two points, as in `A-B`, or of one.
@@ -723,7 +738,7 @@ name: string,
  * None where the name is all that is told.
  */
 quantity: SweepQuantity | null, };
-export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner", of: string, order: number, };
+export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
 /**
  * Degrees of a crank, else in the unit of the lengths.

@@ -1,9 +1,11 @@
 //! A mechanism that is kept as A beside what it becomes, B: drawn, plotted, in numbers, kept, undone, exchanged, taken away.
 
+use assur_tests::angle_between;
 use serde_json::json;
 
 use crate::access::named_and_fits;
 use crate::browser::{Page, setting};
+use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 
 /// The numbers of a row: value and two derivatives of the rocker, of what stands in it.
@@ -176,6 +178,83 @@ async fn what_a_cannot_do_is_said() {
         .await;
         assert_eq!(page.written("field-length-0").await, before);
     }
+    page.close().await;
+}
+
+/// The cells of a saved table, the first line those of its head.
+fn cells(table: &str) -> Vec<Vec<&str>> {
+    let lines = table.lines().filter(|line| !line.starts_with('#'));
+    lines.map(|line| line.split(',').collect()).collect()
+}
+
+/// The table has A's columns beside B's and says which are A's; a screen reader hears of A, and how B differs.
+#[tokio::test]
+async fn a_is_in_the_table_and_told() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    page.click("compare-freeze").await;
+    page.write("field-l4", "0.9").await;
+    page.settle().await;
+    let shown = [row(&page, "a").await[0], row(&page, "out").await[0]];
+    page.until("what is told", async || {
+        let said = "return document.getElementById('mechanism-description').textContent";
+        let said = page.ask(said).await;
+        let said = said.as_str().unwrap();
+        let value = format!(" {:.1}°, B − A = ", shown[0]);
+        said.contains("Beside it mechanism A: ") && said.contains(&value)
+    })
+    .await;
+    open_dialog(&page).await;
+    let table = save_text(&page, "export-table-csv", "assur-mixer.csv").await;
+    assert!(table.contains("\n# A: "), "{}", &table[..400]);
+    let lines = cells(&table);
+    let head = &lines[0];
+    let own = head.iter().filter(|name| !name.starts_with("A: ")).count();
+    // But for the input each column of B is one of A, too.
+    assert_eq!(own, head.len() - own + 1);
+    let column = |name: &str| head.iter().position(|one| *one == name).unwrap();
+    for (name, degrees) in ["A: rocker.angle_rad", "rocker.angle_rad"]
+        .into_iter()
+        .zip(shown)
+    {
+        let found: f64 = lines[1 + 62][column(name)].parse().unwrap();
+        let off = angle_between(found, degrees.to_radians());
+        assert!(off < 1e-12, "{name}: {found}, {off:e} off");
+    }
+    assert!(lines.iter().all(|line| line.len() == head.len()));
+    page.close().await;
+}
+
+/// Where A cannot be assembled the table has the reason, and B's row all the same.
+#[tokio::test]
+async fn the_table_says_why_a_has_no_row() {
+    let page = Page::open().await;
+    open(&page, "crank-rocker").await;
+    // Driven by the rocker it goes to and fro.
+    page.choose("driver", "rocker").await;
+    page.settle().await;
+    page.click("compare-freeze").await;
+    page.choose("driver", "crank").await;
+    page.stop_at("200").await;
+    page.settle().await;
+    page.until("what is told", async || {
+        let said = "return document.getElementById('mechanism-description').textContent";
+        let said = page.ask(said).await;
+        said.as_str()
+            .unwrap()
+            .contains("A cannot be assembled here.")
+    })
+    .await;
+    open_dialog(&page).await;
+    let table = save_text(&page, "export-table-csv", "assur-crank-rocker.csv").await;
+    let lines = cells(&table);
+    let column = |name: &str| lines[0].iter().position(|one| *one == name).unwrap();
+    let row = &lines[1 + 200];
+    assert_eq!(row[0], "200");
+    assert_eq!(row[column("A: C.x_length")], "");
+    assert_eq!(row[column("A: reason")], "links_apart");
+    assert_ne!(row[column("C.x_length")], "");
+    assert_eq!(row[column("reason")], "");
     page.close().await;
 }
 

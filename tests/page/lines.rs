@@ -1,8 +1,13 @@
-//! What lecturers draw over a moving linkage: polygons of velocities and accelerations.
+//! What lecturers draw over a moving linkage: polygons of velocities and accelerations, lines and circles, and what is read of
+//! them.
 
+use assur_tests::assert_near;
 use serde_json::json;
+use thirtyfour::prelude::Key;
 
+use crate::access::named_and_fits;
 use crate::browser::Page;
+use crate::export::{Csv, open_dialog};
 use crate::gallery::open;
 
 async fn shown(page: &Page) {
@@ -122,6 +127,109 @@ async fn polygons_say_where_there_are_none() {
     let none = "const none = document.getElementById('polygon-none'); return !none.hidden && none.textContent.includes('dead point')";
     page.until("the reason", async || page.ask(none).await == json!(true))
         .await;
+    page.close().await;
+}
+
+/// One scale for the whole motion; next to a dead point, where accelerations grow without bound, a smaller one, and it is
+/// said.
+#[tokio::test]
+async fn polygons_keep_their_scale() {
+    let page = Page::open().await;
+    open(&page, "jansen").await;
+    page.stop_at("0").await;
+    shown(&page).await;
+    let scales = async || {
+        let mut scales = Vec::new();
+        for name in ["velocity", "acceleration"] {
+            scales.push(page.text(&format!("polygon-{name}-scale")).await);
+        }
+        scales
+    };
+    let first = scales().await;
+    for degrees in (30..360).step_by(30) {
+        page.stop_at(&degrees.to_string()).await;
+        assert_eq!(scales().await, first, "{degrees}");
+    }
+    // Watt's chain driven by its rocker comes to a dead point at 90°.
+    open(&page, "watt-1").await;
+    page.choose("driver", "rocker").await;
+    page.settle().await;
+    page.stop_at("105").await;
+    let usual = scales().await;
+    page.stop_at("115").await;
+    assert_eq!(scales().await, usual);
+    page.stop_at("90.1").await;
+    let near = scales().await;
+    assert!(near[1].contains("smaller scale here, 1 : "), "{near:?}");
+    page.close().await;
+}
+
+/// The ellipse of a trammel has known radii and centres of curvature, and its rod an inflection circle as wide as it is long;
+/// what has none says why. All of it is in the table, and goes with the switch.
+#[tokio::test]
+async fn curvature_is_read_out() {
+    let page = Page::open().await;
+    open(&page, "elliptic-trammel").await;
+    page.click("curvature").await;
+    page.until("the read-outs", async || {
+        page.count("#curvature-readouts tr").await == 3
+    })
+    .await;
+    // The half axes; the input is the angle of the ellipse, but for half a turn.
+    let (a, b) = (4.0_f64, 2.0_f64);
+    let radius = |t: f64| {
+        let s = (a * t.sin()).powi(2) + (b * t.cos()).powi(2);
+        let first = (a * a - b * b) * (2.0 * t).sin();
+        let second = 2.0 * (a * a - b * b) * (2.0 * t).cos();
+        [
+            s.powf(1.5),
+            1.5 * s.sqrt() * first,
+            0.75 * first * first / s.sqrt() + 1.5 * s.sqrt() * second,
+        ]
+        .map(|value| value / (a * b))
+    };
+    for degrees in [20.0_f64, 75.0, 130.0] {
+        page.stop_at(&degrees.to_string()).await;
+        let t = degrees.to_radians();
+        for (order, expected) in ["", "d", "dd"].into_iter().zip(radius(t)) {
+            let found = page.value(&format!("out-{order}P.radius")).await;
+            assert_near(found, expected, 1e-8, &format!("{order} at {degrees}"));
+        }
+        let centre = [
+            -(a * a - b * b) / a * t.cos().powi(3),
+            -(b * b - a * a) / b * t.sin().powi(3),
+        ];
+        for (way, expected) in ["data-x", "data-y"].into_iter().zip(centre) {
+            let found = page.attribute("out-P.centre", way).await.unwrap();
+            assert_near(found.parse().unwrap(), expected, 1e-8, way);
+        }
+        assert_near(page.value("out-rod.inflection").await, 2.0, 1e-9, "D");
+    }
+    page.choose("about", "horizontal slider").await;
+    page.choose("plot", "A").await;
+    page.settle().await;
+    let said = page.text("curvature-readouts").await;
+    for reason in ["does not turn here", "The path of A is straight here"] {
+        assert!(said.contains(reason), "{reason}: {said}");
+    }
+    named_and_fits(&page).await;
+    page.choose("plot", "angles").await;
+    open_dialog(&page).await;
+    let csv = Csv::save(&page, "assur-elliptic-trammel.csv").await;
+    let columns = [
+        "P.radius_length",
+        "P.dradius_length_per",
+        "P.ddradius_length_per",
+    ];
+    for (column, expected) in columns.into_iter().zip(radius(1.0_f64.to_radians())) {
+        assert_near(csv.value(1, column), expected, 1e-8, column);
+    }
+    page.keys(Key::Escape + "").await;
+    page.click("curvature").await;
+    page.until("nothing", async || {
+        page.count("#curvature-readouts tr").await == 0
+    })
+    .await;
     page.close().await;
 }
 

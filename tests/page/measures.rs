@@ -1,4 +1,4 @@
-//! Distances and angles measured between points: by lists and by presses, read, plotted, kept, undone, taken away.
+//! Distances and angles measured between points and links: by lists and by presses, read, plotted, kept, undone, taken away.
 
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
@@ -7,7 +7,7 @@ use thirtyfour::prelude::*;
 
 use crate::access::named_and_fits;
 use crate::browser::Page;
-use crate::export::{open_dialog, save_text};
+use crate::export::{Csv, open_dialog, save_text};
 use crate::gallery::open;
 use crate::plots::texts;
 
@@ -23,10 +23,10 @@ fn jet(name: &str, degrees: f64) -> [f64; 3] {
 /// The read-outs of a measure, against the engine.
 async fn agrees(page: &Page, name: &str, degrees: f64) {
     let [value, first, second] = jet(name, degrees);
-    let value = if name.ends_with("corner") {
-        value.to_degrees()
-    } else {
+    let value = if name.ends_with("distance") {
         value
+    } else {
+        value.to_degrees()
     };
     for (prefix, expected) in [("", value), ("d", first), ("dd", second)] {
         let found = page.value(&format!("out-{prefix}{name}")).await;
@@ -59,9 +59,15 @@ async fn measures_are_chosen_by_lists() {
     page.choose("measure-2", "D").await;
     page.press("measure-add", Key::Enter).await;
     agrees(&page, "B-C-D.corner", 62.0).await;
+    page.choose("measure-what", "between").await;
+    page.choose("measure-0", "coupler").await;
+    page.choose("measure-1", "rocker").await;
+    page.press("measure-add", Key::Enter).await;
+    agrees(&page, "coupler-rocker.between", 62.0).await;
     page.stop_at("200").await;
     agrees(&page, "B-D.distance", 200.0).await;
     agrees(&page, "B-C-D.corner", 200.0).await;
+    agrees(&page, "coupler-rocker.between", 200.0).await;
     page.stop_at("62").await;
     assert!(page.picture("mechanism").await.difference(&before) > 200);
     page.choose("plot", "B-D.distance").await;
@@ -80,44 +86,74 @@ async fn measures_are_chosen_by_lists() {
     agrees(&page, "B-C-D.corner", 62.0).await;
     open_dialog(&page).await;
     let table = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
-    for column in [",B-D.distance_", ",B-D.ddistance_", ",B-C-D.ddcorner_"] {
+    for column in [
+        ",B-D.distance_",
+        ",B-D.ddistance_",
+        ",B-C-D.ddcorner_",
+        ",coupler-rocker.ddbetween_",
+    ] {
         assert!(table.contains(column), "{column}");
     }
     page.keys(Key::Escape + "").await;
     page.click("measure-remove-0").await;
-    assert_eq!(page.count("#measured button").await, 1);
+    assert_eq!(page.count("#measured button").await, 2);
     assert_eq!(page.written("plot").await, "angles");
     page.click("undo").await;
-    assert_eq!(page.count("#measured button").await, 2);
+    assert_eq!(page.count("#measured button").await, 3);
     page.close().await;
 }
 
-/// By presses on two points in the drawing; another mechanism has none of it.
+/// A transmission angle has columns in the table while it is plotted.
+#[tokio::test]
+async fn a_plotted_transmission_angle_is_in_the_table() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    let table = async || {
+        open_dialog(&page).await;
+        let csv = Csv::save(&page, "assur-mixer-a.csv").await;
+        page.keys(Key::Escape + "").await;
+        csv
+    };
+    assert!(!table().await.has("C.transmission"));
+    page.choose("plot", "C.transmission").await;
+    page.settle().await;
+    let csv = table().await;
+    for (order, expected) in ["", "d", "dd"].into_iter().zip(jet("C.transmission", 75.0)) {
+        let found = csv.value(75, &format!("C.{order}transmission"));
+        assert_near(found, expected, 1e-12, &format!("{order}transmission"));
+    }
+    page.close().await;
+}
+
+/// By presses in the drawing, on two points or on two links; another mechanism has none of it.
 #[tokio::test]
 async fn measures_are_chosen_in_the_drawing() {
     let page = Page::open().await;
     open(&page, "jansen").await;
     page.stop_at("30").await;
-    page.click("measure-pick").await;
-    let picture = page.element("mechanism").await.rect().await.unwrap();
-    // A press takes the point that is near: some are, wherever the drawing stands.
-    const APART: f64 = 30.0;
-    let places = (1..(picture.height / APART) as u32).flat_map(|row| {
-        (1..(picture.width / APART) as u32).map(move |column| [column, row].map(f64::from))
-    });
-    for [x, y] in places {
-        let at = (x * APART, y * APART);
-        page.drag_along("mechanism", &[at, at]).await;
-        if page
-            .attribute("measure-pick", "aria-pressed")
-            .await
-            .as_deref()
-            == Some("false")
-        {
-            break;
+    for (count, what) in [(1, "distance"), (2, "between")] {
+        page.choose("measure-what", what).await;
+        page.click("measure-pick").await;
+        let picture = page.element("mechanism").await.rect().await.unwrap();
+        // A press takes the point or link that is near: some are, wherever the drawing stands.
+        const APART: f64 = 30.0;
+        let places = (1..(picture.height / APART) as u32).flat_map(|row| {
+            (1..(picture.width / APART) as u32).map(move |column| [column, row].map(f64::from))
+        });
+        for [x, y] in places {
+            let at = (x * APART, y * APART);
+            page.drag_along("mechanism", &[at, at]).await;
+            let pressed = page.attribute("measure-pick", "aria-pressed").await;
+            if pressed.as_deref() == Some("false") {
+                break;
+            }
         }
+        assert_eq!(page.count("#measured button").await, count);
     }
-    assert_eq!(page.count("#measured button").await, 1);
+    page.until("the address", async || {
+        page.address().await.contains(".between")
+    })
+    .await;
     open(&page, "whitworth").await;
     assert_eq!(page.count("#measured button").await, 0);
     page.close().await;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
+use assur::curvature::{Centrodes, CircleOfCurvature, Circles, Curvature, Evolute, NoCircle};
 use assur::mechanism::{BodyId, Draft, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{Point, Vector};
@@ -241,6 +241,45 @@ fn a_trammel_draws_ellipses() {
     for centre in piece {
         let [x, y] = [a * centre.x, b * centre.y].map(|way| way.abs().cbrt().powi(2));
         assert!((x + y - (a * a - b * b).cbrt().powi(2)).abs() < 1e-6);
+    }
+}
+
+/// The radius of curvature with both derivatives: of the ellipse R = S^(3/2)/(a b) with S = a² sin² t + b² cos² t, of a crank
+/// its length; what stands still or goes along a line has none, and it is said which.
+#[test]
+fn radii_of_curvature_of_a_trammel() {
+    let motion = trammel();
+    let mechanism = motion.mechanism();
+    let (a, b) = (1.5_f64, 0.5_f64);
+    for k in 0..36 {
+        let t = 0.05 + TAU * f64::from(k) / 36.0;
+        let pose = motion.pose::<5>(t).unwrap();
+        let circle = |point: &str| {
+            let place = mechanism.place(&pose, mechanism.point(point).unwrap());
+            CircleOfCurvature::of(&place, mechanism.size())
+        };
+        let found = circle("T").unwrap();
+        let s = (a * t.sin()).powi(2) + (b * t.cos()).powi(2);
+        let [first, second] =
+            [(2.0 * t).sin(), 2.0 * (2.0 * t).cos()].map(|way| way * (a * a - b * b));
+        let expected = [
+            s.powf(1.5),
+            1.5 * s.sqrt() * first,
+            0.75 * first * first / s.sqrt() + 1.5 * s.sqrt() * second,
+        ];
+        for (order, expected) in expected.into_iter().enumerate() {
+            let expected = expected / (a * b);
+            let off = (found.radius.derivative(order) - expected).abs();
+            assert!(off < 1e-9, "{t} {order}: {off:e} off {expected}");
+        }
+        let crank = circle("M").unwrap();
+        for (order, expected) in [1.0, 0.0, 0.0].into_iter().enumerate() {
+            let off = (crank.radius.derivative(order) - expected).abs();
+            assert!(off < 1e-10, "{t} {order}: {off:e} off {expected}");
+        }
+        assert!(crank.centre.coords.norm() < 1e-10);
+        assert_eq!(circle("O"), Err(NoCircle::Still));
+        assert_eq!(circle("P"), Err(NoCircle::Straight));
     }
 }
 

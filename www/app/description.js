@@ -6,7 +6,7 @@ import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { isLength } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
-import { whose } from "assur/plots/readouts.js";
+import { differenceOf, whose } from "assur/plots/readouts.js";
 import { titled, writtenLevel, written } from "assur/plots/units.js";
 
 /**
@@ -79,16 +79,40 @@ function angleText(angle, words) {
 }
 
 /**
+ * @param {Listed} listed
+ * @param {number | undefined} value
+ * @param {Words} words
+ */
+function valueText({ what }, value, words) {
+  if (value === undefined) return "—";
+  return isLength(what) ? words.numbers.fixed(value, 3) : angleText(value, words);
+}
+
+/**
  * The input and what is listed.
  * @param {Snapshot} snapshot
  */
-function pose({ summary, coordinate, input, readouts, words }) {
-  const values = summary.listed.map((one) => {
-    const value = readouts?.[one.name];
-    const length = isLength(one.what);
-    return `${listedName(one, words)} ${value === undefined ? "—" : length ? words.numbers.fixed(value, 3) : angleText(value, words)}`;
-  });
-  return words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
+function pose(snapshot) {
+  const { summary, coordinate, input, readouts, words } = snapshot;
+  const values = summary.listed.map((one) => `${listedName(one, words)} ${valueText(one, readouts?.[one.name], words)}`);
+  const now = words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
+  return [now, ...beside(snapshot)].join(" ");
+}
+
+/**
+ * What is compared with it: its output, and how the other one differs.
+ * @param {Snapshot} snapshot
+ * @returns {string[]}
+ */
+function beside({ summary: { listed, outputs }, readouts, compared, compares, words }) {
+  if (!compares) return [];
+  if (!compared) return [words.text("compare.apart")];
+  const output = listed.find(({ name }) => name === outputs[0]?.name) ?? listed[0];
+  if (!output) return [];
+  const value = compared.readouts?.[output.name];
+  const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
+  const [of, by] = [value, difference].map((number) => valueText(output, number, words));
+  return [words.text("told.compared", { name: listedName(output, words), value: of, difference: by })];
 }
 
 /** @param {Snapshot} snapshot */

@@ -28,10 +28,11 @@ import { ReadoutTable } from "assur/plots/readouts.js";
  * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 
-/** @type {Readonly<Record<"all_assemblies" | "polygons", (page: Page) => Promise<MotionView>>>} what is loaded when a switch asks for it */
+/** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} what is loaded when a switch asks for it */
 const PANELS = Object.freeze({
   all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
   polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
+  curvature: async (page) => new (await import("assur/plots/curvature.js")).Curvature(page),
 });
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
 

@@ -1,19 +1,28 @@
-// What is measured between points of the drawing: chosen by lists or by presses in the drawing, listed, taken away.
+// What is measured between points or links of the drawing: chosen by lists or by presses in the drawing, listed, taken away.
 import { byId, make, setData } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
+import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
-import { subscript } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, subscript } from "assur/core/symbols.js";
 import { PARTS, withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
-/** How many points each measure is between. */
-const POINTS = Object.freeze({ distance: 2, corner: 3 });
+/** How many parts each measure is between, and what these are. */
+const BETWEEN = Object.freeze({
+  distance: Object.freeze({ count: 2, links: false }),
+  corner: Object.freeze({ count: 3, links: false }),
+  between: Object.freeze({ count: 2, links: true }),
+});
 
 /** So many measures there may be. */
 const MOST = 8;
 
-/** So near a point a press takes it, in pixels. */
+/** So near a point or a link a press takes it, in pixels. */
 const REACH = 26;
+
+/** What stands before the end of a measure's name, or before that of a derivative of it: `.`, `.d`, `.dd`. */
+const ORDERS = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
 
 /**
  * @param {import("assur/state/state.js").State} state
@@ -22,7 +31,7 @@ const REACH = 26;
  */
 function without(state, name) {
   const { measures, plot, against } = state.view;
-  const own = Object.values(against ?? {}).some((column) => column.replace(/\.d{0,2}(?=distance|corner)/, ".") === name);
+  const own = Object.values(against ?? {}).some((column) => column.replace(ORDERS, ".") === name);
   return withView(state, {
     measures: measures.filter((one) => one !== name),
     plot: plot === name ? PARTS.plot : plot,
@@ -35,38 +44,42 @@ export class Measures {
   #section = byId("measures", HTMLElement);
   #list = byId("measured", HTMLElement);
   #what = byId("measure-what", HTMLSelectElement);
-  #points = [0, 1, 2].map((n) => byId(`measure-${n}`, HTMLSelectElement));
+  #parts = [0, 1, 2].map((n) => byId(`measure-${n}`, HTMLSelectElement));
   #pick = byId("measure-pick", HTMLButtonElement);
   #add = byId("measure-add", HTMLButtonElement);
-  #offered = new Seen();
+  #seen = new Seen();
   #shown = new Seen();
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {string[] | null} the points that were pressed, while they are */
+  /** @type {string[] | null} the parts that were pressed, while they are */
   #picked = null;
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    for (const select of [this.#what, ...this.#points]) select.addEventListener("change", () => this.#choose());
+    for (const select of this.#parts) select.addEventListener("change", () => this.#choose());
+    this.#what.addEventListener("change", () => {
+      // Of points the lists have links from now on, or the other way round; the pointer may be lent to another.
+      if (this.#picked) this.#picking(false);
+      this.#offer();
+    });
     this.#pick.addEventListener("click", () => this.#picking(this.#picked === null));
-    this.#add.addEventListener("click", () => this.#measure(this.#chosen));
+    this.#add.addEventListener("click", () => this.#measure(this.#listed));
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, words } = snapshot;
+    const { state, words } = snapshot;
     this.#snapshot = snapshot;
-    const points = "points" in summary ? summary.points : [];
-    const none = points.length < 2;
+    const none = this.#offered("distance").length < 2;
     if (this.#section.hidden !== none) this.#section.hidden = none;
     if (this.#picked && (none || state.view.drawing)) this.#picking(false);
     if (none) return;
-    if (!this.#offered.same(points.join("\n"), words)) this.#offer(points);
+    if (!this.#seen.same(this.#offered("distance").join("\n"), this.#offered("between").join("\n"), words)) this.#offer();
     const { measures } = state.view;
     if (this.#shown.same(measures.join("\n"), words)) return;
     const focused = this.#list.contains(document.activeElement);
-    this.#list.replaceChildren(...measures.map((name, index) => this.#row(name, index)));
+    this.#list.replaceChildren(...measures.map((name, index) => this.#row(name, index, words)));
     words.fill(this.#section);
     this.#choose();
     // A button that is there no more gives the focus away, else it would be lost.
@@ -76,62 +89,83 @@ export class Measures {
   /**
    * @param {string} name
    * @param {number} index
+   * @param {import("assur/core/words.js").Words} words
    */
-  #row(name, index) {
+  #row(name, index, words) {
     const dot = name.lastIndexOf(".");
     const [letter, role] = name.endsWith(".distance") ? ["d", "accent3"] : ["θ", "accent4"];
-    const points = subscript(name.slice(0, dot));
+    const parts = calledWhole(name.slice(0, dot), name.slice(dot + 1), words);
     const remove = make("button", {
       id: `measure-remove-${index}`, class: "control icon", type: "button",
-      "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${points}`,
+      "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${parts}`,
     }, ["×"]);
     remove.addEventListener("click", () => this.#page.store.update((state) => without(state, name)));
-    return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("span", { class: "name" }, [make("b", {}, [letter])]), make("span", {}, [points]), remove]);
+    return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("span", { class: "name" }, [make("b", {}, [letter])]), make("span", {}, [parts]), remove]);
   }
 
-  /** @param {readonly string[]} points */
-  #offer(points) {
-    this.#points.forEach((select, n) => {
+  /**
+   * @param {keyof typeof BETWEEN} what
+   * @returns {readonly string[]} the points or links that it can be between
+   */
+  #offered(what) {
+    const summary = this.#snapshot?.summary;
+    if (!summary || !("points" in summary)) return [];
+    return BETWEEN[what].links ? Object.keys(summary.roles) : summary.points;
+  }
+
+  /** The lists have what the chosen measure can be between. */
+  #offer() {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return;
+    const { words } = snapshot;
+    const offered = this.#offered(this.#chosen);
+    const { links } = BETWEEN[this.#chosen];
+    const spelled = (/** @type {string} */ part) => (links ? called(part, words) : subscript(part));
+    this.#parts.forEach((select, n) => {
       const before = select.value;
-      select.replaceChildren(...points.map((point) => make("option", { value: point }, [subscript(point)])));
+      select.replaceChildren(...offered.map((part) => make("option", { value: part }, [spelled(part)])));
       select.value = before;
-      if (select.selectedIndex < 0) select.selectedIndex = Math.min(n, points.length - 1);
+      if (select.selectedIndex < 0) select.selectedIndex = Math.min(n, offered.length - 1);
+      select.dataset.tLabel = links ? "measure.link" : "measure.point";
     });
+    this.#pick.dataset.t = links ? "measure.pick_links" : "measure.pick";
+    words.fill(this.#section);
     this.#choose();
   }
 
-  get #count() {
-    return POINTS[/** @type {keyof typeof POINTS} */ (this.#what.value)];
-  }
-
   get #chosen() {
-    return this.#points.slice(0, this.#count).map(({ value }) => value);
+    return /** @type {keyof typeof BETWEEN} */ (this.#what.value);
   }
 
   /** What is chosen by the lists may be measured or not. */
   #choose() {
-    this.#points[2].hidden = this.#count < 3;
-    const points = this.#chosen;
+    const { count } = BETWEEN[this.#chosen];
+    this.#parts[2].hidden = count < 3;
+    const parts = this.#listed;
     const measures = this.#snapshot?.state.view.measures ?? [];
-    this.#add.disabled = new Set(points).size < points.length || measures.length >= MOST || measures.includes(this.#name(points));
+    this.#add.disabled = new Set(parts).size < parts.length || measures.length >= MOST || measures.includes(this.#name(parts));
     this.#pick.disabled = measures.length >= MOST;
   }
 
-  /** @param {readonly string[]} points */
-  #name(points) {
-    return `${points.join("-")}.${this.#what.value}`;
+  get #listed() {
+    return this.#parts.slice(0, BETWEEN[this.#chosen].count).map(({ value }) => value);
   }
 
-  /** @param {readonly string[]} points */
-  #measure(points) {
-    const name = this.#name(points);
+  /** @param {readonly string[]} parts */
+  #name(parts) {
+    return `${parts.join("-")}.${this.#chosen}`;
+  }
+
+  /** @param {readonly string[]} parts */
+  #measure(parts) {
+    const name = this.#name(parts);
     this.#page.store.update((state) => {
       const { measures } = state.view;
       return measures.includes(name) || measures.length >= MOST ? state : withView(state, { measures: [...measures, name] });
     });
   }
 
-  /** @param {boolean} on whether presses in the drawing choose points from now on */
+  /** @param {boolean} on whether presses in the drawing choose what is measured from now on */
   #picking(on) {
     // The tools for drawing have the pointer while they are out.
     const drawing = this.#snapshot?.state.view.drawing ?? false;
@@ -145,7 +179,7 @@ export class Measures {
 
   /** @param {import("assur/stage/pointer.js").Place} at */
   hover(at) {
-    this.#page.mechanism.ring(this.#near(at) ?? "");
+    this.#page.mechanism.ring(BETWEEN[this.#chosen].links ? "" : this.#near(at) ?? "");
   }
 
   leave() {
@@ -159,12 +193,13 @@ export class Measures {
 
   /** @param {import("assur/stage/pointer.js").Place} at */
   press(at) {
-    const point = this.#near(at);
-    if (point === null || !this.#picked || this.#picked.includes(point)) return;
-    this.#points[this.#picked.length].value = point;
-    this.#picked.push(point);
+    const { count, links } = BETWEEN[this.#chosen];
+    const part = links ? this.#link(at) : this.#near(at);
+    if (part === null || !this.#picked || this.#picked.includes(part)) return;
+    this.#parts[this.#picked.length].value = part;
+    this.#picked.push(part);
     this.#choose();
-    if (this.#picked.length < this.#count) return;
+    if (this.#picked.length < count) return;
     const picked = this.#picked;
     this.#picking(false);
     this.#measure(picked);
@@ -190,5 +225,17 @@ export class Measures {
       if (off < least) [nearest, least] = [name, off];
     }
     return nearest;
+  }
+  /**
+   * @param {import("assur/stage/pointer.js").Place} at
+   * @returns {string | null} the link that is next to a place, if one is near
+   */
+  #link({ x, y }) {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return null;
+    const { view } = this.#page.mechanism;
+    const [left, top] = view.toModel(x, y);
+    const near = attempt(() => this.#page.engine.linkAt(snapshot.frameInput, left, top)).value;
+    return near && near.off * view.scale < REACH ? near.link : null;
   }
 }

@@ -10,14 +10,18 @@ const LETTERS = Object.freeze({
   transmission: Object.freeze(["μ", "μ\u0307", "μ\u0308"]),
   distance: Object.freeze(["d", "d\u0307", "d\u0308"]),
   corner: Object.freeze(["θ", "θ\u0307", "θ\u0308"]),
+  between: Object.freeze(["θ", "θ\u0307", "θ\u0308"]),
   pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
 });
 
-/** What is said with the points that it is of. */
-const OF_POINTS = Object.freeze(["transmission", "pressure", "distance", "corner"]);
+/** What is measured, by the ends of its names. */
+export const MEASURES = Object.freeze(["distance", "corner", "between"]);
+
+/** What is said with the points or links that it is of. */
+const OF_POINTS = Object.freeze(["transmission", "pressure", ...MEASURES]);
 
 /** What is a length: all else is an angle. */
-const LENGTHS = Object.freeze(["x", "y", "distance"]);
+const LENGTHS = Object.freeze(["x", "y", "distance", "radius", "centre_x", "centre_y"]);
 
 /**
  * @param {string} what a quantity is
@@ -39,8 +43,18 @@ export function symbol({ name, number }, order, physical, words) {
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
   const index = number ? subscript(number) : "";
-  const named = OF_POINTS.includes(what) ? ` ${subscript(of)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
+  const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
+}
+
+/**
+ * @param {string} of names of points, or of links, with hyphens between them
+ * @param {string} what it is that is of them
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} what they are called together
+ */
+export function calledWhole(of, what, words) {
+  return what === "between" ? of.split("-").map((link) => called(link, words)).join("-") : subscript(of);
 }
 
 /**

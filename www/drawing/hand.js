@@ -281,7 +281,7 @@ export class Hand {
   #link(at, touch) {
     const [x, y] = this.#view.toModel(at.x, at.y);
     const input = inputNow(this.#page);
-    const near = attempt(() => this.#page.engine.ask((simulator) => /** @type {import("assur/types/web.js").LinkHere | null} */ (simulator.linkAt(input, x, y)))).value;
+    const near = attempt(() => this.#page.engine.linkAt(input, x, y)).value;
     return near && near.off * this.#view.scale <= REACH.link[Number(touch)] ? near.link : null;
   }
 

@@ -1,7 +1,7 @@
 // The table of a sweep as CSV: numbers so short that they read back as the very same.
 import { degrees, radians } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
-import { isLength } from "assur/core/symbols.js";
+import { calledWhole, isLength } from "assur/core/symbols.js";
 
 /**
  * @typedef {import("assur/engine.js").SweepTable} SweepTable
@@ -26,7 +26,16 @@ const COLUMNS = Object.freeze({
   y: Object.freeze(["export.column.y", "export.column.vy", "export.column.ay"]),
   distance: Object.freeze(["export.column.distance", "export.column.distance_v", "export.column.distance_a"]),
   corner: Object.freeze(["export.column.corner", "export.column.corner_v", "export.column.corner_a"]),
+  between: Object.freeze(["export.column.between", "export.column.between_v", "export.column.between_a"]),
+  transmission: Object.freeze(["export.column.transmission", "export.column.transmission_v", "export.column.transmission_a"]),
+  pressure: Object.freeze(["export.column.pressure", "export.column.pressure_v", "export.column.pressure_a"]),
+  radius: Object.freeze(["export.column.radius", "export.column.radius_v", "export.column.radius_a"]),
+  centre_x: Object.freeze(["export.column.centre_x"]),
+  centre_y: Object.freeze(["export.column.centre_y"]),
 });
+
+/** What stands before all that is of the mechanism with which it is compared. */
+const OF_A = "A: ";
 
 /** Digits of a dimension: no more than what it was before it was drawn. */
 const DIGITS = 12;
@@ -34,26 +43,31 @@ const DIGITS = 12;
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
 /**
+ * The table of the mechanism, and beside it that of the one it is compared with.
  * @param {SweepTable} table
  * @param {Coordinate} coordinate how the input is counted
  * @param {Choices} choices
  * @param {Words} words
  */
-export function toCsv({ dimensions, columns, rows }, coordinate, choices, words) {
+export function toCsv(table, coordinate, choices, words) {
   const separator = choices.comma ? ";" : ",";
   const number = (/** @type {number} */ value) => (choices.comma ? `${value}`.replace(".", ",") : `${value}`);
   const line = (/** @type {readonly string[]} */ cells) => `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
-  const comments = choices.dimensions
-    ? dimensions.map((dimension) => `# ${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value: words.length(number(Number(dimension.value.toPrecision(DIGITS)))) }))}\n`)
-    : [];
-  const names = columns.map((column) => named(column, coordinate, choices, words));
-  const scales = columns.map((column) => scale(column, coordinate, choices));
-  const header = line([inputName(coordinate, words), ...names, "reason"]);
-  const lines = rows.map(({ input, values, reason }) => {
-    const cells = values.map((value, index) => (value === null ? "" : number(value * scales[index])));
-    return line([number(input), ...cells, reason?.code ?? ""]);
+  const tables = [{ of: "", ...table }, ...(table.compared ? [{ of: OF_A, ...table.compared }] : [])];
+  const comments = tables.flatMap(({ of, dimensions }) => dimensions.map((dimension) => {
+    const value = words.length(number(Number(dimension.value.toPrecision(DIGITS))));
+    return `# ${of}${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value }))}\n`;
+  }));
+  const heads = tables.flatMap(({ of, columns }) => [...columns.map((column) => named(column, coordinate, choices, words)), "reason"].map((name) => of + name));
+  const scales = tables.map(({ columns }) => columns.map((column) => scale(column, coordinate, choices)));
+  const lines = table.rows.map(({ input }, row) => {
+    const cells = tables.flatMap(({ rows }, of) => {
+      const { values, reason } = rows[row];
+      return [...values.map((value, column) => (value === null ? "" : number(value * scales[of][column]))), reason?.code ?? ""];
+    });
+    return line([number(input), ...cells]);
   });
-  const text = [...comments, header, ...lines].join("");
+  const text = [...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines].join("");
   // A spreadsheet takes letters beyond ASCII for others, unless a byte order mark tells that it is UTF-8.
   const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
   return new Blob([mark, text], { type: "text/csv" });
@@ -75,7 +89,8 @@ function named({ name, quantity }, { moves }, { degrees: inDegrees, worded }, wo
     const unit = isLength(kind) ? length : angle;
     const power = order > 1 ? "²" : "";
     const per = order > 0 ? `/${moves === "angle" ? angle : length}${power}` : "";
-    return words.text(COLUMNS[kind][order], { of: called(of, words), unit: `${unit}${per}` });
+    const said = kind === "between" ? calledWhole(of, kind, words) : called(of, words);
+    return words.text(COLUMNS[kind][order], { of: said, unit: `${unit}${per}` });
   }
   const angle = inDegrees ? "deg" : "rad";
   const length = lengthName(words);

@@ -110,7 +110,7 @@ function makeDialog(page) {
   step.value = `${USUAL}`;
   const choices = tableChoices(coordinate, words);
   const saveTable = () => {
-    const { value } = attempt(() => engine.ask((simulator) => simulator.sweep(Number(step.value))));
+    const { value } = attempt(() => engine.sweep(Number(step.value)));
     if (value) download(toCsv(value, coordinate, choices.chosen(), words), `${name}.csv`);
   };
   const drawn = [head("export-drawing", "export.drawing"), pictures("drawing", "mechanism", drawing)];

@@ -158,7 +158,7 @@ export class PlotBar {
  */
 function measure(name, words) {
   const dot = name.lastIndexOf(".");
-  const what = name.endsWith(".distance") ? "distance" : "corner";
+  const what = /** @type {import("assur/engine.js").Listed["what"]} */ (name.slice(dot + 1));
   return whose({ what, of: [name.slice(0, dot)] }, words);
 }
 

@@ -1,7 +1,7 @@
 // What is plotted against what: ready choices among those of the plots, and any two quantities by two lists.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { subscript, symbol } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, subscript, symbol } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -148,8 +148,8 @@ function listed(names, numbers, physical, words) {
     groups.set(key, { owner, point, own: [...(groups.get(key)?.own ?? []), name] });
   }
   return [...groups.values()].map(({ owner, point, own }) => {
-    const measured = own.some((name) => /\.(distance|corner)$/.test(name));
-    const label = point && !measured ? words.text("plots.point", { name: subscript(owner) }) : measured ? subscript(owner) : called(owner, words);
+    const measured = MEASURES.find((what) => own.some((name) => name.endsWith(`.${what}`)));
+    const label = measured ? calledWhole(owner, measured, words) : point ? words.text("plots.point", { name: subscript(owner) }) : called(owner, words);
     const options = own.flatMap((name) =>
       ORDERS.map((order) => {
         const spelled = symbol({ name, number: numbers[owner] }, order, physical, words);

@@ -2,7 +2,7 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { isLength, subscript, symbol } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, isLength, subscript, symbol } from "assur/core/symbols.js";
 import { written } from "assur/plots/values.js";
 
 /**
@@ -59,8 +59,7 @@ export class ReadoutTable {
     for (const { listed, order, outputs } of this.#beside) {
       const name = listed.name + STROKES[order];
       const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
-      const angle = order === 0 && !isLength(listed.what);
-      const difference = a === undefined || b === undefined ? undefined : angle ? turned(b - a) : b - a;
+      const difference = differenceOf(listed.what, order, a, b);
       for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
         const said = value === undefined ? null : written(value, listed.what, order, words);
         writeReadout(output, said?.text ?? NONE, said?.value);
@@ -76,7 +75,7 @@ export class ReadoutTable {
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
     // Measures are led by their own letters: beside others the heads would only be wide.
-    const sorts = usual.length > 0 ? usual : found("distance", "corner");
+    const sorts = usual.length > 0 ? usual : found(...MEASURES);
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
@@ -119,6 +118,18 @@ export class ReadoutTable {
 }
 
 /**
+ * @param {Listed["what"]} what two values are of
+ * @param {number} order of the derivative that they are
+ * @param {number | undefined} a
+ * @param {number | undefined} b
+ * @returns {number | undefined} b − a, where there are both
+ */
+export function differenceOf(what, order, a, b) {
+  if (a === undefined || b === undefined) return undefined;
+  return order === 0 && !isLength(what) ? turned(b - a) : b - a;
+}
+
+/**
  * @param {number} angle in radians
  * @returns {number} the same, at most half a turn to either side
  */
@@ -127,12 +138,13 @@ function turned(angle) {
 }
 
 /**
+ * A row of the table.
  * @param {string} role
  * @param {boolean} curve whether it is plotted
  * @param {readonly (Node | string)[]} title
  * @param {readonly HTMLElement[]} cells
  */
-function row(role, curve, title, cells) {
+export function row(role, curve, title, cells) {
   const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
   const head = make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [swatch, ...title]);
   return make("tr", {}, [head, ...cells]);
@@ -143,7 +155,7 @@ function letter({ what, number }) {
   if (what === "transmission") return "μ";
   if (what === "pressure") return "α";
   if (what === "distance") return "d";
-  if (what === "corner") return "θ";
+  if (what === "corner" || what === "between") return "θ";
   if (what === "angle") return `φ${subscript(number ?? "")}`;
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
@@ -156,7 +168,7 @@ function letter({ what, number }) {
 export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");
   if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of[0], words) });
-  if (what === "distance" || what === "corner") return `${words.text(what === "distance" ? "readouts.distance" : "readouts.corner")} ${subscript(of.join("-"))}`;
+  if (MEASURES.includes(what)) return `${words.text(`readouts.${what}`)} ${calledWhole(of.join("-"), what, words)}`;
   const point = subscript(of[0]);
   if (what === "transmission") return `${words.text("readouts.transmission")} ${point}`;
   return what === "pressure" ? `${words.text("readouts.pressure")} ${point}` : point;

@@ -110,7 +110,9 @@ export class Polygons {
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
       const said = titled(panels[order], coordinate, words);
       write(title, said);
-      write(scale, `├─┤ ${amount(pictures[order].bar, order === 0 ? velocity : acceleration, words)}`);
+      const { bar, smaller } = pictures[order];
+      const shown = `├─┤ ${amount(bar, order === 0 ? velocity : acceleration, words)}`;
+      write(scale, smaller > 1 ? `${shown}, ${words.text("polygons.smaller", { n: words.numbers.exact(smaller) })}` : shown);
       canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
     });
     const items = steps.slice(0, at).map((step, k) => {

@@ -49,7 +49,7 @@ pub struct View {
     pub traced: Vec<PointId>,
     /// What lecturers draw over it.
     pub lines: Lines,
-    /// What is measured between points.
+    /// What is measured between points or links.
     pub measures: Vec<Quantity>,
     /// What the document notes.
     pub annotations: Annotations,

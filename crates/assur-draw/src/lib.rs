@@ -21,7 +21,7 @@ pub use annotations::{Annotations, GivenPosition, Tag};
 pub use figure::{Figure, Lines, View};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
-pub use polygon::{PolygonPicture, PolygonStep, polygon_steps};
+pub use polygon::{PolygonPicture, PolygonSheet, PolygonStep, polygon_steps};
 pub use scheme::{SchemeFigure, SchemeHandle, SchemeView};
 pub use sketch::{Sketch, SketchView};
 pub use train::{TrainFigure, TrainPose, TrainView, WorkingMember};

@@ -199,6 +199,24 @@ pub(crate) fn corner(list: &mut List, [a, b, c]: [Point; 3], name: usize, unit: 
     );
 }
 
+/// The angle of two links at a place, by their own angles: the direction of each, and an arrow along an arc from the first to
+/// the second, the name at its middle.
+pub(crate) fn between(list: &mut List, centre: Point, [a, b]: [f64; 2], name: usize, unit: f64) {
+    let role = Role::Accent4;
+    let radius = 11.0 * unit;
+    let at = |angle: f64, radius: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
+    let legs = [at(a, 1.3 * radius), centre, at(b, 1.3 * radius)];
+    list.polyline(role, Look::Thin, &legs);
+    // Whole turns are not drawn.
+    let turn = (b - a) % TAU;
+    arc(list, role, Look::Thin, centre, radius, [a, turn], name);
+    let head = parts::HEAD * unit / radius;
+    if turn.abs() > head {
+        let neck = at(a + turn - head.copysign(turn), radius);
+        parts::head(list, role, neck, at(a + turn, radius));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -238,6 +256,31 @@ mod tests {
                 assert!((x.hypot(y) - 0.11).abs() < 1e-6, "{x} {y}");
                 assert!(x < 1e-6, "{x} {y}");
             }
+        }
+    }
+
+    /// The arrow of an angle of links goes from the first direction to the second in the sense of the angle, the long way
+    /// round, too; whole turns are left out.
+    #[test]
+    fn angles_of_links_keep_their_sense() {
+        for (angles, tip) in [
+            ([0.5, 4.5], 4.5),
+            ([4.5, 0.5], 0.5),
+            ([0.5, 0.7 + 4.0 * TAU], 0.7),
+        ] {
+            let mut list = List::default();
+            between(&mut list, Point::origin(), angles, 7, 0.01);
+            // After the legs: the head of the arc and its 25 points.
+            let arc = &list.numbers()[4 + 6 + 4..][..50];
+            let at = |k: usize| {
+                let [x, y] = [arc[2 * k], arc[2 * k + 1]].map(f64::from);
+                assert!((x.hypot(y) - 0.11).abs() < 1e-6, "{x} {y}");
+                y.atan2(x)
+            };
+            let off = |a: f64, b: f64| (a - b - TAU * ((a - b) / TAU).round()).abs();
+            assert!(off(at(0), angles[0]) < 1e-5 && off(at(24), tip) < 1e-5);
+            let step = (at(1) - at(0) + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+            assert_eq!(step > 0.0, angles[1] > angles[0], "{angles:?}");
         }
     }
 

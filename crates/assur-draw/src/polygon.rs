@@ -1,11 +1,14 @@
 //! A polygon of velocities or accelerations as a drawing of its own, to scale, step by step.
 
+mod sheet;
+
 use assur::mechanism::Mechanism;
 use assur::polygons::{Kind, Node, Order, Polygon, Stage};
 use assur::{Point, Vector};
 
 use crate::list::{List, Look, Role};
 use crate::parts;
+pub use sheet::PolygonSheet;
 
 /// Vectors shorter than this, in units, are points.
 const LEAST: f64 = 0.3;
@@ -14,9 +17,8 @@ const DIRECTION: f64 = 120.0;
 /// How far below the polygon its scale is, in units, and how much of the width it takes at most.
 const BELOW: f64 = 9.0;
 const BAR: f64 = 0.4;
-/// What the line that shows the scale stands for, and how much larger one sheet is than another, but for powers of ten.
+/// What the line that shows the scale stands for, but for powers of ten.
 const SCALES: [f64; 3] = [5.0, 2.0, 1.0];
-const SIZES: [f64; 6] = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
 
 /// One step of the drawing: a vector equation, or points that follow.
 #[derive(Clone, Copy, Debug)]
@@ -58,18 +60,21 @@ pub struct PolygonPicture {
     pub bounds: [f64; 4],
     /// How long the line is that shows the scale: a round number.
     pub bar: f64,
+    /// How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+    pub smaller: f64,
 }
 
 impl PolygonPicture {
-    /// A polygon after so many of its steps, with the names that points have in it.
+    /// A polygon on the sheet of its motion after so many of its steps, with the names that points have in it.
     pub fn new(
         mechanism: &Mechanism,
         polygon: &Polygon,
+        sheet: &PolygonSheet,
         shown: usize,
         name: impl Fn(Node) -> String,
     ) -> Self {
-        let [left, bottom, right, top] = sheet(polygon);
-        let bar = round(BAR * (right - left), &SCALES);
+        let ([left, bottom, right, top], smaller) = sheet.holding(polygon);
+        let bar = round(BAR * (right - left));
         let unit = (right - left) / 100.0;
         let mut drawing = Drawing {
             list: List::default(),
@@ -103,51 +108,15 @@ impl PolygonPicture {
             names: drawing.names,
             bounds: [left, base - 2.0 * unit, right, top],
             bar,
+            smaller,
         }
     }
 }
 
-/// The square in which a polygon is drawn, about its middle: of sizes as far apart as scales are, so that while it moves
-/// the scale seldom changes.
-fn sheet(polygon: &Polygon) -> [f64; 4] {
-    let [left, bottom, right, top] = around(polygon);
-    let size = (right - left).max(top - bottom);
-    let half = if size > 0.0 {
-        0.5 * round(size.recip(), &SIZES).recip()
-    } else {
-        1.0
-    };
-    let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
-    [
-        middle[0] - half,
-        middle[1] - half,
-        middle[0] + half,
-        middle[1] + half,
-    ]
-}
-
-/// The rectangle around a polygon and its pole.
-fn around(polygon: &Polygon) -> [f64; 4] {
-    let stages = polygon.stages.iter();
-    let places = stages.flat_map(|stage| {
-        let legs = stage.routes.iter().flat_map(|route| &route.legs);
-        let ends = legs.flat_map(|leg| leg.ends);
-        ends.chain(stage.nodes.iter().map(|(_, at)| *at))
-    });
-    places.fold([0.0; 4], |[left, bottom, right, top], at| {
-        [
-            left.min(at.x),
-            bottom.min(at.y),
-            right.max(at.x),
-            top.max(at.y),
-        ]
-    })
-}
-
-/// The greatest of these digits, the greatest first, times a power of ten that is no greater.
-fn round(length: f64, digits: &[f64]) -> f64 {
+/// The greatest of the scales, times a power of ten, that is no greater.
+fn round(length: f64) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
-    let mut whole = digits.iter().map(|digit| digit * power);
+    let mut whole = SCALES.iter().map(|digit| digit * power);
     whole.find(|round| *round <= length).unwrap_or(length)
 }
 
@@ -267,7 +236,7 @@ mod tests {
     #[test]
     fn scales_are_round() {
         for (length, expected) in [(1.0, 1.0), (4.9, 2.0), (0.7, 0.5), (230.0, 200.0)] {
-            assert!((round(length, &SCALES) - expected).abs() < 1e-12 * expected);
+            assert!((round(length) - expected).abs() < 1e-12 * expected);
         }
     }
 
@@ -283,7 +252,8 @@ mod tests {
             let finds: Vec<bool> = steps.iter().map(PolygonStep::finds).collect();
             assert_eq!(finds, [true, true, false, true]);
             let name = |node: Node| mechanism.point_name(node.point).to_lowercase();
-            let drawn = |shown| PolygonPicture::new(mechanism, &polygon, shown, name);
+            let sheet = PolygonSheet::over(&motion, order, Input::ANALOGUES);
+            let drawn = |shown| PolygonPicture::new(mechanism, &polygon, &sheet, shown, name);
             let names: Vec<usize> = (0..=5).map(|shown| drawn(shown).names.len()).collect();
             assert_eq!(names, [1, 1, 2, 2, 3, 3]);
             let all = drawn(usize::MAX);

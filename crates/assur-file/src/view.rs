@@ -83,7 +83,8 @@ pub struct View {
     /// The link against which the instant centre of `about` is given by lines; none: the frame.
     #[serde(default)]
     pub relative_to: String,
-    /// What is measured between points, by its names (`A-C.distance`, `A-B-C.corner`): drawn, read and listed.
+    /// What is measured between points or links, by its names (`A-C.distance`, `A-B-C.corner`, `crank-rocker.between`): drawn,
+    /// read and listed.
     #[serde(default)]
     pub measures: Vec<String>,
     /// What is plotted: `angles`, or the name of a point (`C2`).

@@ -7,6 +7,7 @@ mod capabilities;
 mod change;
 mod chart;
 mod convert;
+mod curvature;
 mod design;
 mod dimensions;
 mod driven;

@@ -1,4 +1,4 @@
-//! What a view measures between points.
+//! What a view measures between points or links.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur_file::{Problem, View};

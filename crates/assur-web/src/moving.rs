@@ -7,7 +7,7 @@ use assur::Point;
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
 use assur::motion::{Column, Input, Motion};
 use assur_draw::chart::{Against, Chart, Settings};
-use assur_draw::{Annotations, Figure, Lines, Overlays, Role, View as Drawing};
+use assur_draw::{Annotations, Figure, Lines, Overlays, PolygonSheet, Role, View as Drawing};
 use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
 
 use crate::driven::Driven;
@@ -55,6 +55,8 @@ pub(crate) struct Moving {
     /// Made when it is first drawn: while a joint is dragged not every linkage is plotted.
     chart: OnceCell<Chart>,
     against: OnceCell<Against>,
+    /// Of polygons of velocities and of accelerations, made with the first of them.
+    polygon_sheets: OnceCell<[PolygonSheet; 2]>,
     explain: Explain,
 }
 
@@ -125,6 +127,7 @@ impl Moving {
             settings: settings(view),
             chart: OnceCell::new(),
             against: OnceCell::new(),
+            polygon_sheets: OnceCell::new(),
             plotted_roles: figure.plotted_roles(&plotted),
             pair,
             plotted,
@@ -174,6 +177,10 @@ impl Moving {
 
     pub(crate) fn figure(&self) -> &Figure {
         &self.figure
+    }
+
+    pub(crate) fn polygon_sheets(&self) -> &OnceCell<[PolygonSheet; 2]> {
+        &self.polygon_sheets
     }
 
     /// How the input goes, by the axes.

@@ -2,7 +2,7 @@
 
 use assur::mechanism::{BodyId, FRAME, Pose};
 use assur::polygons::{Kind, Leg, Node, Order, Polygon, Stage};
-use assur_draw::{PolygonPicture, polygon_steps};
+use assur_draw::{PolygonPicture, PolygonSheet, polygon_steps};
 use assur_file::Problem;
 use serde::Serialize;
 
@@ -30,6 +30,8 @@ pub(crate) struct PolygonPictureHere {
     bounds: [f64; 4],
     /// How long the line is that shows the scale.
     bar: f64,
+    /// How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+    smaller: f64,
 }
 
 /// One step: a vector equation, or points that follow.
@@ -88,18 +90,26 @@ impl Moving {
         let pictures = [0, 1].map(|k| {
             let strokes = ["", "′"][k];
             let name = |node: Node| self.node_name(node).to_lowercase() + strokes;
-            let picture = PolygonPicture::new(mechanism, &polygons[k], shown, name);
+            let picture =
+                PolygonPicture::new(mechanism, &polygons[k], &self.sheets()[k], shown, name);
             PolygonPictureHere {
                 list: picture.list.numbers().to_vec(),
                 names: picture.names,
                 bounds: picture.bounds,
                 bar: picture.bar,
+                smaller: picture.smaller,
             }
         });
         Ok(PolygonsHere {
             steps: self.steps(&polygons),
             pictures,
         })
+    }
+
+    /// The sheets of both polygons, the same for the whole motion.
+    fn sheets(&self) -> &[PolygonSheet; 2] {
+        let over = |order| PolygonSheet::over(self.motion(), order, self.input());
+        self.polygon_sheets().get_or_init(|| ORDERS.map(over))
     }
 
     /// The steps of both polygons, which are drawn alike.

@@ -17,6 +17,7 @@ use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::{as_kind, draft, open, scheme_task};
 use crate::moving::Moving;
+use crate::table::SweepTable;
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
 /// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
@@ -315,7 +316,7 @@ impl Simulator {
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 
-    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}]}`, with
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`, with
     /// `steps` rows to a turn of the crank, and rows where it ends or turns back; `null` where
     /// there is no value, with the reason.
     ///
@@ -323,6 +324,16 @@ impl Simulator {
     /// Before the first `set`.
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.moves()?.table(steps)))
+    }
+
+    /// The same with the table of another linkage at the same inputs as `compared`.
+    ///
+    /// # Errors
+    /// Where one of them is no linkage that moves.
+    #[wasm_bindgen(js_name = sweepCompared)]
+    pub fn sweep_compared(&self, steps: u32, with: &Self) -> Result<JsValue, JsValue> {
+        let table = SweepTable::beside(self.linkage()?, steps, with.linkage()?);
+        Ok(to_js(&table))
     }
 
     /// Of every constraint equation of the summary at a crank angle its left side,
@@ -333,6 +344,16 @@ impl Simulator {
     /// Why there are none: no pose, or derivatives unbounded.
     pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
         self.linkage()?.equations(input, order).map_err(one)
+    }
+
+    /// What is drawn of curvature, in numbers: `{circles: [{point, radius, centre, reason}],
+    /// inflection: {link, diameter, reason}}`, with a problem where there is no circle.
+    ///
+    /// # Errors
+    /// Why there is none: no linkage, no pose, or derivatives unbounded.
+    pub fn curvature(&self, input: f64) -> Result<JsValue, JsValue> {
+        let here = self.linkage()?.curvature(input).map_err(one)?;
+        Ok(to_js(&here))
     }
 
     /// The polygons of velocities and accelerations at an input, drawn as far as so many steps:

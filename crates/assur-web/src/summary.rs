@@ -165,16 +165,16 @@ pub(crate) struct LimitSummary {
 }
 
 /// A read-out of the list beside the drawing, and whose it is: of an angle the link and
-/// those fixed to it, of a coordinate the point, of a transmission angle the joint.
+/// those fixed to it, of a coordinate the point, of a transmission angle the joint, of a measure all that it is between.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
     pub(crate) name: String,
-    /// `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
+    /// `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
     #[cfg_attr(
         test,
         ts(
-            type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\" | \"pressure\" | \"distance\" | \"corner\""
+            type = "\"angle\" | \"load_angle\" | \"x\" | \"y\" | \"transmission\" | \"pressure\" | \"distance\" | \"corner\" | \"between\""
         )
     )]
     pub(crate) what: &'static str,
@@ -346,6 +346,10 @@ impl<'a> ListedSummary<'a> {
             | Quantity::Pressure(RrpDyad { inner, .. }) => (named(&[inner]), "secondary"),
             Quantity::Distance(points) => (named(&points), "accent3"),
             Quantity::Corner(points) => (named(&points), "accent4"),
+            Quantity::Between(links) => {
+                let links = links.map(|link| mechanism.link_name(link));
+                (links.to_vec(), "accent4")
+            }
         };
         let number = of.first().and_then(|link| moving.numbers().get(*link));
         Self {

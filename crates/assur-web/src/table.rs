@@ -1,7 +1,8 @@
-//! The table of a motion, under names of the page.
+//! The table of a motion, under names of the page: also of two at the same inputs.
 
-use assur::mechanism::Mechanism;
-use assur::motion::{Column, Grid};
+use assur::curvature::CircleOfCurvature;
+use assur::mechanism::{Mechanism, PointId};
+use assur::motion::{At, Column, Grid};
 use assur_file::Problem;
 use serde::Serialize;
 
@@ -14,6 +15,9 @@ pub(crate) struct SweepTable {
     pub(crate) dimensions: Vec<SweepDimension>,
     pub(crate) columns: Vec<SweepColumn>,
     pub(crate) rows: Vec<SweepRow>,
+    /// Of what it is compared with the table at the same inputs.
+    #[cfg_attr(test, ts(type = "SweepTable | null"))]
+    pub(crate) compared: Option<Box<SweepTable>>,
 }
 
 /// A dimension of the linkage: how far two points of a link are apart, or a coordinate of a point of the frame.
@@ -42,7 +46,9 @@ pub(crate) struct SweepColumn {
 pub(crate) struct SweepQuantity {
     #[cfg_attr(
         test,
-        ts(type = "\"angle\" | \"x\" | \"y\" | \"distance\" | \"corner\"")
+        ts(
+            type = "\"angle\" | \"x\" | \"y\" | \"distance\" | \"corner\" | \"between\" | \"transmission\" | \"pressure\" | \"radius\" | \"centre_x\" | \"centre_y\""
+        )
     )]
     kind: &'static str,
     of: String,
@@ -63,48 +69,104 @@ impl SweepTable {
     /// The motion as a table with this many steps to a turn of the crank, or to the range of
     /// a driven slide, and where it turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
-        let (motion, mechanism) = (moving.motion(), moving.mechanism());
-        let measured = moving.measures().iter();
-        let measured = measured.flat_map(|quantity| {
-            [0, 1, 2].map(|order| Column {
-                quantity: *quantity,
-                order,
-            })
-        });
-        let mut columns = Column::all(mechanism);
-        columns.extend(measured);
-        let steps = f64::from(steps.max(1));
-        let [start, end] = motion.cycle().axis();
-        let grid = if mechanism.turns() {
-            Grid {
-                unit: 1_f64.to_radians(),
-                origin: 0.0,
-                step: 360.0 / steps,
-            }
-        } else {
-            Grid {
-                unit: 1.0,
-                origin: start,
-                step: (end - start) / steps,
-            }
-        };
-        let rows = motion.rows(grid).map(|at| {
-            let row = motion.row(&columns, at.input);
-            SweepRow {
-                input: at.counted,
-                values: row.values,
-                reason: row.reason.map(|unsolved| moving.problem(&unsolved)),
-            }
-        });
+        Self::at(moving, &places(moving, steps))
+    }
+
+    /// The same with the table of another mechanism at the same inputs beside it.
+    pub(crate) fn beside(moving: &Moving, steps: u32, other: &Moving) -> Self {
+        let places = places(moving, steps);
         Self {
-            dimensions: SweepDimension::all(moving),
-            rows: rows.collect(),
-            columns: columns
-                .iter()
-                .map(|column| SweepColumn::of(mechanism, *column))
-                .collect(),
+            compared: Some(Box::new(Self::at(other, &places))),
+            ..Self::at(moving, &places)
         }
     }
+
+    /// The motion at these inputs: everything, what is measured and plotted, circles of curvature where they are drawn.
+    fn at(moving: &Moving, places: &[At]) -> Self {
+        let (motion, mechanism) = (moving.motion(), moving.mechanism());
+        let mut columns = Column::all(mechanism);
+        let further = moving.measures().iter().copied().chain(moving.curves());
+        for quantity in further {
+            let orders = [0, 1, 2].map(|order| Column { quantity, order });
+            if !columns.contains(&orders[0]) {
+                columns.extend(orders);
+            }
+        }
+        let curved = moving.figure().curved();
+        let rows = places.iter().map(|at| {
+            let row = motion.row(&columns, at.input);
+            let mut values = row.values;
+            let mut reason = row.reason.map(|unsolved| moving.problem(&unsolved));
+            // They need more derivatives than all else.
+            let pose = (!curved.is_empty()).then(|| motion.pose::<5>(at.input).ok());
+            let pose = pose.flatten();
+            for point in curved {
+                let circle = pose.as_ref().map(|pose| moving.circle(pose, *point));
+                if let Some(Err(none)) = &circle {
+                    reason.get_or_insert_with(|| none.clone());
+                }
+                values.extend(circle_values(circle.and_then(Result::ok)));
+            }
+            SweepRow {
+                input: at.counted,
+                values,
+                reason,
+            }
+        });
+        let rows = rows.collect();
+        let columns = columns.into_iter();
+        let circles = curved.iter();
+        Self {
+            dimensions: SweepDimension::all(moving),
+            columns: columns
+                .map(|column| SweepColumn::of(mechanism, column))
+                .chain(circles.flat_map(|point| SweepColumn::of_circle(mechanism, *point)))
+                .collect(),
+            rows,
+            compared: None,
+        }
+    }
+}
+
+/// The inputs of a table.
+fn places(moving: &Moving, steps: u32) -> Vec<At> {
+    let (motion, mechanism) = (moving.motion(), moving.mechanism());
+    let steps = f64::from(steps.max(1));
+    let [start, end] = motion.cycle().axis();
+    let grid = if mechanism.turns() {
+        Grid {
+            unit: 1_f64.to_radians(),
+            origin: 0.0,
+            step: 360.0 / steps,
+        }
+    } else {
+        Grid {
+            unit: 1.0,
+            origin: start,
+            step: (end - start) / steps,
+        }
+    };
+    motion.rows(grid).collect()
+}
+
+/// What is told of a circle of curvature: its radius with both derivatives, its centre.
+const OF_CIRCLE: [(&str, usize); 5] = [
+    ("radius", 0),
+    ("radius", 1),
+    ("radius", 2),
+    ("centre_x", 0),
+    ("centre_y", 0),
+];
+
+/// The same in numbers.
+fn circle_values(circle: Option<CircleOfCurvature>) -> [Option<f64>; OF_CIRCLE.len()] {
+    circle.map_or(
+        [None; OF_CIRCLE.len()],
+        |CircleOfCurvature { centre, radius }| {
+            let [value, first, second] = [0, 1, 2].map(|order| radius.derivative(order));
+            [value, first, second, centre.x, centre.y].map(Some)
+        },
+    )
 }
 
 impl SweepDimension {
@@ -153,6 +215,19 @@ impl SweepColumn {
             name: column.name(mechanism),
             quantity: Some(SweepQuantity { kind, of, order }),
         }
+    }
+
+    /// Those of the circle of curvature of a point.
+    fn of_circle(mechanism: &Mechanism, point: PointId) -> impl Iterator<Item = Self> {
+        let of = mechanism.point_name(point);
+        OF_CIRCLE.into_iter().map(move |(kind, order)| Self {
+            name: format!("{of}.{}{kind}", "d".repeat(order)),
+            quantity: Some(SweepQuantity {
+                kind,
+                of: of.to_owned(),
+                order,
+            }),
+        })
     }
 
     /// One of which the name is all that is told.

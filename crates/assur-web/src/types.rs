@@ -13,6 +13,7 @@ use crate::chart::{
     AgainstLayout, AxisLayout, ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout,
     TickLayout,
 };
+use crate::curvature::{CircleHere, CurvatureHere, InflectionHere};
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::dimensions::DimensionSummary;
 use crate::equations::EquationSummary;
@@ -53,6 +54,9 @@ fn the_scripts_know_what_crosses_the_border() {
         PolygonStepHere::decl(&config),
         LegHere::decl(&config),
         FoundHere::decl(&config),
+        CurvatureHere::decl(&config),
+        CircleHere::decl(&config),
+        InflectionHere::decl(&config),
         MotionsMap::decl(&config),
         BranchLine::decl(&config),
         MeetingPlace::decl(&config),

@@ -8,7 +8,7 @@ use assur::{JetPoint, Point, Vector};
 
 use super::layout::{self, Layout};
 use super::names::Names;
-use super::{View, bounds};
+use super::{Figure, View, bounds};
 use crate::list::{List, Look, Role};
 
 /// What is farther from the drawing than so many of its sizes is not drawn.
@@ -290,6 +290,19 @@ impl Drawn {
                 );
             }
         }
+    }
+}
+
+impl Figure {
+    /// The points of which circles of curvature are drawn.
+    pub fn curved(&self) -> &[PointId] {
+        &self.lines.traced
+    }
+
+    /// The link whose inflection circle is drawn.
+    pub fn inflected(&self) -> Option<LinkId> {
+        let Drawn { link, lines, .. } = self.lines;
+        link.filter(|_| lines.curvature)
     }
 }
 

@@ -164,6 +164,13 @@ impl Overlaid {
                 Quantity::Corner(points) => {
                     overlays::corner(list, points.map(place), *name, unit);
                 }
+                Quantity::Between(links) => {
+                    let angles = links.map(|link| mechanism.angle(pose, link).value());
+                    let centre = meeting(mechanism, *links).map(place);
+                    if let Some(centre) = centre {
+                        overlays::between(list, centre, angles, *name, unit);
+                    }
+                }
                 _ => {}
             }
         }
@@ -233,6 +240,13 @@ impl InputArc {
         let off = [3.1 * middle.x, 1.1 * middle.y];
         list.name(self.role, self.name, centre + middle * radius, off);
     }
+}
+
+/// Where the angle of two links is drawn: at a point that both have, else at the first of the first one.
+fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
+    let [first, second] = links.map(|link| mechanism.points_of(link));
+    let shared = first.iter().find(|point| second.contains(point));
+    shared.or(first.first()).copied()
 }
 
 /// Along every link from joint to joint, along the frame from support to support,

@@ -143,7 +143,7 @@ impl Figure {
             Quantity::Y(_) => Role::Y,
             Quantity::Transmission(_) | Quantity::Pressure(_) => Role::Secondary,
             Quantity::Distance(_) => Role::Accent3,
-            Quantity::Corner(_) => Role::Accent4,
+            Quantity::Corner(_) | Quantity::Between(_) => Role::Accent4,
         }
     }
 

@@ -6,10 +6,12 @@
 
 mod along;
 mod centrodes;
+mod circle;
 mod circles;
 mod evolute;
 
 pub use centrodes::{Centrodes, Rolling};
+pub use circle::{CircleOfCurvature, NoCircle};
 pub use circles::Circles;
 pub use evolute::Evolute;
 

@@ -1,8 +1,8 @@
-//! What is measured on a drawing: how far two points are apart, and the angle at a point between two others.
+//! What is measured on a drawing: how far two points are apart, the angle at a point between two others, that of two links.
 
 use super::{Mechanism, Pose};
 use crate::Jet;
-use crate::index::PointId;
+use crate::index::{LinkId, PointId};
 
 /// Points closer than this share of the drawing coincide, and so slow a rate is none.
 const COINCIDE: f64 = 1e-12;
@@ -53,13 +53,14 @@ impl Mechanism {
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     }
 
-    /// Two points by their names with a hyphen between them; names may have hyphens of their own.
+    /// Two points by their names with a hyphen between them.
     pub(super) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
-        let mut parts = names.match_indices('-');
-        parts.find_map(|(at, _)| {
-            let [from, to] = [self.point(&names[..at])?, self.point(&names[at + 1..])?];
-            (from != to).then_some([from, to])
-        })
+        two(names, |name| self.point(name))
+    }
+
+    /// Two links so.
+    pub(super) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
+        two(names, |name| self.link(name))
     }
 
     /// Three points so, of which no two are the same.
@@ -71,6 +72,15 @@ impl Mechanism {
             (first != second && first != third).then_some([first, second, third])
         })
     }
+}
+
+/// Two that are not the same by their names with a hyphen between them; names may have hyphens of their own.
+fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[T; 2]> {
+    let mut parts = names.match_indices('-');
+    parts.find_map(|(at, _)| {
+        let [from, to] = [named(&names[..at])?, named(&names[at + 1..])?];
+        (from != to).then_some([from, to])
+    })
 }
 
 /// How long a vector is.

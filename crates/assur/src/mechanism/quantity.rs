@@ -24,6 +24,8 @@ pub enum Quantity {
     Distance([PointId; 2]),
     /// The angle at the second of three points between the others, up to half a turn, radians.
     Corner([PointId; 3]),
+    /// The angle of two links: that of the second less that of the first, radians.
+    Between([LinkId; 2]),
 }
 
 impl Quantity {
@@ -37,7 +39,7 @@ impl Quantity {
     }
 
     /// The quantity of a name, such as `rocker.angle`, `C.x`, of the joint within a dyad `C.transmission`, of points with
-    /// hyphens between them `A-C.distance` and `A-B-C.corner`.
+    /// hyphens between them `A-C.distance` and `A-B-C.corner`, of links `crank-rocker.between`.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (of, what) = name.rsplit_once('.')?;
         match what {
@@ -46,6 +48,7 @@ impl Quantity {
             "y" => mechanism.point(of).map(Self::Y),
             "distance" => mechanism.two_points(of).map(Self::Distance),
             "corner" => mechanism.three_points(of).map(Self::Corner),
+            "between" => mechanism.two_links(of).map(Self::Between),
             _ => {
                 let mut transmitting = mechanism.transmitting().into_iter();
                 transmitting.find(|one| one.what() == what && one.whose(mechanism) == of)
@@ -60,7 +63,7 @@ impl Quantity {
         format!("{of}.{prefix}{what}")
     }
 
-    /// What it is: `angle`, `x`, `y`, `transmission`, `pressure`, `distance` or `corner`.
+    /// What it is: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
     pub fn what(self) -> &'static str {
         match self {
             Self::Angle(_) => "angle",
@@ -70,13 +73,13 @@ impl Quantity {
             Self::Pressure(_) => "pressure",
             Self::Distance(_) => "distance",
             Self::Corner(_) => "corner",
+            Self::Between(_) => "between",
         }
     }
 
-    /// The name of the link or point that it is of; of a dyad that of its inner joint; of several points those, with
-    /// hyphens.
+    /// The name of the link or point that it is of; of a dyad that of its inner joint; of several those, with hyphens.
     pub fn whose(self, mechanism: &Mechanism) -> Cow<'_, str> {
-        let several = |points: &[PointId]| {
+        let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
             names.collect::<Vec<&str>>().join("-").into()
         };
@@ -85,8 +88,12 @@ impl Quantity {
             Self::X(point) | Self::Y(point) => mechanism.point_name(point).into(),
             Self::Transmission(dyad) => mechanism.point_name(dyad.inner).into(),
             Self::Pressure(dyad) => mechanism.point_name(dyad.inner).into(),
-            Self::Distance(points) => several(&points),
-            Self::Corner(points) => several(&points),
+            Self::Distance(ends) => points(&ends),
+            Self::Corner(ends) => points(&ends),
+            Self::Between(links) => {
+                let names = links.map(|link| mechanism.link_name(link));
+                names.join("-").into()
+            }
         }
     }
 
@@ -95,9 +102,9 @@ impl Quantity {
         !matches!(self, Self::X(_) | Self::Y(_) | Self::Distance(_))
     }
 
-    /// True for what is measured between points.
+    /// True for what is measured between points or links.
     pub fn is_measured(self) -> bool {
-        matches!(self, Self::Distance(_) | Self::Corner(_))
+        matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
     /// True for an angle that has no sense: an acute one between two lines, or one at a corner. Where what it is between
@@ -149,6 +156,7 @@ impl Quantity {
             Self::Pressure(dyad) => mechanism.off_the_way(pose, &dyad),
             Self::Distance(points) => mechanism.between_points(pose, points),
             Self::Corner(points) => mechanism.corner(pose, points),
+            Self::Between([from, to]) => mechanism.angle(pose, to) - mechanism.angle(pose, from),
         }
     }
 }

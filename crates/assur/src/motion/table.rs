@@ -64,6 +64,7 @@ impl Column {
             Quantity::Pressure(_) => ["pressure_omega", "pressure_epsilon"],
             Quantity::Distance(_) => ["distance_v", "distance_a"],
             Quantity::Corner(_) => ["corner_omega", "corner_epsilon"],
+            Quantity::Between(_) => ["between_omega", "between_epsilon"],
         };
         match self.order.checked_sub(1).and_then(|rate| rates.get(rate)) {
             Some(rate) => format!("{of}.{rate}"),

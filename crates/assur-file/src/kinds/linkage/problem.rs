@@ -100,6 +100,12 @@ pub enum LinkageProblem {
     LinksUndetermined { links: Vec<String> },
     /// Derivatives are unbounded.
     LinksDeadPoint { links: Vec<String> },
+    /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
+    StandsStill { point: String },
+    /// The same, as its path is straight here.
+    StraightPath { point: String },
+    /// A link that does not turn here and so has no inflection circle.
+    NotTurning { link: String },
     /// A dimension that is set farther than it can be followed: these links come apart.
     TooLarge {
         field: Field,

@@ -416,6 +416,7 @@ impl Moves for GearTrain {
             dimensions: Vec::new(),
             columns: columns.map(SweepColumn::named).collect(),
             rows: (0..=steps).map(row).collect(),
+            compared: None,
         }
     }
 }

@@ -140,6 +140,37 @@ fn features_of_the_diagonal() {
     assert!(value.zeros.is_empty());
 }
 
+/// The angle of two links: that of coupler and rocker is what they close with the diagonal by the law of cosines, but for
+/// whole turns, with its derivatives those of the angles; of crank and rocker, either way round, that of both angles.
+#[test]
+fn links_between() {
+    let [l1, l2, l3, l4] = LENGTHS;
+    let motion = motion();
+    let mechanism = motion.mechanism();
+    let named = |name| Quantity::named(mechanism, name).unwrap();
+    let of_links = named("coupler-rocker.between");
+    let [there, back] = ["crank-rocker.between", "rocker-crank.between"].map(named);
+    let [crank, rocker] = ["crank.angle", "rocker.angle"].map(named);
+    assert!(of_links.is_angle() && of_links.is_measured() && !of_links.is_folded());
+    for k in 1..360 {
+        let phi = TAU * f64::from(k) / 360.0;
+        let pose = motion.pose::<3>(phi).unwrap();
+        let jet = |quantity: Quantity| quantity.of(mechanism, &pose);
+        let square = l1 * l1 + l4 * l4 - 2.0 * l1 * l4 * phi.cos();
+        // Both go to C, so the angle of their directions is that at C.
+        let cos = (l2 * l2 + l3 * l3 - square) / (2.0 * l2 * l3);
+        near(jet(of_links).value().cos(), cos, &format!("at C, {k}"));
+        // The derivative of that law.
+        let rate = -jet(of_links).value().sin() * jet(of_links).derivative(1);
+        near(rate, -l1 * l4 * phi.sin() / (l2 * l3), &format!("rate {k}"));
+        for order in [0, 1, 2] {
+            let expected = jet(rocker).derivative(order) - jet(crank).derivative(order);
+            near(jet(there).derivative(order), expected, "there");
+            near(jet(back).derivative(order), -expected, "back");
+        }
+    }
+}
+
 /// Names are read as they are written; what is no measure has none.
 #[test]
 fn names() {
@@ -150,6 +181,7 @@ fn names() {
         "A-C-1.distance",
         "A-C-1-D.corner",
         "B-A-C-1.corner",
+        "crank-rocker.between",
     ] {
         let quantity = Quantity::named(mechanism, name).unwrap();
         assert_eq!(quantity.name(mechanism, 0), name);
@@ -168,6 +200,9 @@ fn names() {
         "A-B-A.corner",
         "A-B.corner",
         "A-B.distances",
+        "crank-crank.between",
+        "crank-A.between",
+        "A-B.between",
     ] {
         assert_eq!(Quantity::named(mechanism, name), None, "{name}");
     }

@@ -1,0 +1,93 @@
+// What is drawn of curvature, in numbers under the other read-outs: of traced points radius and centre of curvature, of a link
+// the diameter of its inflection circle. Loaded when it is asked for.
+import { sentence } from "assur/controls/problems.js";
+import { writeReadout } from "assur/controls/readout.js";
+import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
+import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
+import { subscript } from "assur/core/symbols.js";
+import { row } from "assur/plots/readouts.js";
+import { written } from "assur/plots/values.js";
+
+/**
+ * @typedef {import("assur/state/model.js").Snapshot} Snapshot
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/types/web.js").CurvatureHere} Here
+ */
+
+/** How many columns of values the read-outs have. */
+const ORDERS = Object.freeze([0, 1, 2]);
+const NONE = "—";
+
+/** @type {Here} */
+const NOTHING = Object.freeze({ circles: [], inflection: null });
+
+export class Curvature {
+  #engine;
+  #body = make("tbody", { id: "curvature-readouts" });
+  #shown = new Seen();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ engine }) {
+    this.#engine = engine;
+    byId("readouts", HTMLTableElement).append(this.#body);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ state, summary, frameInput, readouts, words, stale, legible }) {
+    if (stale || !legible) return;
+    const on = state.view.curvature && "points" in summary;
+    if (this.#shown.same(on, readouts, words)) return;
+    if (!on) {
+      this.#body.replaceChildren();
+      return;
+    }
+    const { value } = attempt(() => this.#engine.ask((simulator) => /** @type {Here} */ (simulator.curvature(frameInput))));
+    this.#body.replaceChildren(...rows(value ?? NOTHING, words));
+  }
+}
+
+/**
+ * @param {Here} here
+ * @param {Words} words
+ * @returns {readonly HTMLElement[]} in the colours that the circles have in the drawing
+ */
+function rows({ circles, inflection }, words) {
+  const title = (/** @type {string} */ letter, /** @type {string} */ text) => [make("b", {}, [letter]), " ", make("span", {}, [text])];
+  const said = circles.flatMap(({ point, radius, centre, reason }) => {
+    const of = subscript(point);
+    const own = title("R", words.text("curvature.radius", { of }));
+    if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
+    const values = ORDERS.map((order) => cell(`out-${"d".repeat(order)}${point}.radius`, radius[order], order, words));
+    const place = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
+    place.append(`(${centre.map((way) => written(way, "x", 0, words).text).join("; ")})`);
+    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [place])];
+  });
+  if (!inflection) return said;
+  const { link, diameter, reason } = inflection;
+  const id = `out-${link}.inflection`;
+  const cells = diameter === null ? [why(id, reason, words)] : [cell(id, diameter, 0, words), make("td"), make("td")];
+  return [...said, row("accent2", false, title("D", words.text("curvature.inflection", { of: called(link, words) })), cells)];
+}
+
+/**
+ * @param {string} id
+ * @param {number} value a length, or its derivative
+ * @param {number} order
+ * @param {Words} words
+ */
+function cell(id, value, order, words) {
+  const made = make("td", { id });
+  writeReadout(made, written(value, "x", order, words).text, value);
+  return made;
+}
+
+/**
+ * @param {string} id
+ * @param {import("assur/core/problem.js").Problem | null} reason why there is no value
+ * @param {Words} words
+ */
+function why(id, reason, words) {
+  return make("td", { id, class: "why", colspan: "3" }, [reason ? sentence(reason, words) : NONE]);
+}
