@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
 import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { isLength } from "assur/core/symbols.js";
+import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { whose } from "assur/plots/readouts.js";
 import { titled, writtenLevel, written } from "assur/plots/units.js";
@@ -44,9 +44,9 @@ export class Description {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, words, revision, problems, place } = snapshot;
+    const { state, words, revision, problems, place, withheld } = snapshot;
     const { playing } = state.view;
-    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, ...problems.map(({ code }) => code))) return;
+    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, withheld, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing) write(this.#drawing, words.text("told.moving"));
     this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
@@ -82,11 +82,12 @@ function angleText(angle, words) {
  * The input and what is listed.
  * @param {Snapshot} snapshot
  */
-function pose({ summary, coordinate, input, readouts, words }) {
+function pose({ summary, coordinate, input, readouts, words, withheld }) {
   const values = summary.listed.map((one) => {
     const value = readouts?.[one.name];
     const length = isLength(one.what);
-    return `${listedName(one, words)} ${value === undefined ? "—" : length ? words.numbers.fixed(value, 3) : angleText(value, words)}`;
+    const said = withheld.has(readoutOf(one.name, 0)) ? "?" : value === undefined ? "—" : length ? words.numbers.fixed(value, 3) : angleText(value, words);
+    return `${listedName(one, words)} ${said}`;
   });
   return words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
 }
