@@ -9,6 +9,7 @@ export class Header {
   #redo = byId("redo", HTMLButtonElement);
   #projector = byId("projector", HTMLButtonElement);
   #settings = byId("settings", HTMLButtonElement);
+  #without = byId("copy-without", HTMLElement);
   #history;
 
   /**
@@ -44,6 +45,7 @@ export class Header {
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state }) {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
+    this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
     // A button that can do no more gives the focus to its twin, else it would be lost.
     const focused = document.activeElement;
