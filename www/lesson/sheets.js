@@ -21,7 +21,7 @@ import { alone } from "assur/state/state.js";
 
 /** Of a drawing, in pixels. */
 const SIZE = Object.freeze({ width: 460, height: 260 });
-const MARGIN = 20;
+const MARGIN = 16;
 
 /**
  * @param {Written} lesson
