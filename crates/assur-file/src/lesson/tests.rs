@@ -365,7 +365,7 @@ fn what_varies_is_a_number_of_what_is_shown() {
         };
         assert_eq!(
             varied(&mixer, "wheels[0].z", range).unwrap_err(),
-            in_step(1, vec![whole.into()])
+            in_step(1, vec![whole])
         );
         varied(&mixer, "l1", range).unwrap();
     }
