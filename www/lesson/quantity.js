@@ -82,7 +82,7 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
  */
 export function tellers(quantity) {
   if (quantity === "input") return [];
-  if (quantity === W) return ["mobility"];
+  if (quantity === W) return ["linkage-w"];
   const [name, whole] = quantity.split(":");
   const bare = name.replace(/[′″]$/, "");
   const dot = bare.lastIndexOf(".");
