@@ -37,6 +37,8 @@ const BUILT: [(&str, &[&str]); 60] = [
         &[
             "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/lesson.rs",
+            "crates/assur-file/src/lesson/varied.rs",
+            "crates/assur-file/src/picture.rs",
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/kinds/mod.rs",
             "crates/assur-file/src/state.rs",
@@ -121,6 +123,7 @@ const BUILT: [(&str, &[&str]); 60] = [
             "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/lesson/problem.rs",
+            "crates/assur-file/src/picture.rs",
             "crates/assur-import/src/problem.rs",
             "www/app/notices.js",
             "www/drawing/edit.js",

@@ -165,6 +165,14 @@ export class Engine {
     return this.ask(() => module.readLesson(value));
   }
 
+  /**
+   * @param {State} state
+   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of its document that a lesson may vary
+   */
+  numbers(state) {
+    return this.ask(() => module.numbersOf(alone(state)));
+  }
+
   /** @param {string} text of JSON, in which no key may stand twice: the browser takes the last one */
   checkKeys(text) {
     this.ask(() => module.checkKeys(text));

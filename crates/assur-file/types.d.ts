@@ -743,12 +743,12 @@ export type ShownDocument = {
  */
 view: Partial<View>, 
 /**
- * Dimensions that are others for every reader.
+ * Numbers that are others for every reader.
  */
 vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type VariedDocument = { 
 /**
- * The dimension as the summary of its document names it, such as `links[0].length`.
+ * Where it stands in the document, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
  */
 field: string, 
 /**
@@ -804,7 +804,11 @@ unit?: string,
 /**
  * By how much an answer may be off.
  */
-within: number, };
+within: number, 
+/**
+ * Whether the page shows the quantity's value while it is asked for: without it, it does not.
+ */
+shown?: boolean, };
 export type ChoiceDocument = { 
 /**
  * What there is to choose from.
@@ -827,6 +831,45 @@ value: number,
  * By how much it may be off.
  */
 within: number, };
+export type PictureDocument = { 
+/**
+ * The picture itself, as a `data:` address.
+ */
+image: string, 
+/**
+ * Where its upper left corner is.
+ */
+at: [number, number], 
+/**
+ * How wide it is, in the unit of lengths.
+ */
+width: number, 
+/**
+ * The direction in which its upper edge runs, degrees.
+ */
+turn_deg: number, 
+/**
+ * How much of the paper it covers, up to 1.
+ */
+opacity: number, };
+export type NumberField = { 
+/**
+ * Where it stands, such as `wheels[0].z`.
+ */
+field: string, 
+/**
+ * What it is.
+ */
+value: number, 
+/**
+ * Whether it counts, as a number of teeth does.
+ */
+whole: boolean, 
+/**
+ * Whether the engine sets it, from the pose at hand, and changes more than this field; else it is only
+ * written down.
+ */
+followed: boolean, };
 export type Preset = { 
 /**
  * Its name.

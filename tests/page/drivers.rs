@@ -55,7 +55,7 @@ async fn a_second_crank_has_a_rate() {
     )
     .await;
     page.until("the five-bar", async || {
-        page.count("#out-mobility").await > 0 && page.text("out-mobility").await == "2"
+        page.count("#out-linkage-w").await > 0 && page.text("out-linkage-w").await == "2"
     })
     .await;
     // At an angle, as the engine has it; and over the whole cycle.

@@ -135,7 +135,7 @@ async fn mechanisms_of_the_gallery_open() {
         }
         // As many freedoms as drivers, whatever passive satellites take in the count.
         let drivers = document.drivers.len().to_string();
-        assert_eq!(page.text("out-mobility").await, drivers, "{name}");
+        assert_eq!(page.text("out-linkage-w").await, drivers, "{name}");
         assert_eq!(page.text("problem").await, "", "{name}");
         for quantity in document.plotted(mechanism, "angles").unwrap() {
             agrees(&page, &document, &quantity.name(mechanism, 0)).await;

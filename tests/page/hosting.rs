@@ -10,6 +10,7 @@ use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery;
 use crate::host::{Host, folder};
+use crate::picture_behind;
 
 const BELOW: &str = "/courses/machines/";
 
@@ -68,6 +69,17 @@ async fn everything_works_under_the_policy_and_then_without_the_network() {
     page.click("help-open").await;
     there(&page, "dialog[open]").await;
     page.keys(thirtyfour::Key::Escape + "").await;
+    // A picture behind the drawing is data that the page has already.
+    page.click("draw").await;
+    there(&page, "#draw-tools:not([hidden])").await;
+    page.click("draw-picture").await;
+    let scan = picture_behind::file("hosted.svg", picture_behind::SCAN);
+    page.choose_file("draw-picture-file", &scan).await;
+    picture_behind::taken(&page).await;
+    page.reload().await;
+    there(&page, "#draw-tools:not([hidden])").await;
+    page.click("draw-picture").await;
+    picture_behind::taken(&page).await;
     // Of every kind there are links.
     let links = include_str!("../links.txt").lines();
     for link in links.filter_map(|line| line.split_once('\t').filter(|_| line.starts_with('#'))) {

@@ -7,7 +7,7 @@ use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 
-async fn at_jansen() -> Page {
+pub(crate) async fn at_jansen() -> Page {
     let url = format!(
         "{}#jansen&v.playing=false&v.phi_deg=30",
         setting("ASSUR_URL")
@@ -15,13 +15,13 @@ async fn at_jansen() -> Page {
     Page::open_at(&url, "en-US").await
 }
 
-async fn begin(page: &Page) {
+pub(crate) async fn begin(page: &Page) {
     page.click("menu").await;
     page.click("write-lesson").await;
     there(page, "write-title").await;
 }
 
-async fn there(page: &Page, id: &str) {
+pub(crate) async fn there(page: &Page, id: &str) {
     let selector = format!("#{id}");
     page.until(id, async || page.count(&selector).await == 1)
         .await;
@@ -29,7 +29,7 @@ async fn there(page: &Page, id: &str) {
 }
 
 /// Types into a field of the form, which Enter would leave as it is in a text of several lines.
-async fn fill(page: &Page, id: &str, text: &str) {
+pub(crate) async fn fill(page: &Page, id: &str, text: &str) {
     let field = page.element(id).await;
     field.scroll_into_view().await.unwrap();
     field.click().await.unwrap();
@@ -38,7 +38,7 @@ async fn fill(page: &Page, id: &str, text: &str) {
     page.settle().await;
 }
 
-async fn press(page: &Page, id: &str) {
+pub(crate) async fn press(page: &Page, id: &str) {
     page.element(id).await.scroll_into_view().await.unwrap();
     page.click(id).await;
 }
@@ -54,7 +54,7 @@ async fn verdict(page: &Page) -> String {
     page.attribute("lesson-said", "data-verdict").await.unwrap()
 }
 
-async fn answer(page: &Page, text: &str) -> String {
+pub(crate) async fn answer(page: &Page, text: &str) -> String {
     page.write("lesson-answer", text).await;
     verdict(page).await
 }
@@ -162,7 +162,7 @@ async fn a_lesson_is_written_answered_and_its_result_checked() {
 }
 
 /// A lesson that shows the linkage of the address with its first dimension varied, and asks where a point is then.
-async fn varied(page: &Page) -> Value {
+pub(crate) async fn varied(page: &Page) -> Value {
     page.wait_for(
         "const done = arguments[0];
         const preset = 'jansen';
@@ -180,7 +180,7 @@ async fn varied(page: &Page) -> Value {
 }
 
 /// Opens the lesson of a file once it has been read.
-async fn open_tab(page: &Page) {
+pub(crate) async fn open_tab(page: &Page) {
     page.until("a lesson", async || {
         page.count("html[data-taught='true']").await == 1
     })
@@ -188,7 +188,7 @@ async fn open_tab(page: &Page) {
     page.click("tab-lesson").await;
 }
 
-async fn open_file(page: &Page, name: &str, text: &str) {
+pub(crate) async fn open_file(page: &Page, name: &str, text: &str) {
     let path = page.downloads().join(name);
     fs::write(&path, text).unwrap();
     page.choose_file("file", &path).await;

@@ -1,7 +1,8 @@
-//! Lengths and angles that are locked while points are dragged: put and taken away by buttons, kept by the link, undone.
+//! Lengths and angles that are locked while points are dragged: put and taken away by buttons and by a key, kept by the link, undone.
 
 use assur::Point;
 use assur_file::LinkageDocument;
+use thirtyfour::Key;
 
 use crate::browser::Page;
 use crate::draw::Sheet;
@@ -14,6 +15,12 @@ fn at(document: &LinkageDocument, name: &str) -> Point {
 
 fn distance(document: &LinkageDocument, [a, b]: [&str; 2]) -> f64 {
     (at(document, b) - at(document, a)).norm()
+}
+
+/// Whether the button of a lock is pressed.
+async fn pressed(page: &Page, what: &str) -> String {
+    let button = format!("draw-act-lock_{what}");
+    page.attribute(&button, "aria-pressed").await.unwrap()
 }
 
 /// Drags a point of the drawing to a place.
@@ -39,12 +46,11 @@ async fn what_is_locked_holds_while_it_is_dragged() {
     page.click("draw-act-lock_angle").await;
     for place in [[-3.0, -0.5], [-1.2, 0.9]] {
         sheet.press(place[0], place[1]).await;
+        assert_eq!(pressed(&page, "length").await, "false");
         page.click("draw-act-lock_length").await;
         page.settle().await;
-        assert_eq!(
-            page.text("draw-act-unlock_length").await,
-            "Unlock the length"
-        );
+        assert_eq!(pressed(&page, "length").await, "true");
+        assert_eq!(page.text("draw-act-lock_length").await, "Lock the length");
     }
     assert!(page.picture("mechanism").await.difference(&plain) > 60);
     let before = drawn(&sheet).await;
@@ -77,8 +83,9 @@ async fn what_is_locked_holds_while_it_is_dragged() {
     assert_eq!(drawn(&sheet).await.points, before.points);
     // Without the length of the coupler it goes where the hand is.
     sheet.press(-1.2, 0.9).await;
-    page.click("draw-act-unlock_length").await;
+    page.chord(&[Key::Alt], 'l').await;
     page.settle().await;
+    assert_eq!(pressed(&page, "length").await, "false");
     drag(&sheet, at(&before, "B"), [-2.4, 0.6]).await;
     let after = drawn(&sheet).await;
     let off = distance(&after, ["A", "B"]) - distance(&before, ["A", "B"]);

@@ -1,5 +1,6 @@
 //! A picture behind the drawing: laid by two of its places, and what is none.
 
+use std::fs;
 use std::path::PathBuf;
 
 use thirtyfour::Key;
@@ -9,19 +10,28 @@ use crate::browser::Page;
 use crate::draw::Sheet;
 
 /// Colours that nothing else on the page has.
-const FROM: [u8; 3] = [0xFF, 0x00, 0xFF];
-const TO: [u8; 3] = [0x00, 0xFF, 0xFF];
+pub(crate) const FROM: [u8; 3] = [0xFF, 0x00, 0xFF];
+pub(crate) const TO: [u8; 3] = [0x00, 0xFF, 0xFF];
 
 /// A scan as a file: two coloured spots on white, and a script that must not run.
-const SCAN: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="600" height="400" onload="parent.hacked = true">
+pub(crate) const SCAN: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="600" height="400" onload="parent.hacked = true">
 <script>parent.hacked = true</script><rect width="600" height="400" fill="#fff"/>
 <rect x="190" y="240" width="20" height="20" fill="#f0f"/><rect x="370" y="120" width="20" height="20" fill="#0ff"/></svg>"##;
 
 /// A file with a content.
-fn file(name: &str, content: &str) -> PathBuf {
+pub(crate) fn file(name: &str, content: impl AsRef<[u8]>) -> PathBuf {
     let path = std::env::temp_dir().join(format!("{}-{name}", std::process::id()));
-    std::fs::write(&path, content).unwrap();
+    fs::write(&path, content).unwrap();
     path
+}
+
+/// Once there is one behind the drawing.
+pub(crate) async fn taken(page: &Page) {
+    page.until("the picture", async || {
+        let remove = page.element("draw-picture-remove").await;
+        remove.is_displayed().await.unwrap()
+    })
+    .await;
 }
 
 #[tokio::test]
@@ -32,16 +42,7 @@ async fn a_picture_is_laid_by_two_of_its_places() {
     assert_eq!(page.count("#draw-picture-options:not([hidden])").await, 1);
     let scan = file("scan.svg", SCAN);
     page.choose_file("draw-picture-file", &scan).await;
-    page.until("the picture", async || {
-        page.count("#draw-picture-remove").await == 1
-            && page
-                .element("draw-picture-remove")
-                .await
-                .is_displayed()
-                .await
-                .unwrap()
-    })
-    .await;
+    taken(&page).await;
     page.press("draw-picture-opacity", Key::End).await;
     // Its two spots are pressed where they are seen.
     let before = page.picture("mechanism").await;

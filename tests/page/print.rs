@@ -1,10 +1,13 @@
-//! What is printed: a worksheet in the place of the page.
+//! What is printed: a worksheet in the place of the page, the sheets of a class.
 
-use serde_json::json;
+use std::fs;
+
+use serde_json::{Value, json};
 use thirtyfour::common::print::PrintParameters;
 
 use crate::browser::{Page, setting};
 use crate::gallery;
+use crate::lecturers::{fill, open_tab, press, there};
 
 /// The worksheet as it is when the browser prints, of a reader who likes dark pages.
 async fn printed(page: &Page) {
@@ -89,5 +92,126 @@ async fn a_lesson_is_printed_with_its_questions() {
     }
     let dimensions = texts(&page, "#worksheet .tables > table td").await;
     assert!(dimensions.len() > 8, "{dimensions:?}");
+    page.close().await;
+}
+
+/// A lesson with two drawings, with numbers of one's own, and a text as long as a page.
+async fn lesson(page: &Page) -> Value {
+    let sentence = "The foot goes along a path of which the lower part is nearly straight. ";
+    let script = format!(
+        "const done = arguments[0];
+        import('assur/pkg/assur_web.js').then(({{ catalogue }}) => {{
+            const of = (name) => {{
+                const {{ kind, document }} = catalogue().find(({{ id }}) => id === name);
+                return {{ kind, document }};
+            }};
+            const number = (quantity) => ({{ text: 'How far is *it* from O?', number: {{ quantity, within: 0.5 }} }});
+            const steps = [
+                {{ title: 'Leg', text: 'With *your* crank.', formula: 'x_M = l_1 cos φ\\ny_M = l_1 sin φ',
+                    shows: {{ ...of('jansen'), view: {{ phi_deg: 120 }}, vary: [{{ field: 'links[0].length', from: 12, to: 18, step: 0.5 }}] }}, question: number('F.x') }},
+                {{ title: 'Length', text: '', question: {{ text: 'How long?', number: {{ value: 3.5, unit: 'mm', within: 0.5 }} }} }},
+                {{ title: 'Long', text: '{}', shows: {{ ...of('train-magnets'), vary: [{{ field: 'drives[0].rpm', from: 20, to: 80, step: 5 }}] }}, question: number('sun.angle′') }},
+                {{ title: 'Class', text: '', question: {{ text: 'Which?', choice: {{ options: ['II', '*III*'], answer: 1 }} }} }},
+                {{ title: 'Turn', text: '', shows: of('jansen'), question: {{ text: 'To 90°.', reach: {{ quantity: 'input', value: 90, within: 1 }} }} }},
+            ];
+            done({{ format: 2, ...of('jansen'), lesson: {{ title: 'Legs', author: 'A. Lecturer', steps }} }});
+        }})",
+        sentence.repeat(60)
+    );
+    page.wait_for(&script).await
+}
+
+/// Has the sheets stand there as they do while the browser prints.
+const HOLD: &str = "let held = null;
+addEventListener('beforeprint', () => {
+    if (!held) return;
+    document.getElementById('worksheet')?.remove();
+    document.body.append(held.cloneNode(true));
+});
+window.print = () => {
+    held = null;
+    dispatchEvent(new Event('beforeprint'));
+    held = document.getElementById('worksheet').cloneNode(true);
+};";
+
+/// How many pages a document has.
+async fn pages(page: &Page) -> usize {
+    let pdf = page.driver.print_page(PrintParameters::default()).await;
+    let pdf = pdf.unwrap();
+    let start = b"/Type /Page\n";
+    pdf.windows(start.len())
+        .filter(|part| part == start)
+        .count()
+}
+
+#[tokio::test]
+async fn the_sheets_of_a_class_are_whole() {
+    let page = Page::open_at(&format!("{}#jansen", setting("ASSUR_URL")), "en-US").await;
+    page.until("what prints", async || {
+        page.ask("return performance.getEntriesByName('printable').length")
+            .await
+            == 1
+    })
+    .await;
+    let path = page.downloads().join("class.json");
+    fs::write(&path, lesson(&page).await.to_string()).unwrap();
+    page.choose_file("file", &path).await;
+    open_tab(&page).await;
+    there(&page, "lesson-write").await;
+    page.click("lesson-write").await;
+    there(&page, "write-class").await;
+    press(&page, "write-class").await;
+    fill(&page, "write-names", "Ann\nBo\nCai").await;
+    page.ask(HOLD).await;
+    press(&page, "write-print_tasks").await;
+    page.show_on("print", &[]).await;
+    assert_eq!(
+        texts(&page, "#worksheet .sheet:first-child .title").await,
+        ["Leg", "Length", "Long", "Class", "Turn"]
+    );
+    let emphasised = texts(&page, "#worksheet .sheet:first-child em").await;
+    assert_eq!(emphasised, ["your", "it", "it", "III"]);
+    let questions = texts(&page, "#worksheet .sheet:first-child .asked b").await;
+    assert_eq!(questions[1], "How long? (to within 0.5 mm)");
+    // Drawings are those of the step, where its driver stands.
+    let labels = texts(&page, "#worksheet .sheet:first-child figure text").await;
+    assert!(labels.contains(&"φ₁ = 120.0°".to_owned()), "{labels:?}");
+    // Formulas are one a line; nothing is wider than the paper; what belongs together is kept so.
+    let seen = page
+        .ask(
+            "const sheet = document.getElementById('worksheet');
+            const { right } = sheet.getBoundingClientRect();
+            const formula = sheet.querySelector('.formula');
+            const lines = formula.getBoundingClientRect().height / parseFloat(getComputedStyle(formula).lineHeight);
+            const wide = [...sheet.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > right + 0.5).length;
+            const whole = [...sheet.querySelectorAll('figure, .asked, li')].every((one) => getComputedStyle(one).breakInside === 'avoid');
+            // A letter is 0.8 of its size high at most, in the middle of its line.
+            const figures = [...sheet.querySelectorAll('figure svg')];
+            const cut = figures.flatMap((svg) => {
+                const frame = svg.getBoundingClientRect();
+                const inside = (text) => {
+                    const { left, right, top, bottom } = text.getBoundingClientRect();
+                    const free = (bottom - top - 0.8 * parseFloat(getComputedStyle(text).fontSize)) / 2;
+                    return left >= frame.left && right <= frame.right && top + free >= frame.top && bottom - free <= frame.bottom;
+                };
+                return [...svg.querySelectorAll('text')].filter((text) => !inside(text)).map(({ textContent }) => textContent);
+            });
+            return [Math.round(lines), wide, whole, figures.length, cut];",
+        )
+        .await;
+    assert_eq!(seen, json!([2, 0, true, 9, []]));
+
+    // Each name begins a page, and has as many as the others.
+    let count = pages(&page).await;
+    assert!(count == 9, "{count}");
+
+    page.show_on("", &[]).await;
+    press(&page, "write-print_answers").await;
+    let answers = texts(&page, "#worksheet .sheet:nth-child(2) .answer").await;
+    assert_eq!(answers[1], "3.5 mm");
+    assert_eq!(answers[3..], ["III", "φ₁ = 90°"]);
+    assert_eq!(page.count("#worksheet .answer em").await, 3);
+    // Two of them find room on a page; none is divided.
+    assert_eq!(pages(&page).await, 2);
     page.close().await;
 }

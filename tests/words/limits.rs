@@ -1,6 +1,7 @@
 //! The limits that problems tell are those at which documents are refused, in every language.
 
-use assur_file::{Problem, document_of, from_text};
+use assur_file::{PictureDocument, Problem, document_of, from_text};
+use assur_tests::files::source;
 use serde_json::{Value, json};
 
 use super::LANGUAGES;
@@ -154,4 +155,29 @@ fn freedoms_of_pairs() {
             }
         }
     }
+}
+
+/// The page makes photographs so small that they are taken.
+#[test]
+fn the_page_and_files_take_images_of_one_length() {
+    let script = source("www/drawing/image.js");
+    let (_, longest) = script.split_once("const LONGEST = ").unwrap();
+    let digits = longest.split(';').next().unwrap().replace('_', "");
+    let longest: usize = digits.parse().unwrap();
+    let start = "data:image/gif;base64,";
+    let checked = |long: usize| {
+        let image = format!("{start}{}", "A".repeat(long));
+        let picture = PictureDocument {
+            image,
+            at: [0.0, 0.0],
+            width: 1.0,
+            turn_deg: 0.0,
+            opacity: 0.5,
+        };
+        picture.check()
+    };
+    // As long as base64 can be.
+    let most = (longest - start.len()) / 4 * 4;
+    assert_eq!(checked(most), Ok(()));
+    assert!(has(checked(most + 4), "picture_long"));
 }

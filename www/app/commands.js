@@ -8,7 +8,7 @@ import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { withFurther, withMechanism, withView } from "assur/state/state.js";
+import { furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -31,11 +31,9 @@ export function commands(page) {
  */
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
-  // The last mechanism that the engine took, with the lesson as it is.
-  const now = () => {
-    const { lesson, compared } = store.get();
-    return withFurther(model.good, { lesson, compared });
-  };
+  // The last mechanism that the engine took, with all else as it is.
+  const now = () => withFurther(model.good, furtherOf(store.get()));
+  const copied = () => notices.tell([store.get().picture ? "copied_without" : "copied"]);
   /**
    * Does what is loaded when it is first asked for.
    * @template Part
@@ -50,7 +48,7 @@ function fileCommands(page) {
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, page.ofNow()))),
     save: () => saveFile(now(), engine.fileName(model.good)),
-    copy: () => (page.address.holds(now()) ? copyLink(now(), page.address, () => notices.tell(["copied"])) : notices.tell(LONG)),
+    copy: () => (page.address.holds(now()) ? copyLink(now(), page.address, copied) : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
     "new-drawing": () => later(() => import("assur/drawing/begin.js"), ({ newDrawing }) => newDrawing(page)),

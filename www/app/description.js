@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
 import { calledIn } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { isLength } from "assur/core/symbols.js";
+import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
 import { titled, writtenLevel, written } from "assur/plots/units.js";
@@ -44,9 +44,9 @@ export class Description {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, words, revision, problems, place } = snapshot;
+    const { state, words, revision, problems, place, withheld } = snapshot;
     const { playing } = state.view;
-    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, ...problems.map(({ code }) => code))) return;
+    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, withheld, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing) write(this.#drawing, words.text("told.moving"));
     this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
@@ -93,8 +93,11 @@ function valueText({ what }, value, words) {
  * @param {Snapshot} snapshot
  */
 function pose(snapshot) {
-  const { summary, coordinate, input, readouts, words } = snapshot;
-  const values = summary.listed.map((one) => `${listedName(one, words)} ${valueText(one, readouts?.[one.name], words)}`);
+  const { summary, coordinate, input, readouts, words, withheld } = snapshot;
+  const values = summary.listed.map((one) => {
+    const said = withheld.has(readoutOf(one.name, 0)) ? "?" : valueText(one, readouts?.[one.name], words);
+    return `${listedName(one, words)} ${said}`;
+  });
   const now = words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
   return [now, ...beside(snapshot)].join(" ");
 }
@@ -104,7 +107,7 @@ function pose(snapshot) {
  * @param {Snapshot} snapshot
  * @returns {string[]}
  */
-function beside({ summary: { listed, outputs }, readouts, compared, compares, words }) {
+function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
   if (!compares) return [];
   if (!compared) return [words.text("compare.apart")];
   const output = listed.find(({ name }) => name === outputs[0]?.name) ?? listed[0];
@@ -112,7 +115,9 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
   const value = compared.readouts?.[output.name];
   const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
   const [of, by] = [value, difference].map((number) => valueText(output, number, words));
-  return [words.text("told.compared", { name: listedName(output, words), value: of, difference: by })];
+  // What is withheld would be told by how far it is from A.
+  const told = withheld.has(readoutOf(output.name, 0)) ? "?" : by;
+  return [words.text("told.compared", { name: listedName(output, words), value: of, difference: told })];
 }
 
 /** @param {Snapshot} snapshot */

@@ -10,6 +10,7 @@ export class Header {
   #projector = byId("projector", HTMLButtonElement);
   #settings = byId("settings", HTMLButtonElement);
   #menu = byId("menu", HTMLDetailsElement);
+  #without = byId("copy-without", HTMLElement);
   #history;
 
   /**
@@ -48,6 +49,7 @@ export class Header {
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state }) {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
+    this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
     // A button that can do no more gives the focus to its twin, else it would be lost.
     const focused = document.activeElement;

@@ -4,7 +4,7 @@ import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
- * @typedef {"copied" | "result"} Done what was brought where it can be pasted: a link, the result of a lesson
+ * @typedef {"copied" | "copied_without" | "result"} Done what was brought where it can be pasted: a link, one without the picture, the result of a lesson
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
@@ -13,6 +13,9 @@ export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arriv
 
 /** @type {readonly Failure[]} what is shown is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
+
+/** @type {readonly Failure[]} the browser does not keep the picture behind the drawing */
+export const UNKEPT = Object.freeze([{ kind: "picture", problems: [{ code: "picture_unkept" }] }]);
 
 export class Notices {
   #place = byId("notice", HTMLElement);

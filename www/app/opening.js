@@ -3,14 +3,14 @@ import { attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
 import { addressed } from "assur/state/address.js";
-import { initialState, usualView } from "assur/state/state.js";
-import { putAside, stored } from "assur/state/storage.js";
+import { initialState, usualView, withFurther } from "assur/state/state.js";
+import { putAside, stored, withImage } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture", problems: readonly Problem[], name?: string }>} Failure
  * Of kind `import` it is what was lost on the way; all else was opened.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
@@ -112,11 +112,12 @@ export async function open(engine, habits) {
   /** @type {Failure[]} */
   const failures = [];
   const address = await takeAddress(location.href, engine, habits);
-  if (address?.state) return { state: address.state, failures };
-  if (address) failures.push(address.failure);
   const text = habits.embedding ? null : stored();
+  const kept = () => withImage(fromFile(text ?? ""));
+  if (address?.state) return { state: await withPicture(address.state, kept, engine, habits), failures };
+  if (address) failures.push(address.failure);
   if (text !== null) {
-    const { state, failure } = await take("kept", () => fromFile(text), engine, habits);
+    const { state, failure } = await take("kept", kept, engine, habits);
     if (state) return { state, failures };
     putAside(text);
     failures.push(failure);
@@ -124,4 +125,18 @@ export async function open(engine, habits) {
   const { calm, lang } = habits;
   const [{ kind, document }] = engine.catalogue;
   return { state: initialState(kind, document, { playing: !calm, lang }), failures };
+}
+
+/**
+ * @param {State} state of an address, which has no picture behind its drawing
+ * @param {() => unknown} kept what was kept
+ * @param {Engine} engine
+ * @param {Habits} habits
+ * @returns {Promise<State>} with the picture that was kept behind the very same drawing
+ */
+async function withPicture(state, kept, engine, habits) {
+  if (!Object(attempt(kept).value).picture) return state;
+  const { state: last } = await take("kept", kept, engine, habits);
+  const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);
+  return same ? withFurther(state, { picture: last.picture }) : state;
 }

@@ -4,7 +4,7 @@ import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
 import { chooseLanguage, speak } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
-import { LOST, Notices } from "assur/app/notices.js";
+import { LOST, Notices, UNKEPT } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { receive } from "assur/app/receiving.js";
 import { Views } from "assur/app/views.js";
@@ -99,7 +99,7 @@ export class Page {
     };
     listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
-    persist(this.store, this.address, (state) => this.model.takes(state), !embedding);
+    persist(this.store, this.address, (state) => this.model.takes(state), !embedding, () => this.notices.tell(UNKEPT));
     // The address that was entered: by now another may have been written over it.
     receive(this);
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
@@ -167,7 +167,7 @@ export class Page {
     const before = model.good;
     this.#player.begin();
     this.history.step(() => {
-      store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined }), PARTS));
+      store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
       this.mechanism.fit();
       for (const { asked, field } of edits) {
         model.follow(store.get());

@@ -58,6 +58,15 @@ export function calledWhole(of, what, words) {
 }
 
 /**
+ * @param {string} name of a quantity
+ * @param {number} order of its derivative
+ * @returns {string} by what its read-out goes, as lessons name those that they withhold: `ddrocker`, `dC.x`
+ */
+export function readoutOf(name, order) {
+  return "d".repeat(order) + name.replace(/\.angle$/, "");
+}
+
+/**
  * @param {string} text
  * @returns {string} the same with its digits written low
  */

@@ -61,6 +61,7 @@ export class Drawing {
     const on = state.view.drawing && "links" in state.document && (!summary.moves || summary.traceable);
     if (on !== this.#on) this.#turn(on);
     if (!on) return;
+    this.#work.picture.follow();
     const document = /** @type {Document} */ (state.document);
     // An empty sheet is drawn on with bars first.
     const empty = document.points.length === 0;
@@ -98,6 +99,7 @@ export class Drawing {
     else if (event.key === "Enter" && this.#hand.over && target.closest("button, summary, a") === null) this.#hand.pressHere();
     else if (event.key === "Delete" || event.key === "Backspace") this.#remove();
     else if (event.altKey && this.#palette.byKey(event)) return;
+    else if (event.altKey && event.code === "KeyL" && this.#rail.lock()) return;
     else if ((event.ctrlKey || event.metaKey) && event.code === "KeyA") this.#all();
     else if ((event.ctrlKey || event.metaKey) && event.code === "KeyD") this.#duplicate();
     else if (/^[\d.,]$/.test(event.key) && !event.ctrlKey && !event.metaKey && this.#rail.type()) return;

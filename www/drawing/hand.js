@@ -190,7 +190,6 @@ export class Hand {
         const [x, y] = this.#snapped(at, true);
         this.#work.picture.move([x - last[0], y - last[1]]);
         last = [x, y];
-        this.#page.redraw();
       },
       end() {},
     };

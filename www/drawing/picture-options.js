@@ -40,13 +40,9 @@ export class PictureOptions {
       if (file) this.take(file);
       this.#file.value = "";
     });
-    remove.addEventListener("click", () => {
-      picture.remove();
-      page.redraw();
-    });
+    remove.addEventListener("click", () => picture.remove());
     this.#opacity.addEventListener("input", () => {
       picture.opacity = Number(this.#opacity.value);
-      page.redraw();
     });
     const fields = PARTS.flatMap((part) => {
       const input = make("input", {
@@ -68,7 +64,6 @@ export class PictureOptions {
     const problem = await this.#picture.take(file, mechanism.view, mechanism.size);
     if (problem) refuse(this.#page, problem);
     else unsay(this.#page);
-    this.#page.redraw();
   }
 
   /**
@@ -96,7 +91,6 @@ export class PictureOptions {
     if (!base) return value;
     if (this.#picture.lay({ ...base, [part]: value })) unsay(this.#page);
     else refuse(this.#page, "no_length");
-    this.#page.redraw();
     return this.#picture.base?.[part] ?? value;
   }
 }

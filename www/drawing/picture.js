@@ -1,38 +1,68 @@
-// A picture behind the drawing: a photograph or a scan that links are drawn over. It is no part of the mechanism: links, files and saved
-// pictures do not have it.
+// A picture behind the drawing: a photograph or a scan that links are drawn over. It is part of the state, saved in files and undone like all
+// else, and no part of the mechanism: links and saved pictures do not have it.
+import { degrees, radians } from "assur/core/angles.js";
+import { refuse } from "assur/drawing/edit.js";
+import { imageOf, pixelsOf } from "assur/drawing/image.js";
+import { withFurther } from "assur/state/state.js";
 
 /**
  * @typedef {readonly [number, number]} Place in the model, or on the picture, in its pixels
  * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked places: where it begins, its
  * length, its angle to the x axis in degrees
+ * @typedef {import("assur/state/state.js").Picture} Picture
  */
-
-/** A picture has no longer side than this, in pixels: what is larger is kept smaller. */
-const LONGEST = 2400;
 
 /** What a file may have, in bytes. */
 const LARGEST = 64e6;
 
-/** Of what has no size of its own, as drawings without one. */
-const SIDE = 1000;
-
-/** A new picture takes this share of what is seen. */
+/** A new picture takes this share of what is seen, and covers so much of the paper. */
 const SHARE = 0.85;
+const OPACITY = 0.5;
+
+/** Numbers of its place and size are no greater. */
+const FARTHEST = 1e9;
 
 export class BackPicture {
-  /** @type {HTMLCanvasElement | null} */
+  #page;
+  /** The image that the pixels are of. */
+  #image = "";
+  /** @type {HTMLCanvasElement | null} until they are there, and of what is no picture, none */
   #pixels = null;
-  /** Where its upper left corner is in the model. */
-  #origin = /** @type {Place} */ ([0, 0]);
-  /** A pixel to its right, in the model. */
-  #right = /** @type {Place} */ ([1, 0]);
   /** @type {Place[]} the places that are marked, on the picture */
   #marks = [];
-  /** How much of the paper it covers, from 0 to 1. */
-  opacity = 0.5;
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#page = page;
+  }
+
+  get #picture() {
+    return this.#page.store.get().picture;
+  }
 
   get there() {
-    return this.#pixels !== null;
+    return this.#picture !== undefined;
+  }
+
+  get opacity() {
+    return this.#picture?.opacity ?? OPACITY;
+  }
+
+  set opacity(opacity) {
+    this.#put({ opacity });
+  }
+
+  /** Has the pixels of the state's picture, now or as soon as they are there; says it where there are none. */
+  async follow() {
+    const image = this.#picture?.image ?? "";
+    if (image === this.#image) return;
+    this.#show(image, null);
+    if (image === "") return;
+    const pixels = await pixelsOf(image);
+    if (image !== this.#image) return;
+    this.#pixels = pixels;
+    if (!pixels) refuse(this.#page, "no_picture");
+    this.#page.redraw();
   }
 
   /**
@@ -44,40 +74,49 @@ export class BackPicture {
    */
   async take(file, view, { width, height }) {
     if (file.size > LARGEST) return "picture_too_large";
-    const pixels = await decoded(file);
-    if (!pixels) return "no_picture";
+    const image = await imageOf(file);
+    if (!image) return "no_picture";
+    const { text, pixels } = image;
     const scale = SHARE * Math.min(width / pixels.width, height / pixels.height);
-    this.#pixels = pixels;
-    this.#marks = [];
-    this.#right = [scale / view.scale, 0];
-    this.#origin = view.toModel((width - scale * pixels.width) / 2, (height - scale * pixels.height) / 2);
+    const at = view.toModel((width - scale * pixels.width) / 2, (height - scale * pixels.height) / 2);
+    const opacity = this.opacity;
+    this.#show(text, pixels);
+    this.#page.history.step(() => this.#set({ image: text, at, width: (scale * pixels.width) / view.scale, turn_deg: 0, opacity }));
     return null;
   }
 
   remove() {
-    this.#pixels = null;
-    this.#marks = [];
+    this.#page.history.step(() => this.#set(undefined));
   }
 
   /** @param {Place} by */
   move([x, y]) {
-    this.#origin = [this.#origin[0] + x, this.#origin[1] + y];
+    const { at } = this.#picture ?? {};
+    if (at) this.#put({ at: [at[0] + x, at[1] + y] });
   }
 
   /** @param {Place} at in the model; a third one begins anew */
   mark(at) {
-    if (!this.there) return;
-    const [x, y] = this.#onPicture(at);
+    const frame = this.#frame;
+    if (!frame) return;
+    const { origin, right: [right, up] } = frame;
+    const [dx, dy] = [at[0] - origin[0], at[1] - origin[1]];
+    const square = right * right + up * up;
+    const place = /** @type {Place} */ ([(right * dx + up * dy) / square, (up * dx - right * dy) / square]);
     if (this.#marks.length === 2) this.#marks = [];
     const [first] = this.#marks;
     // Two marks in one place are no line.
-    if (first && first[0] === x && first[1] === y) return;
-    this.#marks.push([x, y]);
+    if (first && first[0] === place[0] && first[1] === place[1]) return;
+    this.#marks.push(place);
   }
 
   /** @returns {readonly Place[]} the marks in the model */
   get marks() {
-    return this.#marks.map((mark) => this.#inModel(mark));
+    const frame = this.#frame;
+    if (!frame) return [];
+    const { origin, right: [right, up] } = frame;
+    // The picture counts downwards.
+    return this.#marks.map(([x, y]) => [origin[0] + right * x + up * y, origin[1] + up * x - right * y]);
   }
 
   /** @returns {Base | null} */
@@ -85,7 +124,7 @@ export class BackPicture {
     const [from, to] = this.marks;
     if (!from || !to) return null;
     const [x, y] = [to[0] - from[0], to[1] - from[1]];
-    return { x: from[0], y: from[1], length: Math.hypot(x, y), angle: (Math.atan2(y, x) * 180) / Math.PI };
+    return { x: from[0], y: from[1], length: Math.hypot(x, y), angle: degrees(Math.atan2(y, x)) };
   }
 
   /**
@@ -95,18 +134,16 @@ export class BackPicture {
    */
   lay({ x, y, length, angle }) {
     const now = this.base;
-    if (!now || !(length > 0)) return false;
-    const turned = ((angle - now.angle) * Math.PI) / 180;
+    const picture = this.#picture;
+    if (!now || !picture || !(length > 0)) return false;
+    const turned = angle - now.angle;
     const grown = length / now.length;
-    const [cos, sin] = [grown * Math.cos(turned), grown * Math.sin(turned)];
-    const spun = (/** @type {Place} */ [right, up]) => /** @type {Place} */ ([cos * right - sin * up, sin * right + cos * up]);
-    const [off, above] = spun([this.#origin[0] - now.x, this.#origin[1] - now.y]);
-    const right = spun(this.#right);
-    const laid = [x + off, y + above, ...right];
-    if (!laid.every(Number.isFinite) || Math.hypot(...right) === 0) return false;
-    this.#origin = [x + off, y + above];
-    this.#right = right;
-    return true;
+    const [cos, sin] = [grown * Math.cos(radians(turned)), grown * Math.sin(radians(turned))];
+    const [dx, dy] = [picture.at[0] - now.x, picture.at[1] - now.y];
+    const turn = picture.turn_deg + turned;
+    return this.#put({
+      at: [x + cos * dx - sin * dy, y + sin * dx + cos * dy], width: grown * picture.width, turn_deg: turn - 360 * Math.round(turn / 360),
+    });
   }
 
   /**
@@ -114,68 +151,49 @@ export class BackPicture {
    * @param {import("assur/canvas/transform.js").Transform} view
    */
   paint(context, view) {
-    if (!this.#pixels) return;
-    const [left, top] = view.toScreen(...this.#origin);
-    const [right, up] = this.#right.map((part) => part * view.scale);
+    const frame = this.#frame;
+    if (!frame) return;
+    const [left, top] = view.toScreen(...frame.origin);
+    const [right, up] = frame.right.map((part) => part * view.scale);
     context.save();
     context.globalAlpha = this.opacity;
     context.transform(right, -up, up, right, left, top);
-    context.drawImage(this.#pixels, 0, 0);
+    context.drawImage(frame.pixels, 0, 0);
     context.restore();
   }
 
-  /**
-   * @param {Place} place on the picture
-   * @returns {Place}
-   */
-  #inModel([x, y]) {
-    const [right, up] = this.#right;
-    // The picture counts downwards.
-    return [this.#origin[0] + right * x + up * y, this.#origin[1] + up * x - right * y];
+  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} its pixels, where its upper left corner is in the model, a pixel to its right */
+  get #frame() {
+    const [picture, pixels] = [this.#picture, this.#pixels];
+    if (!picture || !pixels || picture.image !== this.#image) return null;
+    const scale = picture.width / pixels.width;
+    const turn = radians(picture.turn_deg);
+    return { pixels, origin: picture.at, right: [scale * Math.cos(turn), scale * Math.sin(turn)] };
   }
 
   /**
-   * @param {Place} at in the model
-   * @returns {Place}
+   * @param {string} image
+   * @param {HTMLCanvasElement | null} pixels
    */
-  #onPicture([x, y]) {
-    const [right, up] = this.#right;
-    const [dx, dy] = [x - this.#origin[0], y - this.#origin[1]];
-    const square = right * right + up * up;
-    return [(right * dx + up * dy) / square, (up * dx - right * dy) / square];
+  #show(image, pixels) {
+    this.#image = image;
+    this.#pixels = pixels;
+    this.#marks = [];
   }
-}
 
-/**
- * @param {File} file
- * @returns {Promise<HTMLCanvasElement | null>} its pixels, if it is a picture
- */
-async function decoded(file) {
-  try {
-    const image = new Image();
-    image.src = await address(file);
-    await image.decode();
-    const [width, height] = [image.naturalWidth || SIDE, image.naturalHeight || SIDE];
-    const shrunk = Math.min(1, LONGEST / Math.max(width, height));
-    const canvas = document.createElement("canvas");
-    canvas.width = Math.max(1, Math.round(width * shrunk));
-    canvas.height = Math.max(1, Math.round(height * shrunk));
-    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return canvas;
-  } catch {
-    return null;
+  /**
+   * @param {Partial<Picture>} change
+   * @returns {boolean} whether it can be so
+   */
+  #put(change) {
+    const picture = this.#picture && { ...this.#picture, ...change };
+    if (!picture || !(picture.width > 0) || ![...picture.at, picture.width].every((part) => Math.abs(part) <= FARTHEST)) return false;
+    this.#set(picture);
+    return true;
   }
-}
 
-/**
- * @param {File} file
- * @returns {Promise<string>} it as an address: nothing of it runs or is fetched where it is shown as a picture
- */
-function address(file) {
-  return new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.addEventListener("load", () => resolve(String(reader.result)));
-    reader.addEventListener("error", () => reject(reader.error));
-    reader.readAsDataURL(file);
-  });
+  /** @param {Picture | undefined} picture */
+  #set(picture) {
+    this.#page.store.update((state) => withFurther(state, { picture: picture && Object.freeze(picture) }));
+  }
 }

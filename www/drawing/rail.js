@@ -14,8 +14,8 @@ import { edit, step } from "assur/drawing/edit.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** What is done with a lock of so many points: put, and taken away. */
-const LOCKS = Object.freeze(/** @type {Record<number, readonly string[]>} */ ({ 2: ["lock_length", "unlock_length"], 3: ["lock_angle", "unlock_angle"] }));
+/** What a lock of so many points is put on, and taken off, by. */
+const LOCKS = Object.freeze(/** @type {Record<number, string>} */ ({ 2: "lock_length", 3: "lock_angle" }));
 
 export class DrawingRail {
   #page;
@@ -68,6 +68,17 @@ export class DrawingRail {
     row.inputs[0].focus();
     // What is being pressed goes into the field, which has the focus now.
     return false;
+  }
+
+  /**
+   * Locks the length or the angle of what is selected, or lets go of it.
+   * @returns {boolean} whether it has one
+   */
+  lock() {
+    const { points, links } = this.#selection;
+    const lock = lockable(/** @type {Document} */ (this.#page.store.get().document), [...points], [...links]);
+    if (lock) step(this.#page, { edit: "lock", points: lock });
+    return lock !== null;
   }
 
   /**
@@ -162,13 +173,20 @@ export class DrawingRail {
     }
     const lock = lockable(document, [...points], [...links]);
     if (lock) {
-      const name = LOCKS[lock.length].find((_, unlock) => (unlock === 1) === (document.locks ?? []).some((one) => same(one, lock)));
-      buttons.push(this.#button(words.text(`draw.act.${name}`, { n: lock[1] }), () => step(this.#page, { edit: "lock", points: lock }), `draw-act-${name}`));
+      const name = LOCKS[lock.length];
+      const button = this.#button(words.text(`draw.act.${name}`, { n: lock[1] }), () => this.lock(), `draw-act-${name}`);
+      button.setAttribute("aria-pressed", String((document.locks ?? []).some((one) => same(one, lock))));
+      button.setAttribute("aria-keyshortcuts", "Alt+L");
+      buttons.push(button);
     }
     if (points.size + links.size > 0) buttons.push(acts("duplicate"), acts("mirror"), acts("remove"));
     content.push(make("div", { class: "draw-acts" }, buttons));
+    const page = this.#chosen.ownerDocument;
+    const focused = this.#chosen.contains(page.activeElement) ? page.activeElement?.id : undefined;
     this.#chosen.replaceChildren(...content);
     words.fill(this.#chosen);
+    // What is pressed once more is there again.
+    if (focused) page.getElementById(focused)?.focus();
   }
 
   /**

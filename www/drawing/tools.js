@@ -48,7 +48,7 @@ export class Work {
   teeth = /** @type {[number, number]} */ ([20, 40]);
   internal = false;
   /** What is behind the drawing. */
-  picture = new BackPicture();
+  picture;
   /** @type {Target[]} what was pressed and is not used up */
   pressed = [];
   /** Whether the last point of the bars is one that they have made themselves, and which the frame has not. */
@@ -57,6 +57,7 @@ export class Work {
   /** @param {Page} page */
   constructor(page) {
     this.#page = page;
+    this.picture = new BackPicture(page);
   }
 
   /** @param {string} tool taken up; what was begun with another one is left */

@@ -1,7 +1,7 @@
 // The worksheet that is printed instead of the page: what is shown, its dimensions and values, the questions of the lesson with
 // lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
 import { byId, make } from "assur/core/dom.js";
-import { withSubscripts } from "assur/core/subscripts.js";
+import { marked } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
 import "assur/export/style.js";
 
@@ -84,9 +84,9 @@ function values() {
  */
 function question({ title, text, choices }) {
   const blanks = choices.length > 0
-    ? choices.map((choice) => make("p", { class: "choice" }, withSubscripts(choice)))
+    ? choices.map((choice) => make("p", { class: "choice" }, marked(choice)))
     : [make("p", { class: "blank" }), make("p", { class: "blank" })];
-  return make("li", {}, [make("b", {}, [title]), make("p", {}, withSubscripts(text)), ...blanks]);
+  return make("li", {}, [make("b", {}, [title]), make("p", {}, marked(text)), ...blanks]);
 }
 
 /**

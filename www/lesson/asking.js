@@ -1,9 +1,9 @@
 // What a lecturer's question is: its sort, the quantity that is asked for, the option that is right.
 import { make, write } from "assur/core/dom.js";
-import { symbol } from "assur/core/symbols.js";
-import { withQuantity, withRight } from "assur/lesson/fields.js";
+import { withQuantity, withRight, withShown } from "assur/lesson/fields.js";
+import { measured, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
 import { QUESTIONS, sortOf, withStep } from "assur/lesson/steps.js";
-import { answerOf, isAngle, quantities } from "assur/lesson/tasks.js";
+import { answerOf, quantities } from "assur/lesson/tasks.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -12,14 +12,12 @@ import { answerOf, isAngle, quantities } from "assur/lesson/tasks.js";
  * @typedef {(change: (lesson: Written, index: number) => Written) => boolean} Change
  */
 
-/** What follows the name of a derivative, by its order. */
-const STROKES = Object.freeze(["", "′", "″"]);
-
 export class Asking {
   #page;
   #words;
   #sort = make("select", { id: "write-sort", class: "control" });
   #quantity = make("select", { id: "write-quantity", class: "control" });
+  #hidden = make("input", { id: "write-hidden", type: "checkbox" });
   #right = make("select", { id: "write-right", class: "control" });
   #rows;
   #now = make("p", { id: "write-now", class: "lesson-note" });
@@ -43,11 +41,13 @@ export class Asking {
       return withStep(lesson, index, { question: QUESTIONS[this.#sort.value](question?.text ?? "", question?.hint, quantity) });
     }));
     this.#quantity.addEventListener("change", () => change((lesson, index) => withQuantity(lesson, index, this.#quantity.value)));
+    this.#hidden.addEventListener("change", () => change((lesson, index) => withShown(lesson, index, !this.#hidden.checked)));
     this.#right.addEventListener("change", () => change((lesson, index) => withRight(lesson, index, Number(this.#right.value))));
     const row = (/** @type {string} */ id, /** @type {HTMLElement} */ control) =>
       make("div", { class: "write-row" }, [make("label", { for: `write-${id}` }, [words.text(`write.${id}`)]), control]);
-    this.#rows = { quantity: row("quantity", this.#quantity), right: row("right", this.#right) };
-    this.element = make("div", { class: "write-rows" }, [row("sort", this.#sort), this.#rows.quantity]);
+    const hidden = make("label", { class: "check" }, [this.#hidden, " ", make("span", {}, [words.text("write.hidden")])]);
+    this.#rows = { quantity: row("quantity", this.#quantity), hidden, right: row("right", this.#right) };
+    this.element = make("div", { class: "write-rows" }, [row("sort", this.#sort), this.#rows.quantity, hidden]);
     this.below = make("div", { class: "write-rows" }, [this.#rows.right, this.#now]);
   }
 
@@ -64,6 +64,8 @@ export class Asking {
     this.#rows.quantity.hidden = sort !== "number" && sort !== "reach";
     this.#rows.right.hidden = sort !== "choice";
     const wanted = question?.number?.quantity ?? question?.reach?.quantity ?? "";
+    this.#rows.hidden.hidden = sort !== "number" || tellers(wanted).length === 0;
+    this.#hidden.checked = !question?.number?.shown;
     this.#list(snapshot, wanted);
     this.#options(question?.choice?.options ?? [], question?.choice?.answer ?? 0);
     this.#tell(lesson, index, sort);
@@ -81,28 +83,9 @@ export class Asking {
       this.#listed = listed;
       const names = quantities(snapshot);
       const all = wanted === "" || names.includes(wanted) ? names : [wanted, ...names];
-      this.#quantity.replaceChildren(...all.map((name) => make("option", { value: name }, [this.#called(name, snapshot)])));
+      this.#quantity.replaceChildren(...all.map((name) => make("option", { value: name }, [quantityName(name, snapshot, this.#words)])));
     }
     if (wanted !== "") this.#quantity.value = wanted;
-  }
-
-  /**
-   * @param {string} quantity
-   * @param {Snapshot} snapshot
-   * @returns {string} what it is called
-   */
-  #called(quantity, { summary, coordinate, state }) {
-    const words = this.#words;
-    if (quantity === "input") return coordinate.symbol;
-    if (quantity === "W") return "W";
-    const [name, whole] = quantity.split(":");
-    const bare = name.replace(/[′″]$/, "");
-    const of = bare.slice(0, bare.lastIndexOf("."));
-    const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
-    const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
-    const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
-    const said = short.endsWith(of) || bare.endsWith(".transmission") || bare.endsWith(".pressure") ? short : `${short} (${of})`;
-    return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
   }
 
   /**
@@ -130,7 +113,7 @@ export class Asking {
     if (sort !== "number") return;
     const { numbers } = this.#words;
     const value = answerOf(lesson, index, "", this.#page.engine);
-    const unit = isAngle(lesson.steps[index].question?.number?.quantity ?? "") ? "°" : "";
-    write(this.#now, value === null ? this.#words.text("write.no_answer") : this.#words.text("write.answer_now", { value: numbers.upTo(value, 4) + unit }));
+    const unit = unitOf(lesson.steps[index].question?.number);
+    write(this.#now, value === null ? this.#words.text("write.no_answer") : this.#words.text("write.answer_now", { value: measured(numbers.upTo(value, 4), unit) }));
   }
 }

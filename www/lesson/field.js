@@ -1,4 +1,4 @@
-// Fields of a document as lessons name them: a dimension by the link or point that has it.
+// Fields of a document as lessons name them: a dimension by the link or point that has it, a number by its place.
 
 /**
  * @param {string} name of a field; of a dimension of a link or point by its name, as `FK.length`, `H.x`
@@ -14,4 +14,27 @@ export function fieldOf(name, document) {
     if (index >= 0 && of) return `${list}[${index}].${part}`;
   }
   return name;
+}
+
+/**
+ * @template T
+ * @param {T} document
+ * @param {string} field of a number that it has, such as `wheels[0].z`
+ * @param {number} value
+ * @returns {T} with that number
+ */
+export function withNumber(document, field, value) {
+  return /** @type {T} */ (put(document, field.split(/[.[\]]+/).filter((key) => key !== ""), value));
+}
+
+/**
+ * @param {unknown} part of a document
+ * @param {readonly string[]} path within it
+ * @param {number} value
+ * @returns {unknown} the part with the value there
+ */
+function put(part, [key, ...path], value) {
+  if (key === undefined) return value;
+  if (Array.isArray(part)) return part.with(Number(key), put(part[Number(key)], path, value));
+  return { ...Object(part), [key]: put(Object(part)[key], path, value) };
 }

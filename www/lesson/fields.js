@@ -97,3 +97,12 @@ export function withQuantity(lesson, index, quantity) {
 export function withRight(lesson, index, answer) {
   return withPart("choice", lesson, index, { answer });
 }
+
+/**
+ * @param {Written} lesson
+ * @param {number} index
+ * @param {boolean} shown whether the page shows the quantity while it is asked for
+ */
+export function withShown(lesson, index, shown) {
+  return withPart("number", lesson, index, { shown: shown || undefined });
+}

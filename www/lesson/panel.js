@@ -1,6 +1,6 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
 import { make, write } from "assur/core/dom.js";
-import { withSubscripts } from "assur/core/subscripts.js";
+import { marked, withSubscripts } from "assur/core/subscripts.js";
 import { Progress } from "assur/lesson/progress.js";
 import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
@@ -278,13 +278,4 @@ export class LessonPanel {
     if (verdict === "not_yet") return question?.hint() ?? "";
     return verdict === "right" && this.#snapshot ? (question?.right(this.#snapshot) ?? "") : "";
   }
-}
-
-/**
- * @param {string} text
- * @returns {(Node | string)[]} the same, what stands between two * emphasised
- */
-function marked(text) {
-  const parts = text.split(/\*([^*]+)\*/);
-  return parts.flatMap((part, i) => (i % 2 === 1 ? [make("em", {}, withSubscripts(part))] : withSubscripts(part)));
 }

@@ -3,15 +3,19 @@ import { Transform } from "assur/canvas/transform.js";
 import { fieldName } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { withSubscripts } from "assur/core/subscripts.js";
+import { marked, withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
-import { answerOf, isAngle, taskOf } from "assur/lesson/tasks.js";
+import { isAngle, measured, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
+import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { alone } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/engine.js").Engine} Engine
+ * @typedef {import("assur/lesson/tasks.js").Task} Task
+ * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Written} Written
  */
 
@@ -29,7 +33,7 @@ const MARGIN = 16;
  */
 export function sheets(lesson, names, answers, page, words) {
   const all = names.length > 0 ? names : [""];
-  return make("section", { id: "worksheet", class: "paper", lang: words.lang }, all.map((name) => sheet(lesson, name, answers, page, words)));
+  return make("section", { id: "worksheet", class: answers ? "paper answers" : "paper", lang: words.lang }, all.map((name) => sheet(lesson, name, answers, page, words)));
 }
 
 /**
@@ -61,14 +65,15 @@ function sheet(lesson, name, answers, page, words) {
  */
 function asked(lesson, index, name, page, words) {
   const { title, text, formula = "", shows, question } = lesson.steps[index];
-  const parts = [make("b", {}, [title]), ...text.split("\n").map((line) => make("p", {}, withSubscripts(line)))];
+  const parts = [make("b", { class: "title" }, [title]), ...text.split("\n").map((line) => make("p", {}, marked(line)))];
   if (formula) parts.push(make("p", { class: "formula" }, withSubscripts(formula)));
-  if (shows) parts.push(...shown(lesson, index, name, page, words));
+  const task = shows ? taskOf(lesson, index, name, page.engine) : null;
+  if (task) parts.push(...drawing(task.state, lesson.steps[index], page, words), ...own(task, words));
   if (question) {
     const { number, choice } = question;
-    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(number.within, 6) + unitOf(number) })}` : "";
-    parts.push(make("p", {}, [make("b", {}, withSubscripts(question.text + tolerance))]));
-    parts.push(...(choice ? choice.options.map((option) => make("p", { class: "choice" }, withSubscripts(option))) : [make("p", { class: "blank" }), make("p", { class: "blank" })]));
+    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unitOf(number)) })}` : "";
+    const room = choice ? choice.options.map((option) => make("p", { class: "choice" }, marked(option))) : [make("p", { class: "blank" }), make("p", { class: "blank" })];
+    parts.push(make("div", { class: "asked" }, [make("p", {}, [make("b", {}, marked(question.text + tolerance))]), ...room]));
   }
   return make("li", {}, parts);
 }
@@ -81,57 +86,77 @@ function asked(lesson, index, name, page, words) {
  * @param {Words} words
  */
 function answered(lesson, index, name, page, words) {
-  const { title, question } = lesson.steps[index];
+  const { title, shows, question } = lesson.steps[index];
   const { number, choice, reach } = question ?? {};
-  const value = (/** @type {number} */ exact, unit = "") => words.numbers.upTo(exact, 4) + unit;
+  const value = (/** @type {number} */ exact, unit = "") => measured(words.numbers.upTo(exact, 4), unit);
+  const task = shows || reach ? taskOf(lesson, index, name, page.engine) : null;
   const exact = number ? answerOf(lesson, index, name, page.engine) : null;
-  const said = exact !== null && number ? value(exact, unitOf(number))
+  const said = exact !== null ? value(exact, unitOf(number))
     : choice ? choice.options[choice.answer]
-    : reach ? `${reach.quantity} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
-  return make("li", {}, [make("b", {}, [title]), make("p", { class: "answer" }, withSubscripts(said)), ...own(lesson, index, name, page, words)]);
-}
-
-/** @param {NonNullable<NonNullable<Written["steps"][number]["question"]>["number"]>} number */
-function unitOf({ quantity, unit }) {
-  return unit || (isAngle(quantity ?? "") || quantity === "input" ? "°" : "");
+    : reach ? `${nameOf(reach.quantity, task, page, words)} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
+  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, words) : []), make("p", { class: "answer" }, marked(said))]);
 }
 
 /**
- * @param {Written} lesson
- * @param {number} index
- * @param {string} name
+ * @param {string} quantity of what a step shows, or of what is on the page
+ * @param {Task | null} task
  * @param {Page} page
  * @param {Words} words
- * @returns {HTMLElement[]} the drawing of what a step shows, and the reader's own dimensions
  */
-function shown(lesson, index, name, page, words) {
-  const { engine, model: { coordinate } } = page;
-  const task = taskOf(lesson, index, name, engine);
-  const sketch = task && attempt(() => engine.sketch(alone(task.state))).value;
-  if (!sketch) return own(lesson, index, name, page, words);
-  const { bounds, scene, frame, labels } = sketch;
+function nameOf(quantity, task, { engine, model, store }, words) {
+  const seen = task && attempt(() => seenIn(task.state, engine)).value;
+  const { summary, coordinate } = seen ?? model;
+  return quantityName(quantity, { summary, coordinate: coordinate ?? model.coordinate, state: task?.state ?? store.get() }, words);
+}
+
+/**
+ * @param {State} state
+ * @param {Engine} engine
+ * @returns what the engine says of a mechanism, and how it is drawn where its driver stands
+ */
+function seenIn(state, engine) {
+  return engine.beside((other) => {
+    /** @type {import("assur/engine.js").Summary & { bounds: readonly number[] }} */
+    const summary = other.set(alone(state));
+    const coordinate = summary.moves === null ? null : coordinateOf(summary);
+    const frameInput = coordinate ? coordinate.input(coordinate.of(state)) : 0;
+    const { frame } = engine.placeOf(other, frameInput);
+    const readouts = coordinate && engine.readoutsOf(other, frameInput);
+    return { summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames() };
+  });
+}
+
+/**
+ * @param {State} state
+ * @param {Written["steps"][number]} step that shows it
+ * @param {Page} page
+ * @param {Words} words
+ * @returns {HTMLElement[]} the drawing, without what the step asks for
+ */
+function drawing(state, { title, question }, { engine, model }, words) {
+  const seen = attempt(() => seenIn(state, engine)).value;
+  if (!seen) return [];
+  const { summary: { bounds }, labels, ...drawn } = seen;
   const theme = paperTheme(engine.roles);
+  const quantity = question?.number?.quantity;
+  const withheld = new Set(quantity ? tellers(quantity) : []);
   /** @type {import("assur/export/pictures.js").Picture["paint"]} */
   const paint = (target, its, newPath) => {
     const figure = new Figure({ roles: engine.roles, labels }, its, newPath);
-    figure.take({ scene, frame, frameInput: 0, coordinate, readouts: null, revision: 1, words });
+    figure.take({ ...drawn, coordinate: drawn.coordinate ?? model.coordinate, revision: 1, words, withheld });
     const view = Transform.fit(bounds, SIZE.width, SIZE.height, MARGIN);
     figure.paintStill(target, view);
     figure.paintMoving(target, view);
     figure.paintLabels(target, view, SIZE, true);
   };
-  const svg = toSvgElement({ size: SIZE, paint }, theme, lesson.steps[index].title);
-  return [make("figure", {}, [svg]), ...own(lesson, index, name, page, words)];
+  return [make("figure", {}, [toSvgElement({ size: SIZE, paint }, theme, title)])];
 }
 
 /**
- * @param {Written} lesson
- * @param {number} index
- * @param {string} name
- * @param {Page} page
+ * @param {Task} task
  * @param {Words} words
+ * @returns {HTMLElement[]} the reader's own numbers
  */
-function own(lesson, index, name, { engine }, words) {
-  const task = lesson.steps[index].shows ? taskOf(lesson, index, name, engine) : null;
-  return (task?.own ?? []).map(({ field, value }) => make("p", { class: "own" }, [`${fieldName(field, words, task?.state.document)} = ${words.numbers.exact(value)}`]));
+function own({ own: numbers, state }, words) {
+  return numbers.map(({ field, value }) => make("p", { class: "own" }, [`${fieldName(field, words, state.document)} = ${words.numbers.exact(value)}`]));
 }

@@ -1,6 +1,9 @@
 // What a lecturer's lesson asks of the engine: what a step shows to a reader, with the reader's own numbers, and the answers.
 import { degrees } from "assur/core/angles.js";
+import { attempt } from "assur/core/problem.js";
 import { ownNumbers, valueIn } from "assur/lesson/chance.js";
+import { withNumber } from "assur/lesson/field.js";
+import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { initialState, withDocument } from "assur/state/state.js";
 
@@ -14,7 +17,7 @@ import { initialState, withDocument } from "assur/state/state.js";
  * @typedef {Written["steps"][number]} Step
  * @typedef {NonNullable<Step["shows"]>} Shows
  * @typedef {Readonly<{ state: State, own: readonly Readonly<{ field: string, value: number }>[] }>} Task
- * What a step shows, with the dimensions that are the reader's own.
+ * What a step shows, with the numbers that are the reader's own.
  */
 
 /** How a step is looked at that does not say. */
@@ -22,9 +25,6 @@ export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 
 /** How often numbers are drawn again that make no mechanism. */
 const TRIES = 64;
-
-/** The number of degrees of freedom, as a quantity. */
-const W = "W";
 
 /** What of a motion can be asked beside the values at a place, by what stands after the quantity. */
 const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
@@ -54,10 +54,11 @@ export function taskOf(lesson, index, name, engine) {
   const state = initialState(kind, document, { ...RESTING, ...view });
   if (vary.length === 0 || name.trim() === "") return { state, own: [] };
   const next = ownNumbers(name, at);
+  const followed = new Set((attempt(() => engine.numbers(state)).value ?? []).filter((one) => one.followed).map(({ field }) => field));
   return engine.beside((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
-      const fit = taken(() => withOwn(state, own, other));
+      const fit = taken(() => withOwn(state, own, followed, other));
       if (fit) return { state: fit, own };
     }
     return null;
@@ -67,15 +68,20 @@ export function taskOf(lesson, index, name, engine) {
 /**
  * @param {State} state
  * @param {Task["own"]} own
+ * @param {ReadonlySet<string>} followed the fields that the engine sets
  * @param {Simulator} other
- * @returns {State | null} with these dimensions; what goes on and on must still do
+ * @returns {State | null} with these numbers; what goes on and on must still do
  */
-function withOwn(state, own, other) {
+function withOwn(state, own, followed, other) {
   /** @type {Summary} */
   const first = other.set(state);
-  let summary = first;
-  let now = state;
+  // What is only written down need not make a mechanism before all of it is.
+  const written = own.filter(({ field }) => !followed.has(field));
+  let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
+  /** @type {Summary} */
+  let summary = now === state ? first : other.set(now);
   for (const { field, value } of own) {
+    if (!followed.has(field)) continue;
     const { document } = other.setDimension(field, value, summary.moves === null ? 0 : summary.home);
     now = withDocument(now, document ?? {});
     summary = other.set(now);
@@ -102,7 +108,7 @@ function taken(work) {
 }
 
 /** @param {Extract<Summary, { moves: "angle" | "length" | "time" }>} summary */
-function coordinateOf({ moves, cycle, input }) {
+export function coordinateOf({ moves, cycle, input }) {
   return new Coordinate(moves, cycle, input);
 }
 
@@ -149,22 +155,6 @@ export function valueOf(quantity, { summary, place, readouts }) {
  */
 function counted(value, quantity) {
   return isAngle(quantity) ? degrees(value) : value;
-}
-
-/**
- * @param {string} quantity
- * @returns {boolean} whether it is an angle, in degrees
- */
-export function isAngle(quantity) {
-  return /\.(angle|transmission|pressure)(:swing|:worst)?$/.test(quantity);
-}
-
-/**
- * @param {string} quantity
- * @returns {boolean} whether 360° more or less is the same
- */
-export function isRound(quantity) {
-  return quantity.endsWith(".angle");
 }
 
 /**

@@ -1,7 +1,8 @@
-// Dimensions that are others for every student: which, and between which values.
+// Numbers that are others for every student: which, and between which values.
 import { fieldName } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
+import { attempt } from "assur/core/problem.js";
 import { withStep } from "assur/lesson/steps.js";
 
 /**
@@ -13,7 +14,7 @@ import { withStep } from "assur/lesson/steps.js";
 
 const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
 
-/** A dimension first varies by so much of itself, to both sides. */
+/** A number first varies by so much of itself, to both sides; what counts by one at least. */
 const SHARE = 0.1;
 /** In so many steps. */
 const STEPS = 20;
@@ -47,17 +48,17 @@ export class Varying {
    * @param {Snapshot} snapshot
    * @param {Step} step
    */
-  render({ state, summary }, { shows }) {
-    // Dimensions are listed of what is on the page: of the step as long as that shows it.
-    const own = shows && "dimensions" in summary && state.document === shows.document;
+  render({ state }, { shows }) {
+    // Those are offered that stand beside the drawing: of the step as long as the page shows it.
+    const own = shows && state.document === shows.document;
     const ranges = shows?.vary ?? [];
     this.#row.hidden = !own;
     const typing = this.#list.contains(document.activeElement) && ranges.length === this.#list.childElementCount;
-    const built = [ranges, own ? summary : null, this.#words];
+    const built = [ranges, own, state.document, this.#words];
     if (typing || built.every((part, i) => part === this.#built[i])) return;
     this.#built = built;
     this.#list.replaceChildren(...ranges.map((range, i) => this.#entry(range, i, ranges, shows?.document)));
-    const free = own ? summary.dimensions.filter(({ field }) => !ranges.some((range) => range.field === field)) : [];
+    const free = own ? this.#numbers().filter(({ field }) => !ranges.some((range) => range.field === field)) : [];
     const options = free.map(({ field }) => make("option", { value: field }, [fieldName(field, this.#words, shows?.document)]));
     this.#add.replaceChildren(make("option", { value: "" }, [this.#words.text("write.vary_none")]), ...options);
   }
@@ -98,15 +99,22 @@ export class Varying {
     return make("div", { class: "write-varied" }, [name, ...inputs, remove]);
   }
 
+  /** @returns {readonly import("assur/types/file.js").NumberField[]} those of what is on the page */
+  #numbers() {
+    const { engine, store } = this.#page;
+    return attempt(() => engine.numbers(store.get())).value ?? [];
+  }
+
   /** @param {string} field */
   #begin(field) {
-    const { summary, good } = this.#page.model;
-    const found = "dimensions" in summary ? summary.dimensions.find((one) => one.field === field) : undefined;
-    if (!found || !good) return;
-    const size = Math.max(Math.abs(found.value), 0.1);
-    const step = 10 ** Math.floor(Math.log10((2 * SHARE * size) / STEPS)) ;
+    const found = this.#numbers().find((one) => one.field === field);
+    if (!found) return;
+    const { value: now, whole } = found;
+    const size = Math.max(Math.abs(now), 0.1);
+    const step = whole ? 1 : 10 ** Math.floor(Math.log10((2 * SHARE * size) / STEPS));
+    const off = whole ? Math.max(SHARE * size, 1) : SHARE * size;
     const rounded = (/** @type {number} */ value) => Number((Math.round(value / step) * step).toPrecision(12));
-    const range = { field, from: rounded(found.value - SHARE * size), to: rounded(found.value + SHARE * size), step: Number(step.toPrecision(12)) };
+    const range = { field, from: rounded(now - off), to: rounded(now + off), step: Number(step.toPrecision(12)) };
     const { lesson } = this.#page.store.get();
     this.#page.history.step(() => this.#put(null, range));
     if (lesson) this.#add.focus();

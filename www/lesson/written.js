@@ -7,9 +7,10 @@ import { digest, hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
 import { OWN } from "assur/lesson/offer.js";
+import { isRound, measured, tellers, unitOf } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
-import { RESTING, answerOf, isAngle, isRound, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
+import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
 import { keep, kept } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
@@ -139,8 +140,8 @@ export class WrittenLesson {
   #question({ text, hint = "", number, choice, reach }, index) {
     const words = this.#words;
     const { engine } = this.#page;
-    const unit = number?.unit || (isAngle(number?.quantity ?? "") || number?.quantity === "input" ? "°" : "");
-    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(number.within, 6) + unit })}` : "";
+    const unit = unitOf(number);
+    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unit) })}` : "";
     /** @type {Partial<Question>} */
     const reached = reach ? {
       reached: ({ stale, ...here }) => {
@@ -151,13 +152,13 @@ export class WrittenLesson {
     return {
       text: text + tolerance,
       unit,
-      hides: [],
+      hides: number?.quantity && !number.shown ? tellers(number.quantity) : [],
       options: choice ? choice.options.map((option, i) => ({ value: String(i), text: option })) : null,
       judge: (given) => (reach ? "right" : verdictOn(this.#lesson, index, given, this.#reader, engine)),
       hint: () => hint,
       right: () => {
         const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
-        return exact === null ? "" : words.text("written.exactly", { value: words.numbers.upTo(exact, 4) + unit });
+        return exact === null ? "" : words.text("written.exactly", { value: measured(words.numbers.upTo(exact, 4), unit) });
       },
       ...reached,
     };

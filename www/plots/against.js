@@ -1,6 +1,6 @@
 // One quantity plotted against another: its text, the cursor on it, and which place of the motion a pointer means.
 import { textWidth } from "assur/canvas/text-width.js";
-import { subscript, symbol } from "assur/core/symbols.js";
+import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
@@ -119,7 +119,7 @@ export function drawAgainstText(context, field, snapshot, theme) {
  * @param {Theme} theme
  * @param {{ tagged: boolean, input?: number }} how whether the numbers are written, and with which input
  */
-export function drawAgainstCursor(context, field, values, { coordinate, state, words }, theme, { tagged, input }) {
+export function drawAgainstCursor(context, field, values, { coordinate, state, words, withheld }, theme, { tagged, input }) {
   if (!values) return;
   const { left, top, width, height, x, y, role } = field;
   const [right, bottom] = [left + width, top + height];
@@ -145,7 +145,10 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
   context.stroke();
   if (!tagged) return;
   const { playing } = state.view;
-  const numbers = `${told(x, field, values[0], words, playing)}; ${told(y, field, values[1], words, playing)}`;
+  const numbers = [x, y].map((axis, i) => {
+    const hidden = axis.name !== null && withheld.has(readoutOf(axis.name, axis.order));
+    return hidden ? "?" : told(axis, field, values[i], words, playing);
+  }).join("; ");
   const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;
   const font = setChartFont(context, theme);
   const [wide, tall] = [textWidth(context, font, text) + 10, TAG * theme.scale];

@@ -4,6 +4,7 @@ import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { readoutOf } from "assur/core/symbols.js";
 import { drawAgainstCursor } from "assur/plots/against.js";
 import { across, down, shows } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
@@ -150,13 +151,13 @@ export class ChartCursor {
    * @param {Float64Array | null} values of the plotted quantities
    * @returns {Dot[]} from the top down
    */
-  #dots(panel, { state, words }, values) {
+  #dots(panel, { state, words, withheld }, values) {
     if (!values) return [];
     const dots = [];
-    for (const [i, { role }] of panel.series.entries()) {
+    for (const [i, { name, role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = written(panel, value, words.numbers, state.view.playing);
+      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : written(panel, value, words.numbers, state.view.playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

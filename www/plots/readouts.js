@@ -2,7 +2,7 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { MEASURES, calledWhole, isLength, subscript, symbol } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, isLength, readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { written } from "assur/plots/values.js";
 
 /**
@@ -48,21 +48,23 @@ export class ReadoutTable {
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
       const said = value === undefined ? null : written(value, listed.what, order, words);
-      if (withheld.has(output.id.replace("out-", ""))) withhold(output, words);
+      if (withheld.has(readoutOf(listed.name, order))) withhold(output, words);
       else writeReadout(output, said?.text ?? NONE, said?.value);
     }
     this.#compare(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #compare({ readouts, compared, words }) {
+  #compare({ readouts, compared, words, withheld }) {
     for (const { listed, order, outputs } of this.#beside) {
       const name = listed.name + STROKES[order];
       const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
       const difference = differenceOf(listed.what, order, a, b);
       for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
         const said = value === undefined ? null : written(value, listed.what, order, words);
-        writeReadout(output, said?.text ?? NONE, said?.value);
+        // What is withheld would be told by how far it is from A.
+        if (output === outputs.difference && withheld.has(readoutOf(listed.name, order))) withhold(output, words);
+        else writeReadout(output, said?.text ?? NONE, said?.value);
       }
     }
   }
@@ -86,7 +88,7 @@ export class ReadoutTable {
       const bare = one.what === "transmission" || one.what === "pressure";
       const cells = STROKES.map((_, order) => {
         if (bare && order > 0) return make("td");
-        const output = make("td", { id: `out-${"d".repeat(order)}${one.name.replace(/\.angle$/, "")}` });
+        const output = make("td", { id: `out-${readoutOf(one.name, order)}` });
         this.#cells.push({ listed: one, order, output });
         return output;
       });
@@ -106,7 +108,7 @@ export class ReadoutTable {
   #besideRows(listed, count) {
     const sorts = /** @type {(keyof typeof BESIDE)[]} */ (Object.keys(BESIDE));
     const outputs = STROKES.map((_, order) => {
-      const made = sorts.map((sort) => [sort, make("td", order < count ? { id: `${sort}-${"d".repeat(order)}${listed.name.replace(/\.angle$/, "")}` } : {})]);
+      const made = sorts.map((sort) => [sort, make("td", order < count ? { id: `${sort}-${readoutOf(listed.name, order)}` } : {})]);
       return /** @type {Record<keyof typeof BESIDE, HTMLElement>} */ (Object.fromEntries(made));
     });
     outputs.slice(0, count).forEach((pair, order) => this.#beside.push({ listed, order, outputs: pair }));

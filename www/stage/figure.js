@@ -5,14 +5,14 @@ import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { readable } from "assur/core/numbers.js";
-import { isLength, subscript } from "assur/core/symbols.js";
+import { isLength, readoutOf, subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
 
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words">
- *   & { readonly compared?: import("assur/state/compared.js").Beside | null, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
+ *   & { readonly compared?: import("assur/state/compared.js").Beside | null, readonly withheld?: ReadonlySet<string>, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -182,13 +182,14 @@ function readPoses(frame) {
  * @param {string} label a name, or a symbol and the read-out it is written with: `μ=C.transmission`
  * @param {Snapshot} snapshot
  */
-function labelText(label, { frameInput, coordinate, readouts, words, state }) {
+function labelText(label, { frameInput, coordinate, readouts, words, state, withheld }) {
   const [symbol, readout] = label.split("=");
   if (readout === undefined) return low(called(label, words));
   const decimals = readable(1, state?.view.playing ?? false);
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;
   const value = readouts?.[readout];
   if (value === undefined) return symbol;
+  if (withheld?.has(readoutOf(readout, 0))) return `${symbol} = ?`;
   const length = isLength(readout.slice(readout.lastIndexOf(".") + 1));
   return `${symbol} = ${length ? words.length(words.numbers.short(value)) : `${words.numbers.fixed(degrees(value), decimals)}°`}`;
 }

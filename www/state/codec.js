@@ -13,12 +13,14 @@ import { contains } from "assur/state/state.js";
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** What a state may have besides document and view; in the first version the kind was called `lesson`. */
+/** What of a state an address has besides document and view: a picture is for files. In the first version the kind was called `lesson`. */
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
 /** Longer and deeper ones are none of ours. */
 export const LONGEST = 400_000;
+/** A file may have an image besides, of which the engine says whether it is too long. */
+const LONGEST_FILE = 20_000_000;
 const DEEPEST = 12;
 
 /** Where the driver stands: left out of a short address while it moves. */
@@ -96,9 +98,12 @@ export function toFile(state) {
  * @returns {unknown} for the engine to check
  */
 export function fromFile(text) {
-  if (text.length > LONGEST) throw unreadable();
+  if (text.length > LONGEST_FILE) throw unreadable();
   try {
-    return shallow(JSON.parse(text));
+    const value = JSON.parse(text);
+    const image = value?.picture?.image;
+    if (text.length - (typeof image === "string" ? image.length : 0) > LONGEST) throw unreadable();
+    return shallow(value);
   } catch {
     throw unreadable();
   }

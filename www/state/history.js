@@ -1,5 +1,5 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
-import { UNDONE, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -128,8 +128,9 @@ export class History {
  * @param {State} state
  * @returns {Moment}
  */
-function moment({ kind, document, lesson, compared, view }) {
-  return { kind, document, further: { lesson, compared }, shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
+function moment(state) {
+  const { kind, document, view } = state;
+  return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -137,6 +138,6 @@ function moment({ kind, document, lesson, compared, view }) {
  * @param {Moment} other
  */
 function same(one, other) {
-  const [mine, others] = [one.further, other.further];
-  return one.document === other.document && mine.lesson === others.lesson && mine.compared === others.compared && UNDONE.every((name) => one.shown[name] === other.shown[name]);
+  const further = FURTHER.every((name) => one.further[name] === other.further[name]);
+  return one.document === other.document && further && UNDONE.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -18,8 +18,9 @@
  */
 
 /**
- * @typedef {Readonly<{ lesson?: Written, compared?: Document }>} Further what a state may have besides its document: a lesson about it; what it is compared
- * with, mechanism A
+ * @typedef {Frozen<import("assur/types/file.js").PictureDocument>} Picture behind the drawing
+ * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further what a state may have besides its document: a lesson about it; what it
+ * is compared with, mechanism A; a picture behind the drawing
  */
 
 /**
@@ -43,6 +44,9 @@ export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", r
 
 /** What of the view is undone, as the document is: the rest loses nothing. */
 export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
+
+/** What a state may have besides its document and its view. */
+export const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared", "picture"]));
 
 /** How many traced points a mechanism may have. */
 export const TRACERS = Object.freeze({ most: 6 });
@@ -111,8 +115,17 @@ export function initialState(kind, document, view, further) {
  * @param {View} view
  * @param {Further} [further]
  */
-function stateOf(kind, document, view, { lesson, compared } = {}) {
-  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...(lesson && { lesson }), ...(compared && { compared }) }));
+function stateOf(kind, document, view, further = {}) {
+  const there = FURTHER.filter((name) => further[name]).map((name) => [name, further[name]]);
+  return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...Object.fromEntries(there) }));
+}
+
+/**
+ * @param {Further} state
+ * @returns {Further} what it has besides its document, and what it has not
+ */
+export function furtherOf(state) {
+  return Object.fromEntries(FURTHER.map((name) => [name, state[name]]));
 }
 
 /**
@@ -130,7 +143,7 @@ export function alone({ kind, document, view }) {
  */
 export function withFurther(state, change) {
   const next = stateOf(state.kind, state.document, state.view, { ...state, ...change });
-  return next.lesson === state.lesson && next.compared === state.compared ? state : next;
+  return FURTHER.every((name) => next[name] === state[name]) ? state : next;
 }
 
 /**

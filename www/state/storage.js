@@ -1,11 +1,16 @@
 // Where the state outlives the page: the address and the browser's own store. Both may be forbidden; the page then does without.
 import { toFile } from "assur/state/codec.js";
+import { withFurther } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
  */
 
 const KEY = "assur.state";
+/** The image of a picture behind the drawing by itself: it is long, and seldom another. */
+const IMAGE = "assur.image";
+/** Characters at the end of an image by which it is told from others of its length. */
+const TAIL = 48;
 /** What could not be read is not written over but put aside. */
 const ASIDE = "assur.state.unread";
 
@@ -44,17 +49,22 @@ export function putAside(text) {
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
+ * @param {() => void} unkept called where an image does not fit into what it keeps
  */
-export function persist(store, address, sound, ours) {
+export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
   let changed = false;
+  const keepImage = imageKeeper(unkept);
   const save = () => {
     clearTimeout(timer);
     timer = 0;
     const state = store.get();
     if (!changed || !sound(state)) return;
     changed = false;
-    if (ours) guarded(() => localStorage.setItem(KEY, toFile(state)));
+    if (ours) {
+      guarded(() => localStorage.setItem(KEY, toFile(withoutImage(state))));
+      keepImage(state.picture?.image ?? "");
+    }
     address.show(state);
   };
   store.subscribe((state, previous) => {
@@ -67,6 +77,48 @@ export function persist(store, address, sound, ours) {
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) save();
   });
+}
+
+/**
+ * @param {() => void} unkept
+ * @returns {(image: string) => void} keeps an image where it is another than the last, and takes that away where there is none any more
+ */
+function imageKeeper(unkept) {
+  let last = "";
+  return (image) => {
+    if (image === last) return;
+    last = image;
+    // The one before would take the room.
+    guarded(() => localStorage.removeItem(IMAGE));
+    if (image === "") return;
+    guarded(() => localStorage.setItem(IMAGE, image));
+    if (guarded(() => localStorage.getItem(IMAGE)) !== image) unkept();
+  };
+}
+
+/** @param {string} image */
+function signOf(image) {
+  return `${image.length} ${image.slice(-TAIL)}`;
+}
+
+/**
+ * @param {State} state
+ * @returns {State} with a sign of the image of its picture instead of the image
+ */
+function withoutImage(state) {
+  const { picture } = state;
+  return picture ? withFurther(state, { picture: { ...picture, image: signOf(picture.image) } }) : state;
+}
+
+/**
+ * @param {unknown} value what was kept of a state
+ * @returns {unknown} the same with the image of its picture; where that was not kept, without a picture
+ */
+export function withImage(value) {
+  const { picture, ...rest } = Object(value);
+  if (!picture) return value;
+  const image = guarded(() => localStorage.getItem(IMAGE));
+  return image !== null && signOf(image) === picture.image ? { ...rest, picture: { ...picture, image } } : rest;
 }
 
 /**

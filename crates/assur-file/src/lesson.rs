@@ -7,28 +7,24 @@ use serde_json::{Map, Value};
 use crate::kinds::Document;
 use crate::state::{State, part, within};
 use crate::view::View;
-use crate::{FORMAT, Field, Problem};
+use crate::{FORMAT, Problem};
 
 mod problem;
+mod varied;
 
 pub use problem::LessonProblem;
+use problem::{NUMBER, Problems};
+pub use varied::VariedDocument;
 
-/// How many steps a lesson may have, options a choice, dimensions that vary a step.
+/// How many steps a lesson may have, options a choice.
 const STEPS: usize = 40;
 const OPTIONS: usize = 8;
-const VARIED: usize = 12;
 
 /// Characters of a title or name, of an option or another short text, of a text, of formulas.
 const TITLE: usize = 200;
 const LINE: usize = 500;
 const TEXT: usize = 5000;
 const FORMULA: usize = 1000;
-
-/// How many values a dimension that varies may take.
-const VALUES: f64 = 10_000.0;
-
-/// The greatest number that a lesson may hold.
-const NUMBER: f64 = 1e9;
 
 /// A lesson; saved with what the page shows. A key that it does not know is refused.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -79,25 +75,10 @@ pub struct ShownDocument {
     #[serde(serialize_with = "unusual")]
     #[cfg_attr(test, ts(type = "Partial<View>"))]
     pub view: View,
-    /// Dimensions that are others for every reader.
+    /// Numbers that are others for every reader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub vary: Vec<VariedDocument>,
-}
-
-/// A dimension that varies: by steps from one value to another.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(deny_unknown_fields)]
-pub struct VariedDocument {
-    /// The dimension as the summary of its document names it, such as `links[0].length`.
-    pub field: String,
-    /// The least value.
-    pub from: f64,
-    /// The greatest value.
-    pub to: f64,
-    /// By how much one value differs from the next.
-    pub step: f64,
 }
 
 /// A question: exactly one of a number, a choice and a state to be reached.
@@ -148,6 +129,15 @@ pub struct NumberDocument {
     pub unit: String,
     /// By how much an answer may be off.
     pub within: f64,
+    /// Whether the page shows the quantity's value while it is asked for: without it, it does not.
+    #[serde(default, skip_serializing_if = "is_false")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub shown: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// Options of which one is right.
@@ -207,6 +197,7 @@ impl LessonDocument {
                 view,
                 lesson: None,
                 compared: None,
+                picture: None,
             };
             Some((number, state))
         })
@@ -225,19 +216,8 @@ impl StepDocument {
         problems.characters("lesson.step_title", &self.title, TITLE);
         problems.characters("lesson.text", &self.text, TEXT);
         problems.characters("lesson.formula", &self.formula, FORMULA);
-        let varied = self.shows.iter().flat_map(|shows| &shows.vary);
-        problems.count("lesson.vary", varied.clone().count(), 0, VARIED);
-        for VariedDocument {
-            field,
-            from,
-            to,
-            step,
-        } in varied
-        {
-            problems.characters("lesson.quantity", field, TITLE);
-            problems.number("lesson.from", *from, -NUMBER);
-            problems.number("lesson.to", *to, *from);
-            problems.number("lesson.step", *step, ((to - from) / VALUES).max(1e-9));
+        if let Some(shows) = &self.shows {
+            shows.check_varied(problems);
         }
         let Some(question) = &self.question else {
             return;
@@ -279,51 +259,6 @@ impl StepDocument {
             problems.characters("lesson.quantity", &reach.quantity, TITLE);
             problems.number("lesson.value", reach.value, -NUMBER);
             problems.number("lesson.within", reach.within, 0.0);
-        }
-    }
-}
-
-/// What is found at fault.
-#[derive(Default)]
-struct Problems(Vec<Problem>);
-
-impl Problems {
-    fn add(&mut self, problem: LessonProblem) {
-        self.0.push(problem.into());
-    }
-
-    fn characters(&mut self, field: &'static str, text: &str, most: usize) {
-        self.count(field, text.chars().count(), 0, most);
-    }
-
-    #[expect(clippy::cast_precision_loss, reason = "counts are small")]
-    fn count(&mut self, field: &'static str, count: usize, least: usize, most: usize) {
-        self.range(field, count as f64, least as f64, most as f64);
-    }
-
-    fn number(&mut self, field: &'static str, value: f64, least: f64) {
-        self.range(field, value, least, NUMBER);
-    }
-
-    fn range(&mut self, field: &'static str, value: f64, min: f64, max: f64) {
-        let field: Field = field.into();
-        if !value.is_finite() {
-            self.0.push(Problem::NotANumber { field });
-        } else if !(min..=max).contains(&value) {
-            self.0.push(Problem::OutOfRange {
-                field,
-                value,
-                min,
-                max,
-            });
-        }
-    }
-
-    fn end(self) -> Result<(), Vec<Problem>> {
-        if self.0.is_empty() {
-            Ok(())
-        } else {
-            Err(self.0)
         }
     }
 }

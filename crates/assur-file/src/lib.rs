@@ -5,6 +5,7 @@
 mod catalogue;
 mod kinds;
 mod lesson;
+mod picture;
 mod problem;
 mod state;
 mod text;
@@ -25,9 +26,10 @@ pub use kinds::gear_train::{
 };
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument, TracerDocument, dimension_field,
+    PointDocument, SlideDocument, TracerDocument, dimension_field, rate_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+pub use kinds::numbers::NumberField;
 pub use kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument, SchemeProblem,
 };
@@ -37,6 +39,7 @@ pub use lesson::{
     ChoiceDocument, LessonDocument, LessonProblem, NumberDocument, QuestionDocument, ReachDocument,
     ShownDocument, StepDocument, VariedDocument, in_step,
 };
+pub use picture::{PictureDocument, PictureProblem};
 pub use problem::{Field, Problem};
 pub use state::{FORMAT, State};
 pub use text::keys_once;

@@ -6,7 +6,10 @@ use std::borrow::Cow;
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::{GearTrainProblem, LessonProblem, LinkageProblem, SchemeProblem, SynthesisProblem};
+use crate::{
+    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, SchemeProblem,
+    SynthesisProblem,
+};
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -72,6 +75,9 @@ pub enum Problem {
     /// What is wrong with a lesson.
     #[serde(untagged)]
     Lesson(LessonProblem),
+    /// What is wrong with a picture behind a drawing.
+    #[serde(untagged)]
+    Picture(PictureProblem),
     /// What is wrong with a differential.
     #[serde(untagged)]
     GearTrain(GearTrainProblem),

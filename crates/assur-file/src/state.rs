@@ -8,7 +8,7 @@ use crate::kinds::{Document, Moved};
 use crate::lesson::LessonDocument;
 use crate::text::json;
 use crate::view::{OpenLesson, View};
-use crate::{LinkageDocument, Problem};
+use crate::{LinkageDocument, PictureDocument, Problem};
 
 /// The version of the saved form that is written.
 pub const FORMAT: f64 = 2.0;
@@ -34,6 +34,9 @@ pub struct State {
     /// What it is compared with: a mechanism that is shown beside it and stays as it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compared: Option<Document>,
+    /// What stands behind the drawing, if a picture does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<PictureDocument>,
 }
 
 /// What says how the rest of a state is to be read.
@@ -76,6 +79,7 @@ impl State {
                 view: within(value, "view")?.unwrap_or_default(),
                 lesson: within::<Option<_>>(value, "lesson")?.flatten(),
                 compared: compared(value)?,
+                picture: within::<Option<_>>(value, "picture")?.flatten(),
             });
         }
         if format != FIRST_FORMAT {
@@ -97,6 +101,7 @@ impl State {
             view,
             lesson: None,
             compared: None,
+            picture: None,
         })
     }
 
@@ -132,7 +137,7 @@ impl State {
         self.document.linkage()
     }
 
-    /// Checks format, view and lesson. The document is checked by making its mechanism.
+    /// Checks format, view, lesson and picture. The document is checked by making its mechanism.
     ///
     /// # Errors
     /// Every problem at once, each naming its field.
@@ -142,7 +147,11 @@ impl State {
         let view = self.view.check().err().into_iter().flatten();
         let lesson = self.lesson.iter();
         let lesson = lesson.filter_map(|lesson| lesson.check().err()).flatten();
-        let problems = format.into_iter().chain(view).chain(lesson);
+        let picture = self.picture.iter();
+        let picture = picture
+            .filter_map(|picture| picture.check().err())
+            .flatten();
+        let problems = format.into_iter().chain(view).chain(lesson).chain(picture);
         let problems: Vec<Problem> = problems.collect();
         if problems.is_empty() {
             Ok(())

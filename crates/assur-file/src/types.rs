@@ -16,6 +16,7 @@ use crate::kinds::linkage::{
     TracerDocument,
 };
 use crate::kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
+use crate::kinds::numbers::NumberField;
 use crate::kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
 };
@@ -25,7 +26,7 @@ use crate::lesson::{
     StepDocument, VariedDocument,
 };
 use crate::view::{Against, Axes, Only, OpenLesson, SpeedUnit};
-use crate::{Document, Group, LengthUnit, LinkageDocument, Preset, Shelf, View};
+use crate::{Document, Group, LengthUnit, LinkageDocument, PictureDocument, Preset, Shelf, View};
 
 #[test]
 fn the_scripts_know_what_is_saved() {
@@ -78,6 +79,8 @@ fn the_scripts_know_what_is_saved() {
         NumberDocument::decl(&config),
         ChoiceDocument::decl(&config),
         ReachDocument::decl(&config),
+        PictureDocument::decl(&config),
+        NumberField::decl(&config),
         Preset::decl(&config),
         Shelf::decl(&config),
         Group::decl(&config),

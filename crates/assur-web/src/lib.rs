@@ -18,6 +18,7 @@ mod imported;
 mod kinds;
 mod measures;
 mod moving;
+mod numbers;
 mod pair;
 mod polygons;
 mod profile;
@@ -32,6 +33,7 @@ mod types;
 pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};
+pub use numbers::numbers_of;
 pub use qr::qr_code;
 pub use simulator::{
     Simulator, blank, catalogue, check_keys, read_lesson, read_state, role_names, shelves, task,

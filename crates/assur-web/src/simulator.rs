@@ -460,6 +460,7 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
             view: View::default(),
             lesson: None,
             compared: None,
+            picture: None,
             ..state
         };
         let in_it = |problems| thrown([vec![Problem::InCompared], problems].concat());

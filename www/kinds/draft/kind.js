@@ -10,7 +10,7 @@ import { withView } from "assur/state/state.js";
 export const views = ({ store }) => [
   new StatusLine("draft", [
     {
-      name: "draft-w", title: "status.mobility",
+      name: "draft-w", title: "status.w",
       say: (/** @type {Snapshot} */ { summary: { mobility }, words: { numbers } }) => (mobility === null ? null : { text: numbers.exact(mobility), value: mobility }),
     },
     {

@@ -13,7 +13,7 @@ import { subscript } from "assur/core/symbols.js";
 
 /** @type {Readonly<Record<string, (summary: Summary, words: Words, snapshot: Snapshot) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
-  mobility: ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
+  "linkage-w": ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
   passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
@@ -37,6 +37,7 @@ const ENTRIES = Object.freeze({
 });
 
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
+  "linkage-w": "w",
   "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-stroke": "stroke",
   "linkage-time-ratio": "time-ratio",
   "linkage-transmission": "transmission", "linkage-pressure": "pressure", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",

@@ -15,6 +15,7 @@ pub use load::{
 pub use problem::GearTrainProblem;
 
 use super::Kind;
+use super::numbers::{self, NumberField};
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
 /// The longest text, in characters.
@@ -396,5 +397,9 @@ impl Kind for GearTrainDocument {
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         Err(vec![GearTrainProblem::ByTime.into()])
+    }
+
+    fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        Ok(numbers::written(self, &numbers::GEAR_TRAIN))
     }
 }

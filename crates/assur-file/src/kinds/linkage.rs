@@ -10,9 +10,10 @@ use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use super::draft::DraftDocument;
+use super::numbers::{self, NumberField};
 use super::{Document, Kind};
-use crate::{LengthUnit, Problem, catalogue};
-pub use problem::{LinkageProblem, dimension_field};
+use crate::{Field, LengthUnit, Problem, catalogue};
+pub use problem::{LinkageProblem, dimension_field, rate_field};
 
 /// A linkage: things name each other, lengths are in one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.
@@ -227,6 +228,24 @@ impl Kind for LinkageDocument {
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         Ok(self.clone())
+    }
+
+    fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        let mechanism = self.mechanism()?;
+        let followed = |field: Field, value: f64| NumberField {
+            field,
+            value,
+            whole: false,
+            followed: true,
+        };
+        let dimensions = mechanism.dimensions().into_iter();
+        let mut all: Vec<NumberField> = dimensions
+            .filter_map(|one| Some(followed(dimension_field(one), mechanism.value(one)?)))
+            .collect();
+        let further = self.drivers.iter().enumerate().skip(1);
+        all.extend(further.map(|(k, driver)| followed(rate_field(k), driver.rate.unwrap_or(1.0))));
+        all.extend(numbers::written(self, &numbers::LINKAGE));
+        Ok(all)
     }
 }
 

@@ -7,6 +7,7 @@ use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
+use super::numbers::{self, NumberField};
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
 /// The mixer: lengths, numbers of teeth, how the wheels are set, and
@@ -175,6 +176,10 @@ impl Kind for MixerDocument {
             LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])?;
         document.unit = Some(self.unit());
         Ok(document)
+    }
+
+    fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        Ok(numbers::written(self, &numbers::MIXER))
     }
 
     /// Over every arc of the crank on which the loop can be closed.

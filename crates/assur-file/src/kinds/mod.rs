@@ -5,6 +5,7 @@ pub(crate) mod draft;
 pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
+pub(crate) mod numbers;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
 
@@ -19,6 +20,7 @@ use draft::DraftDocument;
 use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
+use numbers::NumberField;
 use scheme::SchemeDocument;
 use synthesis::SynthesisDocument;
 
@@ -41,6 +43,14 @@ pub trait Kind {
     /// Whether it may say so itself.
     fn chooses_unit(&self) -> bool {
         false
+    }
+
+    /// Its numbers that a lesson may vary.
+    ///
+    /// # Errors
+    /// Every problem for which it is not known what numbers it has.
+    fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        Ok(Vec::new())
     }
 
     /// The motion of what it describes.
@@ -151,6 +161,14 @@ impl Document {
     /// Whether a document of its kind may say so itself.
     pub fn chooses_unit(&self) -> bool {
         self.kind().chooses_unit()
+    }
+
+    /// Its numbers that a lesson may vary.
+    ///
+    /// # Errors
+    /// Every problem for which it is not known what numbers it has.
+    pub fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        self.kind().numbers()
     }
 
     /// The linkage that it describes, whatever its kind.

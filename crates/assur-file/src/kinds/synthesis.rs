@@ -8,6 +8,7 @@ use assur::synthesis::four_bar::{
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
+use super::numbers::{self, NumberField};
 use crate::{Field, LengthUnit, LinkageDocument, Problem};
 
 /// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
@@ -336,5 +337,9 @@ impl Kind for SynthesisDocument {
 
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.linkage()?.motion()
+    }
+
+    fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
+        Ok(numbers::written(self, &numbers::SYNTHESIS))
     }
 }

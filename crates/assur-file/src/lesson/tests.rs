@@ -1,6 +1,8 @@
 use super::*;
 use serde_json::json;
 
+use crate::{NumberField, document};
+
 /// A lesson with every kind of question, and a step that shows what the one before does.
 fn written() -> Value {
     json!({
@@ -270,4 +272,101 @@ fn a_state_has_it_and_tells_what_is_wrong() {
     assert_eq!(State::read(&state).unwrap().check().unwrap_err().len(), 1);
     state["lesson"] = Value::Null;
     assert_eq!(State::read(&state).unwrap().lesson, None);
+}
+
+/// A step that shows a mechanism of the catalogue with one number varied.
+fn varied(
+    document: &Document,
+    field: &str,
+    [from, to, step]: [f64; 3],
+) -> Result<(), Vec<Problem>> {
+    let mut shows = serde_json::to_value(document).unwrap();
+    shows["vary"] = json!([{ "field": field, "from": from, "to": to, "step": step }]);
+    let lesson = json!({ "title": "", "steps": [{ "title": "", "text": "", "shows": shows }] });
+    read(&lesson).map_err(|problem| vec![problem])?.check()
+}
+
+#[test]
+fn every_number_of_a_rail_can_vary() {
+    for (name, count, some) in [
+        (
+            "jansen",
+            9,
+            &["links[0].length", "points[0].x", "points[0].y"][..],
+        ),
+        ("geared-five-bar", 8, &["links[0].length"]),
+        (
+            "mixer-a",
+            8,
+            &[
+                "l1",
+                "z4",
+                "module",
+                "wheels[0].z",
+                "wheels[0].centre_line_deg",
+            ],
+        ),
+        (
+            "train-magnets",
+            27,
+            &[
+                "z1",
+                "satellites",
+                "drives[1].rpm",
+                "magnets.peak[0]",
+                "bodies.inertia[3]",
+            ],
+        ),
+    ] {
+        let document = document(name).unwrap().unwrap();
+        let numbers = document.numbers().unwrap();
+        let fields: Vec<&str> = numbers.iter().map(|number| &*number.field).collect();
+        assert_eq!(fields.len(), count, "{name}: {fields:?}");
+        for field in some {
+            assert!(fields.contains(field), "{name}: {field}");
+        }
+        for NumberField { field, value, .. } in &numbers {
+            varied(&document, field, [*value, *value + 2.0, 1.0]).unwrap();
+        }
+    }
+}
+
+#[test]
+fn what_varies_is_a_number_of_what_is_shown() {
+    let mixer = document("mixer-a").unwrap().unwrap();
+    for field in [
+        "",
+        "assembly",
+        "mesh",
+        "wheels",
+        "wheels[1].z",
+        "wheels[0]",
+        "l1.x",
+        "__proto__",
+        "<b>",
+    ] {
+        let varies = LessonProblem::LessonVaries {
+            name: field.to_owned(),
+        };
+        assert_eq!(
+            varied(&mixer, field, [1.0, 2.0, 1.0]).unwrap_err(),
+            in_step(1, vec![varies.into()])
+        );
+    }
+    // What counts goes by whole numbers.
+    for (range, field, value) in [
+        ([18.5, 24.0, 1.0], "lesson.from", 18.5),
+        ([18.0, 24.5, 1.0], "lesson.to", 24.5),
+        ([18.0, 24.0, 0.5], "lesson.step", 0.5),
+    ] {
+        let whole = Problem::NotWhole {
+            field: field.into(),
+            value,
+        };
+        assert_eq!(
+            varied(&mixer, "wheels[0].z", range).unwrap_err(),
+            in_step(1, vec![whole])
+        );
+        varied(&mixer, "l1", range).unwrap();
+    }
 }

@@ -51,6 +51,7 @@ fn state() -> State {
         },
         lesson: None,
         compared: None,
+        picture: None,
     }
 }
 

@@ -6,7 +6,7 @@ use assur::motion::Changed;
 use assur_draw::Annotations;
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
-    TracerDocument, dimension_field,
+    TracerDocument, dimension_field, rate_field,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -86,11 +86,6 @@ pub(crate) struct RateSummary<'a> {
     role: &'static str,
 }
 
-/// What the rate of a driver, by its place, is called.
-fn rate_field(driver: usize) -> String {
-    format!("drivers[{driver}].rate")
-}
-
 impl Linkage {
     fn mechanism(&self) -> &Mechanism {
         self.0.mechanism()
@@ -104,7 +99,7 @@ impl Linkage {
             let link = draft.driven(driver)?;
             let role = mechanism.link(link)?;
             Some(RateSummary {
-                field: rate_field(index),
+                field: rate_field(index).into_owned(),
                 link,
                 rate: driver.rate(),
                 role: self.0.figure().role(role).name(),

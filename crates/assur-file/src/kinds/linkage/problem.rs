@@ -205,6 +205,11 @@ pub fn dimension_field(dimension: Dimension) -> Field {
     .into()
 }
 
+/// What the rate of a further driver, by its place, is called.
+pub fn rate_field(driver: usize) -> Field {
+    format!("drivers[{driver}].rate").into()
+}
+
 impl LinkageProblem {
     /// Why a dimension of a mechanism cannot be set to a value.
     pub fn unset(

@@ -1,0 +1,236 @@
+//! A picture that stands behind a drawing: what it is, where it lies, how pale it is. It is in files and in what the
+//! browser keeps, and never in an address.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Field, Problem};
+
+/// How an image begins: a picture of one of these types, as text.
+const TYPES: [&str; 5] = [
+    "data:image/png;base64,",
+    "data:image/jpeg;base64,",
+    "data:image/webp;base64,",
+    "data:image/gif;base64,",
+    "data:image/svg+xml;base64,",
+];
+
+/// Characters of an image.
+const LONGEST: usize = 2_000_000;
+
+/// The greatest number of its place and size; how little of the paper it may cover.
+const NUMBER: f64 = 1e9;
+const PALEST: f64 = 0.05;
+
+/// A picture behind a drawing. A key that it does not know is refused.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct PictureDocument {
+    /// The picture itself, as a `data:` address.
+    pub image: String,
+    /// Where its upper left corner is.
+    pub at: [f64; 2],
+    /// How wide it is, in the unit of lengths.
+    pub width: f64,
+    /// The direction in which its upper edge runs, degrees.
+    #[serde(default)]
+    pub turn_deg: f64,
+    /// How much of the paper it covers, up to 1.
+    #[serde(default = "half")]
+    pub opacity: f64,
+}
+
+fn half() -> f64 {
+    0.5
+}
+
+/// What can be wrong with a picture; serialised as [`Problem`] is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "code", rename_all = "snake_case")]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
+pub enum PictureProblem {
+    /// It is no picture of a type that may stand there.
+    PictureType { field: Field },
+    /// It has more characters than are taken.
+    PictureLong { field: Field, max: usize },
+    /// Part of it is missing, or it is written in letters that it cannot have.
+    PictureDamaged { field: Field },
+}
+
+impl From<PictureProblem> for Problem {
+    fn from(problem: PictureProblem) -> Self {
+        Self::Picture(problem)
+    }
+}
+
+impl PictureDocument {
+    /// Checks the image, and where it lies.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming its field.
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems: Vec<Problem> = self
+            .image_problem()
+            .map(Problem::from)
+            .into_iter()
+            .collect();
+        let [x, y] = self.at;
+        let least = f64::MIN_POSITIVE;
+        for (field, value, [min, max]) in [
+            ("picture.at", x, [-NUMBER, NUMBER]),
+            ("picture.at", y, [-NUMBER, NUMBER]),
+            ("picture.width", self.width, [least, NUMBER]),
+            ("picture.turn_deg", self.turn_deg, [-360.0, 360.0]),
+            ("picture.opacity", self.opacity, [PALEST, 1.0]),
+        ] {
+            let field = field.into();
+            if !value.is_finite() {
+                problems.push(Problem::NotANumber { field });
+            } else if min == least && value < min {
+                problems.push(Problem::NotPositive { field, value });
+            } else if !(min..=max).contains(&value) {
+                problems.push(Problem::OutOfRange {
+                    field,
+                    value,
+                    min,
+                    max,
+                });
+            }
+        }
+        if problems.is_empty() {
+            Ok(())
+        } else {
+            Err(problems)
+        }
+    }
+
+    fn image_problem(&self) -> Option<PictureProblem> {
+        let field = Field::from("picture.image");
+        let mut bodies = TYPES
+            .iter()
+            .filter_map(|start| self.image.strip_prefix(start));
+        let Some(body) = bodies.next() else {
+            return Some(PictureProblem::PictureType { field });
+        };
+        if self.image.len() > LONGEST {
+            let max = LONGEST;
+            return Some(PictureProblem::PictureLong { field, max });
+        }
+        (!is_base64(body)).then_some(PictureProblem::PictureDamaged { field })
+    }
+}
+
+/// Whether a text is what base64 makes of something.
+fn is_base64(text: &str) -> bool {
+    let bare = text.strip_suffix("==").or(text.strip_suffix('='));
+    let letter = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'+' || byte == b'/';
+    !text.is_empty() && text.len().is_multiple_of(4) && bare.unwrap_or(text).bytes().all(letter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::State;
+    use serde_json::{Value, json};
+
+    /// A state with a picture of which one part is another.
+    fn checked(part: &str, value: Value) -> Result<State, Vec<Problem>> {
+        let mut state = json!({
+            "format": 2, "kind": "draft", "document": { "points": [], "frame": [], "links": [], "drivers": [] },
+            "picture": { "image": "data:image/png;base64,iVBORw0KGgo=", "at": [1.0, -2.0], "width": 3.5, "turn_deg": -30.0, "opacity": 0.25 }
+        });
+        if part.is_empty() {
+            state["picture"] = value;
+        } else {
+            state["picture"][part] = value;
+        }
+        let state = State::read(&state).map_err(|problem| vec![problem])?;
+        state.check().map(|()| state)
+    }
+
+    #[test]
+    fn it_is_written_as_it_was_read() {
+        for start in TYPES {
+            let image = json!(format!("{start}AAAA"));
+            let state = checked("image", image.clone()).unwrap();
+            let written = serde_json::to_value(&state).unwrap();
+            assert_eq!(
+                written["picture"],
+                json!({ "image": image, "at": [1.0, -2.0], "width": 3.5, "turn_deg": -30.0, "opacity": 0.25 })
+            );
+        }
+        assert_eq!(checked("", Value::Null).unwrap().picture, None);
+        let usual =
+            json!({ "image": "data:image/gif;base64,R0lGODdh", "at": [0.0, 0.0], "width": 1.0 });
+        let picture = checked("", usual).unwrap().picture.unwrap();
+        assert_eq!((picture.turn_deg, picture.opacity), (0.0, 0.5));
+    }
+
+    #[test]
+    fn what_is_no_picture_is_told_by_its_field() {
+        let field = || Field::from("picture.image");
+        let image = |text: &str| match &checked("image", json!(text)).unwrap_err()[..] {
+            [Problem::Picture(problem)] => problem.clone(),
+            other => panic!("{text}: {other:?}"),
+        };
+        for text in [
+            "",
+            "https://example.org/a.png",
+            "data:text/html;base64,AAAA",
+            "data:image/svg+xml,<svg onload='alert(1)'/>",
+            "data:image/bmp;base64,AAAA",
+            "DATA:image/png;base64,AAAA",
+            " data:image/png;base64,AAAA",
+        ] {
+            assert_eq!(image(text), PictureProblem::PictureType { field: field() });
+        }
+        for text in [
+            "", "A", "AA=", "AAA*", "AA==AAAA", "====", "AAAA\n", "A A A A ",
+        ] {
+            let text = format!("data:image/png;base64,{text}");
+            let damaged = PictureProblem::PictureDamaged { field: field() };
+            assert_eq!(image(&text), damaged, "{text}");
+        }
+        let long = format!("{}{}", TYPES[1], "A".repeat(LONGEST));
+        let too_long = PictureProblem::PictureLong {
+            field: field(),
+            max: LONGEST,
+        };
+        assert_eq!(image(&long), too_long);
+    }
+
+    #[test]
+    fn where_it_lies_is_bounded() {
+        for (part, value, place) in [
+            ("at", json!([0.0, 1e10]), "picture.at"),
+            ("width", json!(0.0), "picture.width"),
+            ("width", json!(-1.0), "picture.width"),
+            ("width", json!(1e10), "picture.width"),
+            ("turn_deg", json!(720.0), "picture.turn_deg"),
+            ("opacity", json!(0.0), "picture.opacity"),
+            ("opacity", json!(1.5), "picture.opacity"),
+        ] {
+            match &checked(part, value).unwrap_err()[..] {
+                [Problem::OutOfRange { field, .. } | Problem::NotPositive { field, .. }] => {
+                    assert_eq!(field, place)
+                }
+                other => panic!("{part}: {other:?}"),
+            }
+        }
+        for (part, value, place) in [
+            ("", json!("scan.png"), "picture"),
+            ("image", json!(7), "picture.image"),
+            ("at", json!([0.0]), "picture.at"),
+            ("width", json!("wide"), "picture.width"),
+            ("onload", json!("alert(1)"), "picture.onload"),
+        ] {
+            match &checked(part, value).unwrap_err()[..] {
+                [Problem::BadState { path, .. }] => assert_eq!(path, place),
+                other => panic!("{part}: {other:?}"),
+            }
+        }
+    }
+}

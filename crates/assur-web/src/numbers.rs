@@ -1,0 +1,15 @@
+//! The numbers of a document that a lesson may vary.
+
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+use crate::convert::{read, thrown, to_js};
+
+/// The numbers of the document of a state, in the order of its fields: `{field, value, whole, followed}`.
+///
+/// # Errors
+/// What has not the form of a state; every problem for which it is not known what numbers there are.
+#[wasm_bindgen(js_name = numbersOf)]
+pub fn numbers_of(state: JsValue) -> Result<JsValue, JsValue> {
+    let numbers = read(&state)?.document.numbers();
+    Ok(to_js(&numbers.map_err(thrown)?))
+}

@@ -1,0 +1,94 @@
+// Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. What they are called, in which unit they are told, and which
+// read-outs of the page tell them.
+import { readoutOf, symbol } from "assur/core/symbols.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {NonNullable<NonNullable<import("assur/state/state.js").Written["steps"][number]["question"]>["number"]>} Asked
+ */
+
+/** The number of degrees of freedom. */
+export const W = "W";
+
+/** What follows the name of a derivative, by its order. */
+const STROKES = Object.freeze(["", "′", "″"]);
+
+/**
+ * What of a motion is told by the status line or the rail, by what stands after the quantity; a mixer has names of its own.
+ * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
+ */
+const TELLERS = Object.freeze({
+  swing: (of, what) => ["course-stroke", ...(what === "angle" ? ["linkage-swing", `swing-${of}`] : ["linkage-stroke"])],
+  time_ratio: () => ["linkage-time-ratio", "time-ratio"],
+  worst: (_, what) => [`linkage-${what}`, what],
+});
+
+/**
+ * @param {string} quantity
+ * @returns {boolean} whether it is an angle, in degrees
+ */
+export function isAngle(quantity) {
+  return /\.(angle|load_angle|corner|transmission|pressure)(:swing|:worst)?$/.test(quantity);
+}
+
+/**
+ * @param {string} quantity
+ * @returns {boolean} whether 360° more or less is the same
+ */
+export function isRound(quantity) {
+  return quantity.endsWith(".angle");
+}
+
+/**
+ * @param {Asked | null | undefined} asked
+ * @returns {string} the unit of an answer that is a number
+ */
+export function unitOf(asked) {
+  const { quantity, unit } = asked ?? {};
+  return unit || (isAngle(quantity ?? "") || quantity === "input" ? "°" : "");
+}
+
+/**
+ * @param {string} number
+ * @param {string} unit
+ * @returns {string} one after the other, as they are printed
+ */
+export function measured(number, unit) {
+  return unit === "" || unit.startsWith("°") ? number + unit : `${number} ${unit}`;
+}
+
+/**
+ * @param {string} quantity
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "coordinate" | "state">} of
+ * @param {Words} words
+ * @returns {string} what it is called
+ */
+export function quantityName(quantity, { summary, coordinate, state }, words) {
+  if (quantity === "input") return coordinate.symbol;
+  if (quantity === W) return W;
+  const [name, whole] = quantity.split(":");
+  const bare = name.replace(/[′″]$/, "");
+  const of = bare.slice(0, bare.lastIndexOf("."));
+  const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
+  const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
+  const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
+  const said = short.endsWith(of) || bare.endsWith(".transmission") || bare.endsWith(".pressure") ? short : `${short} (${of})`;
+  return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
+}
+
+/**
+ * @param {string} quantity as a lesson names it
+ * @returns {readonly string[]} the read-outs that tell it, by what follows `out-` in their ids; where the driver stands is no secret
+ */
+export function tellers(quantity) {
+  if (quantity === "input") return [];
+  if (quantity === W) return ["linkage-w"];
+  const [name, whole] = quantity.split(":");
+  const bare = name.replace(/[′″]$/, "");
+  const dot = bare.lastIndexOf(".");
+  const [of, what] = [bare.slice(0, dot), bare.slice(dot + 1)];
+  if (whole !== undefined) return TELLERS[whole]?.(of, what) ?? [];
+  const order = STROKES.indexOf(name.slice(bare.length));
+  // The speeds of a differential stand in its status line, too.
+  return [readoutOf(bare, order), ...(order === 1 && what === "angle" ? [`train-${of}`] : [])];
+}
