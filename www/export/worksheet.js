@@ -70,7 +70,8 @@ function dimensions() {
 function values() {
   const table = make("table");
   const copied = document.querySelectorAll("#readouts > :not(caption) tr");
-  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", {}, [cell.textContent?.trim() ?? ""]))));
+  const over = (/** @type {Element} */ cell) => ({ colspan: cell.getAttribute("colspan") ?? "1" });
+  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", over(cell), [cell.textContent?.trim() ?? ""]))));
   const entries = [...document.querySelectorAll("#status > .entry")].filter((entry) => !entry.matches(ELSEWHERE));
   const said = entries.map((entry) => make("p", {}, [entry.textContent?.replace(/\s+/g, " ").trim() ?? ""]));
   table.append(make("tbody", {}, rows));
