@@ -1,8 +1,8 @@
 // What is measured between points or links of the drawing: chosen by lists or by presses in the drawing, listed, taken away.
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { Seen } from "assur/core/seen.js";
 import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, subscript } from "assur/core/symbols.js";
 import { PARTS, withView } from "assur/state/state.js";
 
@@ -21,8 +21,8 @@ const MOST = 8;
 /** So near a point or a link a press takes it, in pixels. */
 const REACH = 26;
 
-/** A derivative of a measure: its strokes stand after the dot. */
-const STROKES = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
+/** What stands before the end of a measure's name, or before that of a derivative of it: `.`, `.d`, `.dd`. */
+const ORDERS = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
 
 /**
  * @param {import("assur/state/state.js").State} state
@@ -31,7 +31,7 @@ const STROKES = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
  */
 function without(state, name) {
   const { measures, plot, against } = state.view;
-  const own = Object.values(against ?? {}).some((column) => column.replace(STROKES, ".") === name);
+  const own = Object.values(against ?? {}).some((column) => column.replace(ORDERS, ".") === name);
   return withView(state, {
     measures: measures.filter((one) => one !== name),
     plot: plot === name ? PARTS.plot : plot,
@@ -59,7 +59,8 @@ export class Measures {
     this.#page = page;
     for (const select of this.#parts) select.addEventListener("change", () => this.#choose());
     this.#what.addEventListener("change", () => {
-      this.#picking(false);
+      // Of points the lists have links from now on, or the other way round; the pointer may be lent to another.
+      if (this.#picked) this.#picking(false);
       this.#offer();
     });
     this.#pick.addEventListener("click", () => this.#picking(this.#picked === null));
