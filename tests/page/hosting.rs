@@ -256,6 +256,21 @@ async fn looked_for(page: &Page) -> serde_json::Value {
     .await
 }
 
+/// The page anew, once the browser has looked for a version by itself as it does for every page: what is looked for
+/// next is another matter.
+async fn anew(page: &Page) {
+    page.reload().await;
+    page.wait_for(
+        "const done = arguments[0];
+        navigator.serviceWorker.ready.then(async (registration) => {
+          await registration.update().catch(() => {});
+          const wait = () => (registration.installing ? setTimeout(wait, 50) : done(true));
+          wait();
+        });",
+    )
+    .await;
+}
+
 #[tokio::test]
 async fn a_version_is_taken_whole_or_not_at_all() {
     let host = Host::start(&folder(), BELOW);
@@ -268,7 +283,7 @@ async fn a_version_is_taken_whole_or_not_at_all() {
     fs::remove_file(second.0.join("files/build-2.js")).unwrap();
     host.serve(&second.0);
     assert_eq!(looked_for(&page).await, json!("redundant"));
-    page.reload().await;
+    anew(&page).await;
     assert_eq!(shown(&page).await, json!("first"));
     // The page is still the one before.
     let index = second.read("index.html");
@@ -278,7 +293,7 @@ async fn a_version_is_taken_whole_or_not_at_all() {
     );
     second.write("files/build-2.js", "1");
     assert_eq!(looked_for(&page).await, json!("redundant"));
-    page.reload().await;
+    anew(&page).await;
     assert_eq!(shown(&page).await, json!("first"));
     let _ = page.said().await;
 

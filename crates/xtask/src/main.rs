@@ -66,12 +66,11 @@ enum Task {
     /// Runs everything: format, lint, documentation, native tests, wasm tests, tests of the page
     ///
     /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack and (on
-    /// Debian, as root) Chromium with its driver. The environment variables CHROME and CHROMEDRIVER
-    /// name another browser. The last line says how many checks passed and failed; the exit code is
-    /// 1 if any failed.
+    /// Debian, as root) Chromium with its driver and Firefox, whose driver is built by cargo. The environment
+    /// variables CHROME, CHROMEDRIVER, FIREFOX and GECKODRIVER name others. The last line says how many checks
+    /// passed and failed; the exit code is 1 if any failed.
     ///
-    /// With a browser named, only the tests of the page are run, in that one. FIREFOX and
-    /// GECKODRIVER name another Firefox and its driver, which is built by cargo if it is missing.
+    /// With a browser named, only the tests of the page are run, all of them in that one.
     Test {
         /// Only the tests of the page, in this browser
         #[arg(long)]

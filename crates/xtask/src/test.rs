@@ -22,6 +22,18 @@ const WASM_TIME: &str = "300";
 const WASM_CRATES: [(&str, &str); 2] =
     [("assur-tests", "tests"), ("assur-web", "crates/assur-web")];
 
+/// What of the page differs most between browsers, by words in the names of its tests: keys, pointers, fingers,
+/// what is one step of undo, files and links. All of its tests are run in Firefox by `cargo xtask test --browser firefox`.
+const IN_FIREFOX: [&str; 7] = [
+    "undo::",
+    "keyboard::",
+    "hands::",
+    "touch::",
+    "draw::",
+    "share::",
+    "import::",
+];
+
 /// What of the set-up is there, each or the reason why not.
 struct SetUp {
     components: Result<()>,
@@ -30,6 +42,7 @@ struct SetUp {
     pack: Result<()>,
     typescript: Result<()>,
     browser: Result<Browser>,
+    firefox: Result<Browser>,
 }
 
 /// Runs every step even if an earlier one failed, except those that would mean nothing then; they
@@ -110,7 +123,17 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
     });
     tally.tests_in_company(
         "page tests in the browser",
-        page_tests(workspace, &ready.browser, &site, &bundled),
+        page_tests(workspace, &ready.browser, &site, &bundled, &[]),
+    );
+    tally.tests_in_company(
+        "page tests in Firefox",
+        page_tests(
+            workspace,
+            &ready.firefox,
+            &site,
+            &bundled,
+            &IN_FIREFOX.map(str::to_owned),
+        ),
     );
 
     ended(&tally)
@@ -129,11 +152,10 @@ pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> R
         site = Ok(dist::write(workspace)?);
         Ok(())
     });
-    let command = page_tests(workspace, &browser, &site, &site).map(|mut command| {
-        command.args(words);
-        command
-    });
-    tally.tests_in_company("page tests in the browser", command);
+    tally.tests_in_company(
+        "page tests in the browser",
+        page_tests(workspace, &browser, &site, &site, words),
+    );
     ended(&tally)
 }
 
@@ -159,6 +181,10 @@ impl SetUp {
             browser: told(
                 "browser and driver",
                 browser::find_or_install(workspace, Kind::Chromium),
+            ),
+            firefox: told(
+                "Firefox and its driver",
+                browser::find_or_install(workspace, Kind::Firefox),
             ),
         }
     }
@@ -220,12 +246,14 @@ fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Re
 }
 
 /// Tests of the page as `serve` ships it and as the one file, driven through the browser. They find
-/// what they need in the environment. What is added to the command goes to the tests themselves.
+/// what they need in the environment. All of them, or those whose names hold one of the words; what is added to the
+/// command goes to the tests themselves.
 fn page_tests(
     workspace: &Workspace,
     browser: &Result<Browser>,
     site: &Result<()>,
     bundled: &Result<()>,
+    words: &[String],
 ) -> Result<Command> {
     needed(site)?;
     needed(bundled)?;
@@ -237,7 +265,7 @@ fn page_tests(
     let (with_more, _workers) = server::start(server::listen(0)?, &more)?;
     let mut test = page_test(workspace, "page", address, browser);
     test.env("ASSUR_MORE_URL", format!("http://{with_more}/"));
-    test.arg("--");
+    test.arg("--").args(words);
     Ok(test)
 }
 
