@@ -19,10 +19,12 @@ mod kinds;
 mod measures;
 mod moving;
 mod numbers;
+mod offered;
 mod pair;
 mod polygons;
 mod profile;
 mod qr;
+mod received;
 mod simulator;
 mod summary;
 mod table;
@@ -34,7 +36,7 @@ pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};
 pub use numbers::numbers_of;
+pub use offered::{blank, catalogue, shelves, task};
 pub use qr::qr_code;
-pub use simulator::{
-    Simulator, blank, catalogue, check_keys, read_lesson, read_state, role_names, shelves, task,
-};
+pub use received::{check_keys, read_lesson, read_state};
+pub use simulator::{Simulator, role_names};

@@ -3,10 +3,7 @@
 use assur::Point;
 use assur_draw::ROLES;
 use assur_edit::Edit;
-use assur_file::{
-    Document, DraftDocument, LengthUnit, LessonDocument, Preset, Problem, Shelf, State, View,
-    in_step,
-};
+use assur_file::{LengthUnit, Problem};
 use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
@@ -15,7 +12,7 @@ use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, read_value, thrown, to_js};
-use crate::kinds::{as_kind, draft, open, scheme_task};
+use crate::kinds::{as_kind, draft, open};
 use crate::moving::Moving;
 use crate::table::SweepTable;
 
@@ -411,84 +408,4 @@ pub(crate) fn bad(path: &str, detail: &str) -> Problem {
 #[wasm_bindgen(js_name = roleNames)]
 pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
-}
-
-/// A task for practice, by its number: `{kind, document}`.
-#[wasm_bindgen]
-pub fn task(number: u32) -> JsValue {
-    to_js(&Document::Scheme(scheme_task(number)))
-}
-
-/// An empty sheet to draw on: `{kind, document}`.
-#[wasm_bindgen]
-pub fn blank() -> JsValue {
-    to_js(&Document::Draft(DraftDocument::default()))
-}
-
-/// The catalogue: `{id, kind, document}` for each mechanism of it.
-///
-/// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
-#[wasm_bindgen]
-pub fn catalogue() -> Result<JsValue, JsValue> {
-    let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
-    Ok(to_js(&all.map_err(thrown)?))
-}
-
-/// Where the mechanisms of the catalogue are shown: `{id, group, class}` for each.
-///
-/// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
-#[wasm_bindgen]
-pub fn shelves() -> Result<JsValue, JsValue> {
-    let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
-    Ok(to_js(&all.map_err(thrown)?))
-}
-
-/// A state from outside (an address, a file, what was kept), read and checked with what it is compared
-/// with and all that its lesson shows: the same state with the keys we know and no others.
-///
-/// # Errors
-/// Every problem of the state.
-#[wasm_bindgen(js_name = readState)]
-pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
-    let state = read(&state)?;
-    open(&state).map_err(thrown)?;
-    if let Some(document) = &state.compared {
-        let alone = State {
-            document: document.clone(),
-            view: View::default(),
-            lesson: None,
-            compared: None,
-            picture: None,
-            ..state
-        };
-        let in_it = |problems| thrown([vec![Problem::InCompared], problems].concat());
-        open(&alone).map_err(in_it)?;
-    }
-    for (step, shown) in state.lesson.iter().flat_map(LessonDocument::shown) {
-        open(&shown).map_err(|problems| thrown(in_step(step, problems)))?;
-    }
-    Ok(to_js(&state))
-}
-
-/// A lesson read and checked, as far as what it shows is not looked at: the same with the keys we
-/// know and no others.
-///
-/// # Errors
-/// Every problem of the lesson.
-#[wasm_bindgen(js_name = readLesson)]
-pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
-    let lesson: LessonDocument = read_value(&lesson)?;
-    lesson.check().map_err(thrown)?;
-    Ok(to_js(&lesson))
-}
-
-/// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.
-///
-/// # Errors
-/// The key that does, with its path.
-#[wasm_bindgen(js_name = checkKeys)]
-pub fn check_keys(text: &str) -> Result<(), JsValue> {
-    assur_file::keys_once(text).map_err(|problem| thrown([problem]))
 }

@@ -1,0 +1,39 @@
+//! Documents to begin with.
+
+use assur_file::{Document, DraftDocument, Preset, Shelf};
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+use crate::convert::{thrown, to_js};
+use crate::kinds::scheme_task;
+
+/// A task for practice, by its number: `{kind, document}`.
+#[wasm_bindgen]
+pub fn task(number: u32) -> JsValue {
+    to_js(&Document::Scheme(scheme_task(number)))
+}
+
+/// An empty sheet to draw on: `{kind, document}`.
+#[wasm_bindgen]
+pub fn blank() -> JsValue {
+    to_js(&Document::Draft(DraftDocument::default()))
+}
+
+/// The catalogue: `{id, kind, document}` for each mechanism of it.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
+#[wasm_bindgen]
+pub fn catalogue() -> Result<JsValue, JsValue> {
+    let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
+    Ok(to_js(&all.map_err(thrown)?))
+}
+
+/// Where the mechanisms of the catalogue are shown: `{id, group, class}` for each.
+///
+/// # Errors
+/// What is wrong with one; a test sees to it that nothing is.
+#[wasm_bindgen]
+pub fn shelves() -> Result<JsValue, JsValue> {
+    let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
+    Ok(to_js(&all.map_err(thrown)?))
+}

@@ -1,0 +1,55 @@
+//! What comes from outside (an address, a file, what was kept), read and checked.
+
+use assur_file::{LessonDocument, Problem, State, View, in_step};
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+use crate::convert::{read, read_value, thrown, to_js};
+use crate::kinds::open;
+
+/// A state, read and checked with what it is compared
+/// with and all that its lesson shows: the same state with the keys we know and no others.
+///
+/// # Errors
+/// Every problem of the state.
+#[wasm_bindgen(js_name = readState)]
+pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
+    let state = read(&state)?;
+    open(&state).map_err(thrown)?;
+    if let Some(document) = &state.compared {
+        let alone = State {
+            document: document.clone(),
+            view: View::default(),
+            lesson: None,
+            compared: None,
+            picture: None,
+            ..state
+        };
+        let in_it = |problems| thrown([vec![Problem::InCompared], problems].concat());
+        open(&alone).map_err(in_it)?;
+    }
+    for (step, shown) in state.lesson.iter().flat_map(LessonDocument::shown) {
+        open(&shown).map_err(|problems| thrown(in_step(step, problems)))?;
+    }
+    Ok(to_js(&state))
+}
+
+/// A lesson read and checked, as far as what it shows is not looked at: the same with the keys we
+/// know and no others.
+///
+/// # Errors
+/// Every problem of the lesson.
+#[wasm_bindgen(js_name = readLesson)]
+pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
+    let lesson: LessonDocument = read_value(&lesson)?;
+    lesson.check().map_err(thrown)?;
+    Ok(to_js(&lesson))
+}
+
+/// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.
+///
+/// # Errors
+/// The key that does, with its path.
+#[wasm_bindgen(js_name = checkKeys)]
+pub fn check_keys(text: &str) -> Result<(), JsValue> {
+    assur_file::keys_once(text).map_err(|problem| thrown([problem]))
+}
