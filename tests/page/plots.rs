@@ -58,7 +58,7 @@ pub(crate) async fn texts(page: &Page) -> Vec<String> {
     )
     .await;
     // Another window is another size: all is drawn anew.
-    page.ask("const { style, clientHeight } = document.querySelector('.charts'); style.flex = `0 0 ${clientHeight - 40}px`")
+    page.ask("const { style, clientHeight } = document.querySelector('.charts'); style.flex = `0 0 ${clientHeight + 40}px`")
         .await;
     page.settle().await;
     page.ask("document.querySelector('.charts').style.flex = ''")

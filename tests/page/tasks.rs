@@ -107,7 +107,7 @@ async fn what_is_told_of_a_motion_is_hidden_too() {
 async fn lesson(page: &Page, id: &str, vary: Value, quantity: &str) -> Value {
     let script = format!(
         "const done = arguments[0];
-        import('assur/pkg/assur_web.js').then(({{ catalogue }}) => {{
+        window.eval(\"import('assur/pkg/assur_web.js')\").then(({{ catalogue }}) => {{
             const {{ kind, document }} = catalogue().find(({{ id }}) => id === '{id}');
             done({{ format: 2, kind, document, lesson: {{ title: '{id}', steps: [{{
                 title: 'Own', text: '', shows: {{ kind, document, view: {{ phi_deg: 30, axes: 'physical' }}, vary: {vary} }},
