@@ -244,13 +244,15 @@ async fn looked_for(page: &Page) -> serde_json::Value {
     page.wait_for(
         "const done = arguments[0];
         navigator.serviceWorker.ready.then(async (registration) => {
+          let found = false;
           registration.addEventListener('updatefound', () => {
+            found = true;
             const { installing } = registration;
             installing.addEventListener('statechange', () => ['activated', 'redundant'].includes(installing.state) && done(installing.state));
           });
           await registration.update();
           // Firefox tells of a version after this.
-          setTimeout(() => registration.installing ?? done('none'), 1000);
+          setTimeout(() => found || done('none'), 1000);
         });",
     )
     .await

@@ -105,6 +105,28 @@ async fn what_was_kept_comes_back() {
     page.close().await;
 }
 
+/// A browser that loads the page anew has taken the address before the page can write the last change into it.
+#[tokio::test]
+async fn what_was_changed_a_moment_ago_is_there_anew() {
+    let mixer = format!("{}#mixer-b", setting("ASSUR_URL"));
+    let page = Page::open_at(&mixer, "en-US").await;
+    let usual = page.written("field-l2").await;
+    page.write("field-l2", "0.93").await;
+    page.reload().await;
+    assert_eq!(page.written("field-l2").await, "0.93");
+    page.until("the address", async || {
+        page.address().await.contains("0.93")
+    })
+    .await;
+
+    // An address that somebody goes to is what it says.
+    page.anew(&mixer).await;
+    page.write("field-l2", "0.94").await;
+    page.anew(&mixer).await;
+    assert_eq!(page.written("field-l2").await, usual);
+    page.close().await;
+}
+
 #[tokio::test]
 async fn a_file_is_saved_and_opened() {
     let page = Page::open().await;

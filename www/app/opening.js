@@ -4,7 +4,7 @@ import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
 import { addressed } from "assur/state/address.js";
 import { initialState, usualView, withFurther } from "assur/state/state.js";
-import { putAside, stored, withImage } from "assur/state/storage.js";
+import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -111,6 +111,7 @@ export async function takeForeign(text, name, engine, habits) {
 export async function open(engine, habits) {
   /** @type {Failure[]} */
   const failures = [];
+  takeUpAddress();
   const address = await takeAddress(location.href, engine, habits);
   const text = habits.embedding ? null : stored();
   const kept = () => withImage(fromFile(text ?? ""));

@@ -14,6 +14,9 @@ const TAIL = 48;
 /** What could not be read is not written over but put aside. */
 const ASIDE = "assur.state.unread";
 
+/** Of a visit: the address at which the page was left, and the one that was meant. */
+const LEFT = "assur.left";
+
 /** Not more often than this, in milliseconds: browsers limit how often an address may change. */
 const PERIOD = 400;
 
@@ -41,6 +44,20 @@ export function keep(name, text) {
 /** @param {string} text */
 export function putAside(text) {
   guarded(() => localStorage.setItem(ASIDE, text));
+}
+
+/**
+ * A page that is left writes its last change into an address that the browser may have taken already, to load it anew:
+ * then the one that was meant is put there. What somebody goes to is what it says.
+ */
+export function takeUpAddress() {
+  guarded(() => {
+    const [left, meant] = JSON.parse(sessionStorage.getItem(LEFT) ?? "[]");
+    sessionStorage.removeItem(LEFT);
+    const [entry] = performance.getEntriesByType("navigation");
+    const again = entry instanceof PerformanceNavigationTiming && entry.type !== "navigate";
+    if (again && left === location.href) history.replaceState(null, "", meant);
+  });
 }
 
 /**
@@ -73,7 +90,11 @@ export function persist(store, address, sound, ours, unkept) {
     if (state.view.playing && previous.view.playing && state.document === previous.document) return;
     timer ||= setTimeout(save, PERIOD);
   });
-  addEventListener("pagehide", save);
+  addEventListener("pagehide", () => {
+    const left = location.href;
+    save();
+    if (location.href !== left) guarded(() => sessionStorage.setItem(LEFT, JSON.stringify([left, location.href])));
+  });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) save();
   });
