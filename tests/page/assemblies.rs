@@ -165,8 +165,8 @@ async fn the_map_is_a_way_to_go() {
     let chain = page.driver.action_chain();
     let chain = chain.move_to(x.round() as i64, y.round() as i64).click();
     chain.perform().await.unwrap();
-    page.settle().await;
-    assert_ne!(followed(&page).await, before);
+    page.until("another motion", async || followed(&page).await != before)
+        .await;
     let angle = page.value("out-input").await;
     assert!((angle - 70.0).abs() < 2.0, "{angle}");
     page.close().await;

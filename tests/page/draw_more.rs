@@ -278,18 +278,23 @@ async fn a_mechanism_of_the_catalogue_is_drawn_on() {
         page.count("#draw-tools:not([hidden])").await == 1
     })
     .await;
-    page.settle().await;
-    assert_eq!(
-        page.text("draw-reasons").await,
-        "It moves: there are as many drivers as degrees of freedom."
-    );
+    page.until("that it moves", async || {
+        page.text("draw-reasons").await
+            == "It moves: there are as many drivers as degrees of freedom."
+    })
+    .await;
     page.chord(&[Key::Control], 'a').await;
     page.keys(Key::Delete).await;
-    page.settle().await;
-    assert_eq!(page.count("#draw-points input").await, 0);
+    page.until("no points", async || {
+        page.count("#draw-points input").await == 0
+    })
+    .await;
     page.click("undo").await;
     page.click("draw").await;
-    assert_eq!(page.count("#draw-tools:not([hidden])").await, 0);
+    page.until("no tools", async || {
+        page.count("#draw-tools:not([hidden])").await == 0
+    })
+    .await;
     // The mixer becomes a linkage when it is drawn on.
     page.goto(&format!("{base}#mixer-a&v.playing=false")).await;
     page.click("draw").await;

@@ -52,8 +52,11 @@ export async function pixelsOf(text) {
  * @returns {string | undefined} it as a photograph that a state takes
  */
 function photograph(image) {
-  const texts = SIDES.map((side) => painted(image, side, "#ffffff").toDataURL("image/jpeg", QUALITY));
-  return texts.find((text) => text.length <= LONGEST);
+  for (const side of SIDES) {
+    const text = painted(image, side, "#ffffff").toDataURL("image/jpeg", QUALITY);
+    if (text.length <= LONGEST) return text;
+  }
+  return undefined;
 }
 
 /**
