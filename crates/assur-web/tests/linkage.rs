@@ -211,3 +211,86 @@ fn points_are_dragged() {
         assert!(simulator.drag(point, 1.0, x, 0.0).is_err());
     }
 }
+
+/// The state of a linkage that shows what is drawn of curvature of a link.
+fn curved(document: &str, about: &str) -> JsValue {
+    let state = state(document);
+    let view = Reflect::get(&state, &"view".into()).unwrap();
+    Reflect::set(&view, &"curvature".into(), &true.into()).unwrap();
+    Reflect::set(&view, &"about".into(), &about.into()).unwrap();
+    state
+}
+
+/// A crank pin goes on a circle, a slider straight, and a crank does not leave its pole. The rod's inflection circle goes through
+/// its pole, the slider's hinge, and what Euler and Savary say of the pin.
+#[wasm_bindgen_test]
+fn curvature_is_told_in_numbers() {
+    let traced = changed(
+        SLIDER_CRANK,
+        r#""traces": ["C"]"#,
+        r#""traces": ["B", "C"]"#,
+    );
+    let mut simulator = Simulator::new();
+    simulator.set(state(&traced)).unwrap();
+    let input = 60_f64.to_radians();
+    let none = json(&simulator.curvature(input).unwrap());
+    assert_eq!(none, r#"{"circles":[],"inflection":null}"#);
+
+    simulator.set(curved(&traced, "rod")).unwrap();
+    let here: serde_json::Value =
+        serde_json::from_str(&json(&simulator.curvature(input).unwrap())).unwrap();
+    let [pin, slider] = [&here["circles"][0], &here["circles"][1]];
+    for (told, expected) in [
+        (&pin["radius"][0], 1.0),
+        (&pin["radius"][1], 0.0),
+        (&pin["centre"][0], 0.0),
+        (&pin["centre"][1], 0.0),
+    ] {
+        assert!((told.as_f64().unwrap() - expected).abs() < 1e-12, "{here}");
+    }
+    assert_eq!(slider["radius"], serde_json::Value::Null);
+    assert_eq!(slider["reason"]["code"], "straight_path");
+    assert_eq!(slider["reason"]["point"], "C");
+
+    let (crank, rod) = (1.0, 3.0);
+    let pin = [input.cos(), input.sin()].map(|part| part * crank);
+    let hinge = [pin[0] + (rod * rod - pin[1] * pin[1]).sqrt(), 0.0];
+    let pole = [hinge[0], hinge[0] * input.tan()];
+    let off = pole[0].hypot(pole[1]) - crank;
+    let inflected = pin.map(|part| part * (1.0 - off * off / crank));
+    let side = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let sides = side(pole, hinge) * side(hinge, inflected) * side(inflected, pole);
+    let area = (hinge[0] - pole[0]) * (inflected[1] - pole[1])
+        - (hinge[1] - pole[1]) * (inflected[0] - pole[0]);
+    let diameter = sides / area.abs();
+    let told = here["inflection"]["diameter"].as_f64().unwrap();
+    assert!(
+        (told - diameter).abs() < 1e-12 * diameter,
+        "{told} {diameter}"
+    );
+
+    simulator.set(curved(&traced, "slider")).unwrap();
+    let still = json(&simulator.curvature(input).unwrap());
+    assert!(still.contains(r#""inflection":{"link":"slider","diameter":null,"reason":{"code":"not_turning","link":"slider"}}"#), "{still}");
+    assert!(simulator.curvature(f64::NAN).is_err());
+}
+
+/// Two linkages at the same inputs; one that is none yet has no table.
+#[wasm_bindgen_test]
+fn two_linkages_have_their_tables_at_the_same_inputs() {
+    let [mut own, mut other] = [Simulator::new(), Simulator::new()];
+    own.set(state(SLIDER_CRANK)).unwrap();
+    assert!(own.sweep_compared(8, &other).is_err());
+    let longer = changed(
+        SLIDER_CRANK,
+        r#"["B", "C"], "length": 3"#,
+        r#"["B", "C"], "length": 4"#,
+    );
+    let longer = changed(&longer, "[3.3722813232690143, 0]", "[4.405124837953327, 0]");
+    other.set(state(&longer)).unwrap();
+    let alone = json(&own.sweep(8).unwrap());
+    let both = own.sweep_compared(8, &other).unwrap();
+    let beside = Reflect::get(&both, &"compared".into()).unwrap();
+    assert_eq!(json(&beside), json(&other.sweep(8).unwrap()));
+    assert!(json(&both).starts_with(alone.strip_suffix(r#""compared":null}"#).unwrap()));
+}
