@@ -298,6 +298,19 @@ fn all_assemblies() {
     }
 }
 
+/// With a link ten million times as long as the others every motion takes a great many samples: the search ends before they fill
+/// the memory, and says that it is not whole.
+#[wasm_bindgen_test(unsupported = test)]
+fn motions_that_are_too_much_are_told() {
+    let mut draft = dwell();
+    let far = draft.points.iter_mut().find(|point| point.name == "F");
+    far.unwrap().at = Point::new(9_999_999.0, -2.83);
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let found = Circuits::of(&mechanism, mechanism.link("CD").unwrap());
+    assert!(!found.is_whole());
+    assert!((1..40).contains(&found.branches().len()));
+}
+
 /// Followed over the turn: twelve branches between eight folds, four cycles, and both arcs on which ten assemblies are real.
 #[wasm_bindgen_test(unsupported = test)]
 fn all_motions() {

@@ -145,6 +145,42 @@ async fn others_are_dashed() {
 }
 
 /// A click on the map goes to that input, and there to the assembly that is nearest.
+/// An engine beside the page that breaks is put away: the next linkage has another, and its map.
+#[tokio::test]
+async fn another_engine_is_taken_for_one_that_broke() {
+    let page = Page::open().await;
+    page.before(
+        "window.Worker = class extends Worker {
+          static begun = 0;
+          #broken = ++this.constructor.begun === 1;
+          postMessage(asked, ...more) {
+            if (this.#broken) setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { revision: asked.revision, lost: true, broken: true } })));
+            else super.postMessage(asked, ...more);
+          }
+          terminate() {
+            window.ended = (window.ended ?? 0) + 1;
+            super.terminate();
+          }
+        };",
+    )
+    .await;
+    page.reload().await;
+    open(&page, "crank-rocker").await;
+    page.stop_at("70").await;
+    shown(&page).await;
+    page.until("that there is no map", async || {
+        page.text("assembly-mapped").await == "The map could not be made."
+    })
+    .await;
+    assert_eq!(page.ask("return window.ended").await, json!(1));
+    open(&page, "slider-crank").await;
+    page.stop_at("70").await;
+    shown(&page).await;
+    mapped(&page).await;
+    assert_eq!(page.ask("return window.ended").await, json!(1));
+    page.close().await;
+}
+
 #[tokio::test]
 async fn the_map_is_a_way_to_go() {
     let page = Page::open().await;
@@ -152,21 +188,25 @@ async fn the_map_is_a_way_to_go() {
     page.stop_at("70").await;
     shown(&page).await;
     mapped(&page).await;
-    let other = page
-        .ask(
-            "const dot = document.querySelector('#assembly-map .map-other');
-            dot.scrollIntoView({ block: 'center' });
-            const { x, y, width, height } = dot.getBoundingClientRect();
-            return [x + width / 2, y + height / 2]",
-        )
-        .await;
     let before = followed(&page).await;
-    let [x, y] = [0, 1].map(|k| other[k].as_f64().unwrap());
-    let chain = page.driver.action_chain();
-    let chain = chain.move_to(x.round() as i64, y.round() as i64).click();
-    chain.perform().await.unwrap();
-    page.until("another motion", async || followed(&page).await != before)
-        .await;
+    page.until("another motion", async || {
+        // The dots move while the page takes its place.
+        let other = page
+            .ask(
+                "const dot = document.querySelector('#assembly-map .map-other');
+                dot.scrollIntoView({ block: 'center' });
+                const { x, y, width, height } = dot.getBoundingClientRect();
+                return [x + width / 2, y + height / 2]",
+            )
+            .await;
+        let [x, y] = [0, 1].map(|k| other[k].as_f64().unwrap());
+        let chain = page.driver.action_chain();
+        let chain = chain.move_to(x.round() as i64, y.round() as i64).click();
+        chain.perform().await.unwrap();
+        page.settle().await;
+        followed(&page).await != before
+    })
+    .await;
     let angle = page.value("out-input").await;
     assert!((angle - 70.0).abs() < 2.0, "{angle}");
     page.close().await;

@@ -42,6 +42,11 @@ const NONSENSE: &str = r"
     const nonsense = /.{0,30}(?:\bNaN\b|undefined|Infinity|(?<!(?:…|<) )∞|\[object).{0,30}/g;
     return `${text} ${labels} ${values}`.match(nonsense) ?? [];";
 
+/// Names of elements that another has as well.
+const TWICE: &str = "
+    const ids = [...document.querySelectorAll('[id]')].map(({ id }) => id);
+    return ids.filter((id, at) => ids.indexOf(id) !== at);";
+
 /// What is typed into a field.
 const TYPED: &[&str] = &[
     "0", "1", "-1", "0.5", "1,5", "2", "3", "12", "36", "170", "360", "1e3", "1e-9", "-0", "",
@@ -264,6 +269,10 @@ impl Hand<'_> {
         let nonsense = self.page.ask(NONSENSE).await;
         if nonsense != json!([]) {
             return Some(format!("on the page: {nonsense}"));
+        }
+        let twice = self.page.ask(TWICE).await;
+        if twice != json!([]) {
+            return Some(format!("ids that are not one's own: {twice}"));
         }
         let alive = self
             .page

@@ -145,6 +145,18 @@ async fn six_questions_answered_by_mouse() {
     // What was answered is still there; the settings come back.
     page.click("lesson-back").await;
     assert!(!page.written("lesson-answer").await.is_empty());
+    // Pressed again before it is drawn, it leads no farther than to the last step, or to the first.
+    for (button, twin) in [("lesson-on", "lesson-back"), ("lesson-back", "lesson-on")] {
+        page.ask(&format!(
+            "for (let times = 0; times < 9; times++) document.getElementById('{button}').click();"
+        ))
+        .await;
+        page.until("the end", async || {
+            page.count(&format!("#{button}:disabled")).await == 1
+        })
+        .await;
+        assert_eq!(page.count(&format!("#{twin}:enabled")).await, 1);
+    }
     page.click("tab-settings").await;
     assert!(visible(&page, "rail").await && !visible(&page, "lesson").await);
     page.close().await;

@@ -77,19 +77,20 @@ export class Motions {
     const worker = new Worker(import.meta.resolve("assur/assemblies/worker.js"), { type: "module" });
     this.#worker = worker;
     worker.addEventListener("message", ({ data }) => this.#hear(data));
-    worker.addEventListener("error", () => this.#hear({ lost: true }));
+    worker.addEventListener("error", () => this.#hear({ lost: true, broken: true }));
     try {
       const response = await fetchWasm();
       const wasm = await response.arrayBuffer();
       worker.postMessage({ engine: import.meta.resolve("assur/pkg/assur_web.js"), wasm, ...this.#next }, [wasm]);
       this.#next = null;
     } catch {
-      this.#hear({ lost: true });
+      this.#next = null;
+      this.#hear({ lost: true, broken: true });
     }
   }
 
-  /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean }} answer */
-  #hear({ revision, map, belonging, lost }) {
+  /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean, broken?: boolean }} answer */
+  #hear({ revision, map, belonging, lost, broken }) {
     const current = revision === this.#revision;
     if (map) {
       this.map = map;
@@ -99,6 +100,15 @@ export class Motions {
     if (lost) {
       this.lost = true;
       if (current) this.map = null;
+    }
+    if (broken) {
+      // What is asked next gets a worker of its own.
+      this.#worker?.terminate();
+      this.#worker = null;
+      this.#busy = true;
+      if (this.#next) this.#begin();
+      this.#changed();
+      return;
     }
     // While a length is dragged it rests twice as long as it worked: the page draws with the same processors.
     const rest = map && this.#next ? 2 * (performance.now() - this.#since) : 0;

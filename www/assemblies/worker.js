@@ -20,8 +20,10 @@ addEventListener("message", async ({ data }) => {
       postMessage({ revision: data.revision, input, number, belonging: motions.belonging(input, number) });
     }
   } catch (thrown) {
-    if (!Array.isArray(thrown)) console.error(thrown);
-    postMessage({ revision: data.revision, lost: true });
+    // Problems are told of what is asked; anything else has left the engine in no state to go on.
+    const broken = !Array.isArray(thrown);
+    if (broken) console.error(thrown);
+    postMessage({ revision: data.revision, lost: true, broken });
   }
 });
 

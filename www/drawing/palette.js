@@ -10,7 +10,7 @@ export class Palette {
   /** @type {Map<string, HTMLButtonElement>} */
   #buttons = new Map();
   #prompt = make("p", { id: "draw-prompt", role: "status" });
-  #dyads = make("select", { id: "draw-dyad", class: "control", "data-t-label": "draw.dyad.kind" }, DYADS.map((value) => make("option", { value }, [value])));
+  #dyads = make("select", { id: "draw-dyad-kind", class: "control", "data-t-label": "draw.dyad.kind" }, DYADS.map((value) => make("option", { value }, [value])));
   #teeth = [0, 1].map((k) => make("input", {
     id: `draw-teeth-${k + 1}`, class: "control number", type: "text", inputmode: "numeric", autocomplete: "off", spellcheck: "false",
     "data-t-label": "draw.teeth", "data-n": String(k + 1),

@@ -1,4 +1,5 @@
 // A lesson of ours, from its folder: what its steps show and ask, in the words of the reader's language.
+import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { open } from "assur/lesson/show.js";
 
@@ -86,8 +87,12 @@ export class FolderLesson {
 
   /** @param {Words} words */
   async openErrata({ lang }) {
-    const { openErrata } = await import("assur/lesson/errata.js");
-    await openErrata(this.id, lang);
+    try {
+      const { openErrata } = await import("assur/lesson/errata.js");
+      await openErrata(this.id, lang);
+    } catch {
+      this.#page.notices.tell(LOST);
+    }
   }
 
   /**

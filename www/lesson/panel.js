@@ -55,7 +55,7 @@ export class LessonPanel {
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
   #text = make("div", { class: "lesson-text" });
   #shows = make("div", { class: "segments" });
-  #errata = make("button", { id: "lesson-errata", class: "control add", type: "button" });
+  #errata = make("button", { id: "lesson-errata", class: "control add", type: "button", hidden: "" });
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control" });
@@ -158,7 +158,9 @@ export class LessonPanel {
   #go(by) {
     this.#page.store.update((state) => {
       const { lesson } = state.view;
-      return lesson ? withView(state, { lesson: { ...lesson, step: this.#number(state) + by } }) : state;
+      // Pressed twice before it is drawn, a button may lead farther than there are steps.
+      const step = Math.min(Math.max(this.#number(state) + by, 1), this.#steps.length);
+      return lesson ? withView(state, { lesson: { ...lesson, step } }) : state;
     });
   }
 

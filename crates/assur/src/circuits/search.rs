@@ -25,6 +25,9 @@ const ASIDE: f64 = 0.381_966;
 /// No more inputs are looked at, nor motions followed.
 const MOST_LOOKS: usize = 2_000;
 const MOST_BRANCHES: usize = 512;
+/// No more motions are followed once they have so many samples, each of a body: where one link is millions of times as
+/// long as the others each of their motions has thousands.
+const MOST_SAMPLES: usize = 1_000_000;
 /// Nothing is looked for within this part of a turn.
 const LEAST: f64 = 1e-6;
 /// Where links go off to infinity nothing is looked for within this part.
@@ -61,6 +64,8 @@ pub(super) struct Search<'a> {
     pub(super) domain: Domain,
     pub(super) whole: bool,
     looks: Vec<Look>,
+    /// Of all motions, each of a body.
+    samples: usize,
 }
 
 impl<'a> Search<'a> {
@@ -72,6 +77,7 @@ impl<'a> Search<'a> {
             domain,
             whole,
             looks: Vec::new(),
+            samples: 0,
         }
     }
 
@@ -115,7 +121,7 @@ impl<'a> Search<'a> {
             for input in next {
                 self.look(input);
             }
-            if self.looks.len() > MOST_LOOKS || self.branches.len() > MOST_BRANCHES {
+            if self.looks.len() > MOST_LOOKS || self.is_much() {
                 self.whole = false;
                 break;
             }
@@ -128,9 +134,15 @@ impl<'a> Search<'a> {
         self.whole &= !miscounted;
     }
 
+    /// Whether no more motions are to be followed.
+    fn is_much(&self) -> bool {
+        self.branches.len() > MOST_BRANCHES || self.samples > MOST_SAMPLES
+    }
+
     fn take(&mut self, motion: Motion) {
         let known = |kind: DeadPointKind| kind.is_dead_point() || kind == DeadPointKind::Range;
         self.whole &= motion.dead_points().iter().all(|dead| known(dead.kind));
+        self.samples += motion.samples() * self.mechanism.bodies().len();
         self.branches.push(motion);
     }
 
@@ -146,6 +158,10 @@ impl<'a> Search<'a> {
             let is_here = |pose: &Pose<1>| self.mechanism.distance(&way.0, pose) < SAME;
             if known.iter().any(is_here) {
                 continue;
+            }
+            if self.is_much() {
+                self.whole = false;
+                break;
             }
             let Ok(mechanism) = self.mechanism.in_assembly(input, way) else {
                 self.whole = false;

@@ -123,6 +123,10 @@ impl Knots {
         }
     }
 
+    pub(super) fn count(&self) -> usize {
+        self.list.len()
+    }
+
     /// With the knots of another motion over other inputs.
     pub(super) fn join(&mut self, mut other: Self) {
         self.span(other.margins.iter().copied());

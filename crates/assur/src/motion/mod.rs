@@ -193,6 +193,11 @@ impl Motion {
         &self.cycle
     }
 
+    /// How many samples it is kept in.
+    pub(crate) fn samples(&self) -> usize {
+        self.knots.count()
+    }
+
     /// The input of the drawn pose, told by as many whole turns as the cycle is; where
     /// there is no pose at it, one far from the ends.
     pub fn home(&self) -> f64 {
