@@ -72,19 +72,15 @@ impl Workspace {
         self.root.join("target").join("types")
     }
 
+    /// A script of the build, to be given its arguments.
+    pub(crate) fn node(&self, script: &str) -> Command {
+        let mut node = self.command("node");
+        node.arg(self.root.join("crates/xtask/build").join(script));
+        node
+    }
+
     pub(crate) fn bundle(&self) -> PathBuf {
         self.root.join("dist").join("assur.html")
-    }
-
-    /// Where the folder for a host goes.
-    pub(crate) fn hosted(&self) -> PathBuf {
-        self.root.join("dist").join("site")
-    }
-
-    /// Where the package of npm goes.
-    pub(crate) fn package(&self) -> PathBuf {
-        let name = format!("assur-{VERSION}.tgz");
-        self.root.join("dist").join("npm").join(name)
     }
 
     /// A cargo command that starts in the root.

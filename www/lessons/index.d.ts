@@ -1,0 +1,5 @@
+// The build makes the module of these names from the folders beside it.
+type Lesson = import("assur/lesson/offer.js").Entry;
+type Steps = readonly import("assur/lesson/folder.js").Step[];
+export const LESSONS: readonly Lesson[];
+export const SCRIPTS: Readonly<Record<string, () => Promise<{ LESSON: { kind: import("assur/state/state.js").Kind; steps: Steps } }>>>;
