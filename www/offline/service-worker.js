@@ -9,7 +9,7 @@
  * }} Keeper
  */
 
-const worker = /** @type {Keeper} */ (/** @type {unknown} */ (self));
+const worker = /** @type {Keeper} */ (self);
 
 /** The build, then the files. */
 const [BUILD, ...FILES] = worker.version.split(" ");

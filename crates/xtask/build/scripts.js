@@ -13,6 +13,9 @@ const FIRST = "app/main.js";
 /** Scripts that run outside the page, each bundled with all that it imports: workers, and the element for other pages. */
 const ALONE = /(^|[/-])worker\.js$|^assur-mechanism\.js$/;
 
+/** A chunk that is not kept. */
+const ENTRY = "entry.js";
+
 const PREFIX = "assur/";
 
 /** A specifier of a static or a dynamic import, relative to the chunk. */
@@ -55,16 +58,18 @@ export async function bundle(sources) {
     return output.filter((file) => file.type === "chunk");
   };
 
-  const first = `${PREFIX}${FIRST}`;
+  /** @param {import("rolldown").PreRenderedChunk} chunk */
+  const named = ({ facadeModuleId, moduleIds }) => {
+    const modules = moduleIds.map((id) => names.get(id));
+    return modules.includes(FIRST) ? FIRST : (names.get(facadeModuleId ?? "") ?? modules.at(-1) ?? "chunk.js");
+  };
   const chunks = await generate(FIRST, {
-    codeSplitting: { groups: [{ name: first, tags: ["$initial"] }] },
-    chunkFileNames: ({ name, facadeModuleId, moduleIds }) => {
-      return name === first ? FIRST : (names.get(facadeModuleId ?? moduleIds[moduleIds.length - 1]) ?? "chunk.js");
-    },
-    entryFileNames: "entry.js",
+    codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] },
+    chunkFileNames: named,
+    entryFileNames: (chunk) => (chunk.moduleIds.length > 0 ? named(chunk) : ENTRY),
   });
-  // The entry itself only imports the first view.
-  for (const { fileName, code } of chunks.filter(({ isEntry }) => !isEntry)) {
+  // Where something is loaded later, the entry is a chunk of its own that only imports the first view.
+  for (const { fileName, code } of chunks.filter(({ fileName }) => fileName !== ENTRY)) {
     const absolute = (/** @type {string} */ name) => PREFIX + path.posix.join(path.posix.dirname(fileName), name);
     scripts.set(fileName, code.replace(RELATIVE, (_, before, quote, name) => `${before}${quote}${absolute(name)}${quote}`));
   }
