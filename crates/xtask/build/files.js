@@ -1,5 +1,5 @@
 // Files by their paths with forward slashes, as the outputs of the build are put together from them.
-import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
 /** @typedef {Map<string, Buffer>} Files by their paths below one folder */
@@ -56,13 +56,16 @@ export function write(folder, files) {
 }
 
 /**
- * Writes a folder anew: nothing of an earlier build stays in it.
+ * Writes a folder anew, beside the old one, which it replaces when it is whole.
  * @param {string} folder
  * @param {ReadonlyMap<string, string | Uint8Array>} files
  */
 export function replace(folder, files) {
+  const fresh = `${folder}.new`;
+  rmSync(fresh, { recursive: true, force: true });
+  write(fresh, files);
   rmSync(folder, { recursive: true, force: true });
-  write(folder, files);
+  renameSync(fresh, folder);
 }
 
 const MEDIA_TYPES = Object.freeze({

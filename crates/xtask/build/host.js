@@ -65,23 +65,32 @@ export function hosted(built, index) {
   return files;
 }
 
+const LEVEL = Object.freeze({ params: { [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY } });
+
+/** How a file is packed, by the ending of the packed one. */
+const PACKERS = Object.freeze({
+  br: (/** @type {string | Buffer} */ content) => promisify(brotliCompress)(content, LEVEL),
+  gz: (/** @type {string | Buffer} */ content) => promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
+});
+
 /**
- * Packs each file beside itself, for hosts that send what is packed.
+ * Packs each file beside itself, for hosts that send what is packed. Packing the engine takes seconds: what an earlier build packed
+ * under the same hash is taken from it.
  * @param {ReadonlyMap<string, string | Buffer>} files
+ * @param {ReadonlyMap<string, Buffer>} earlier
  * @returns {Promise<Map<string, string | Buffer>>}
  */
-export async function packed(files) {
-  const level = { params: { [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY } };
-  const all = [...files].filter(([name]) => name !== HEADERS).flatMap(([name, content]) => [
-    { name, content, packing: promisify(brotliCompress)(content, level), ending: "br" },
-    { name, content, packing: promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }), ending: "gz" },
-  ]);
-  const both = new Map(files);
-  for (const { name, content, packing, ending } of all) {
-    const small = await packing;
-    if (small.length < Buffer.byteLength(content)) both.set(`${name}.${ending}`, small);
-  }
-  return both;
+export async function packed(files, earlier) {
+  const all = new Map(files);
+  const packing = [...files].filter(([name]) => name !== HEADERS).flatMap(([name, content]) =>
+    Object.entries(PACKERS).map(async ([ending, pack]) => {
+      const place = `${name}.${ending}`;
+      const small = (name.startsWith(FIXED) && earlier.get(place)) || (await pack(content));
+      if (small.length < Buffer.byteLength(content)) all.set(place, small);
+    }),
+  );
+  await Promise.all(packing);
+  return all;
 }
 
 /**

@@ -1,4 +1,5 @@
 // The build of the page, as `cargo xtask` calls it: `site` writes what is served, `dist` what is given away of it.
+import { existsSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { bytes, read, replace, write } from "./files.js";
@@ -27,10 +28,11 @@ async function writeDist() {
   const file = single(built, index);
   write(to, new Map([["assur.html", Buffer.from(file)], [ELEMENT, bytes(built, ELEMENT)]]));
   const files = hosted(built, index);
-  replace(path.join(to, "site"), await packed(files));
+  const place = path.join(to, "site");
+  replace(place, await packed(files, existsSync(place) ? read(place) : new Map()));
   pack({ root, site: folder, types: path.join(root, "target/types"), staging: path.join(target, "npm"), to: path.join(to, "npm"), version });
   console.log(`==> one-file page: ${path.join(to, "assur.html")}, ${Buffer.byteLength(file)} bytes`);
-  console.log(`==> folder for a host: ${path.join(to, "site")}, ${files.size} files`);
+  console.log(`==> folder for a host: ${place}, ${files.size} files`);
   console.log(`==> package for npm: ${path.join(to, "npm")}`);
 }
 
