@@ -11,7 +11,7 @@ import { bundle } from "./scripts.js";
 const PAGE = "index.html";
 
 /** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
-const SOURCE = /\.(js|d\.ts)$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
+const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
 
 /**
  * @param {{ root: string, engine: string, more?: string, version: string }} options of the repository, of the engine's `pkg`, of

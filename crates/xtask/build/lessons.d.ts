@@ -1,4 +1,4 @@
-// The build makes the module of these names from the folders beside it.
+// `assur/lessons/index.js`, which the build makes from the folders of `www/lessons` (folders.js).
 type Lesson = import("assur/lesson/offer.js").Entry;
 type Steps = readonly import("assur/lesson/folder.js").Step[];
 export const LESSONS: readonly Lesson[];
