@@ -6,26 +6,14 @@
 
 mod bench;
 mod browser;
-mod bundle;
-mod dist;
-mod hosting;
-mod kinds;
-mod lessons;
-mod media;
-mod minify;
-mod notes;
-mod npm;
-mod scripts;
 mod server;
 mod site;
 mod step;
 mod tally;
 mod test;
 mod tools;
-mod words;
 mod workspace;
 
-use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -33,6 +21,7 @@ use anyhow::Result;
 use clap::{Parser, Subcommand};
 
 use crate::browser::Kind;
+use crate::server::Server;
 use crate::workspace::Workspace;
 
 /// Sets up, builds, serves and tests Assur.
@@ -52,7 +41,7 @@ struct Arguments {
 enum Task {
     /// Builds the page and serves it on this machine
     ///
-    /// Installs the wasm32 target and wasm-bindgen if they are missing, builds the release, serves
+    /// Installs the wasm32 target, wasm-bindgen and the packages of npm if they are missing, builds the release, serves
     /// it on 127.0.0.1 without caching, prints the address and opens it where there is a display.
     /// Stops with Ctrl-C.
     Serve {
@@ -122,7 +111,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
-            dist::write(&workspace)?;
+            site::give_away(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;
@@ -136,19 +125,13 @@ fn perform(task: &Task) -> Result<ExitCode> {
 
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     site::set_up_and_build(workspace)?;
-    let listener = server::listen(port)?;
-    let (address, workers) = server::start(listener, &workspace.site())?;
-    println!("The page is at {} (Ctrl-C stops it)", url(address));
+    let server = Server::start(workspace, port, &workspace.site())?;
+    println!("The page is at {} (Ctrl-C stops it)", server.url);
     if open && browser::display_present() {
         // The address is on the screen already, so a browser that does not come up stops nothing.
-        if let Err(error) = open::that_detached(url(address)) {
+        if let Err(error) = open::that_detached(&server.url) {
             eprintln!("No browser could be opened ({error}); open the address by hand.");
         }
     }
-    workers.wait()
-}
-
-/// The address as a person types it.
-fn url(address: SocketAddr) -> String {
-    format!("http://{address}/")
+    server.wait()
 }

@@ -1,7 +1,6 @@
 //! Everything that must hold, run in one go: this is what a push is judged by.
 
 use std::fs;
-use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
@@ -9,11 +8,12 @@ use anyhow::{Context, Error, Result, anyhow};
 use serde_json::Value;
 
 use crate::browser::{self, Browser, Kind};
+use crate::server::Server;
+use crate::site;
 use crate::step::{announce, run as run_step};
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
-use crate::{dist, server, site};
 
 /// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
 const WASM_TIME: &str = "300";
@@ -40,7 +40,7 @@ struct SetUp {
     target: Result<()>,
     bindgen: Result<()>,
     pack: Result<()>,
-    typescript: Result<()>,
+    packages: Result<()>,
     browser: Result<Browser>,
     firefox: Result<Browser>,
 }
@@ -104,21 +104,25 @@ pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
     tally.check("page", || {
         needed(&ready.target)?;
         needed(&ready.bindgen)?;
+        needed(&ready.packages)?;
         site::build(workspace)?;
         site = Ok(());
         Ok(())
     });
     tally.check("types of the scripts", || {
-        needed(&ready.typescript)?;
+        needed(&ready.packages)?;
         // What crosses the border has its types of the build.
         needed(&site)?;
         let mut checker = tools::type_checker(workspace);
-        run_step(checker.args(["--project", "."]), "types of the scripts")
+        run_step(checker.args(["--project", "."]), "types of the scripts")?;
+        let mut checker = tools::type_checker(workspace);
+        checker.args(["--project", "crates/xtask/build"]);
+        run_step(&mut checker, "types of the scripts of the build")
     });
     let mut bundled = Err(anyhow!("the one-file page was not written"));
     tally.check("one-file page, folder for a host, package", || {
         needed(&site)?;
-        bundled = Ok(dist::write(workspace)?);
+        bundled = Ok(site::give_away(workspace)?);
         Ok(())
     });
     tally.tests_in_company(
@@ -149,7 +153,7 @@ pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> R
     let mut site = Err(anyhow!("the page was not built"));
     tally.check("page", || {
         site::set_up_and_build(workspace)?;
-        site = Ok(dist::write(workspace)?);
+        site = Ok(site::give_away(workspace)?);
         Ok(())
     });
     tally.tests_in_company(
@@ -177,7 +181,7 @@ impl SetUp {
             target: told("wasm target", tools::wasm_target(workspace)),
             bindgen: told("wasm-bindgen", tools::wasm_bindgen(workspace)),
             pack: told("wasm-pack", tools::wasm_pack(workspace)),
-            typescript: told("TypeScript", tools::typescript(workspace)),
+            packages: told("packages of npm", tools::packages(workspace)),
             browser: told(
                 "browser and driver",
                 browser::find_or_install(workspace, Kind::Chromium),
@@ -258,13 +262,12 @@ fn page_tests(
     needed(site)?;
     needed(bundled)?;
     let browser = needed(browser)?;
-    // The workers answer until this program ends.
-    let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
+    let url = Server::start(workspace, 0, &workspace.site())?.keep();
     let folders = workspace.root().join("tests").join("data").join("page");
     let more = site::build_with(workspace, &folders)?;
-    let (with_more, _workers) = server::start(server::listen(0)?, &more)?;
-    let mut test = page_test(workspace, "page", address, browser);
-    test.env("ASSUR_MORE_URL", format!("http://{with_more}/"));
+    let with_more = Server::start(workspace, 0, &more)?.keep();
+    let mut test = page_test(workspace, "page", &url, browser);
+    test.env("ASSUR_MORE_URL", with_more);
     test.arg("--").args(words);
     Ok(test)
 }
@@ -273,11 +276,11 @@ fn page_tests(
 pub(crate) fn page_test(
     workspace: &Workspace,
     name: &str,
-    address: SocketAddr,
+    url: &str,
     browser: &Browser,
 ) -> Command {
     let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", name]);
-    test.env("ASSUR_URL", format!("http://{address}/"))
+    test.env("ASSUR_URL", url)
         .env("ASSUR_BUNDLE", workspace.bundle())
         .envs(browser.variables());
     test

@@ -17,8 +17,6 @@ const WASM_PACK: &str = "0.15.1";
 
 const GECKODRIVER: &str = "0.37.1";
 
-const TYPESCRIPT: &str = "7.0.2";
-
 const THERE: &str = "already there";
 
 /// The standard library for the browser. It is looked for on disk rather than in rustup's list, so a
@@ -94,32 +92,32 @@ pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
     Ok(path(workspace, "geckodriver"))
 }
 
-/// TypeScript, whose checker reads the scripts of the page.
-pub(crate) fn typescript(workspace: &Workspace) -> Result<()> {
-    let what = format!("TypeScript {TYPESCRIPT}");
-    let answer = quiet_output(type_checker(workspace).arg("--version"));
-    if answer.is_some_and(|answer| answer.split_whitespace().nth(1) == Some(TYPESCRIPT)) {
-        announce(&what, THERE);
+/// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
+pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
+    const WHAT: &str = "packages of npm";
+    let written = |name: &str| fs::metadata(workspace.root().join(name))?.modified();
+    let there = written("node_modules/.package-lock.json");
+    if there.is_ok_and(|there| written("package-lock.json").is_ok_and(|wanted| wanted <= there)) {
+        announce(WHAT, THERE);
         return Ok(());
     }
     let npm = which::which("npm")
         .ok()
         .filter(|_| which::which("node").is_ok());
-    let npm = npm.context("Node.js with npm is needed to check the scripts: install it")?;
-    announce(&what, "installing by npm");
-    let mut npm = workspace.command(&npm);
-    npm.args(["install", "--no-audit", "--no-fund", "--no-save"])
-        .arg(format!("typescript@{TYPESCRIPT}"))
-        .arg("--prefix")
-        .arg(workspace.tools().join("typescript"));
-    run(&mut npm, &what)
+    let npm = npm.context("Node.js with npm is needed to build the page: install it")?;
+    announce(WHAT, "installing by npm");
+    run(
+        workspace
+            .command(&npm)
+            .args(["ci", "--no-audit", "--no-fund"]),
+        WHAT,
+    )
 }
 
-/// The checker, to be given its arguments.
+/// TypeScript's checker, to be given its arguments.
 pub(crate) fn type_checker(workspace: &Workspace) -> Command {
-    let package = workspace.tools().join("typescript/node_modules/typescript");
     let mut checker = workspace.command("node");
-    checker.arg(package.join("bin/tsc"));
+    checker.arg(workspace.root().join("node_modules/typescript/bin/tsc"));
     checker
 }
 
