@@ -1,5 +1,4 @@
 //! Samples of a motion allocate nothing, and the whole of it little.
-#![cfg(not(target_family = "wasm"))]
 
 use std::fs;
 use std::hint::black_box;

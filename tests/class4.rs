@@ -7,9 +7,7 @@ use assur::circuits::{Circuits, Meeting, MeetingKind};
 use assur::mechanism::{ConstraintKind, Draft, Mechanism, Method, Quantity};
 use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-
-wasm_bindgen_test_configure!(run_in_browser);
+use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The demonstration dimensions, drawn at φ = 0; FK as drawn or as long as asked.
 pub(crate) fn dwell() -> Draft {

@@ -1,7 +1,6 @@
 //! Dimensions of linkages set from the pose at hand: what comes of it is closed, is the
 //! same assembly, and goes back; what cannot be is refused with the last value that
 //! works.
-#![cfg(not(target_family = "wasm"))]
 
 use assur::mechanism::{ConstraintKind, Dimension, DraftDriver, Mechanism, Pose, Quantity};
 use assur::motion::{Changed, Motion, OutputProfile, Refusal};

@@ -1,5 +1,4 @@
 //! Drawings of which an earlier engine told something wrong, or never came to an end: what is right of each.
-#![cfg(not(target_family = "wasm"))]
 
 use std::f64::consts::TAU;
 use std::fs;

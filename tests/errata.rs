@@ -1,11 +1,8 @@
 //! The misprints of the papers, listed in docs/errata.md: what is printed is
 //! wrong, what we use is right. One test for each, named after it.
 
-#[path = "errata/differential.rs"]
 mod differential;
-#[path = "errata/mobility.rs"]
 mod mobility;
-#[path = "errata/synthesis.rs"]
 mod synthesis;
 
 use assur::gears::Mesh;

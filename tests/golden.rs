@@ -5,9 +5,7 @@ use assur::motion::Column;
 use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
 use assur::{Assembly, FourBar, JetPoint, Link, Offset};
 use assur_tests::{Row, Table, angle_between, assert_near};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-
-wasm_bindgen_test_configure!(run_in_browser);
+use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Position, first and second derivative. Doubles carry the angles of this
 /// linkage to about 1e-15; what is above that is room for other libraries' sin

@@ -1,6 +1,5 @@
 //! No script of the page branches on a lesson, a mechanism or a kind of document: their names
 //! stand in their own folders only, which the build finds.
-#![cfg(not(target_family = "wasm"))]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,16 +1,10 @@
 //! The numbers that lessons write in their texts, in every language, are those that the
 //! engine computes: here those of the Class IV mechanism.
-#![cfg(not(target_family = "wasm"))]
 
-#[path = "lesson_numbers/assemblies.rs"]
 mod assemblies;
-#[path = "lesson_numbers/differential.rs"]
 mod differential;
-#[path = "lesson_numbers/mixer.rs"]
 mod mixer;
-#[path = "lesson_numbers/mobility.rs"]
 mod mobility;
-#[path = "lesson_numbers/synthesis.rs"]
 mod synthesis;
 
 use std::collections::BTreeMap;

@@ -1,6 +1,5 @@
 //! The presets that lessons have of their own are documents that the engine takes, and
 //! what a lesson is about is there.
-#![cfg(not(target_family = "wasm"))]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,4 @@
 //! Dimensions for a wanted motion: what a search reaches is judged anew.
-#![cfg(not(target_family = "wasm"))]
 
 use assur::Point;
 use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};

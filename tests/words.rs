@@ -1,12 +1,8 @@
 //! The string tables: every language says everything, in every form its nouns need;
 //! every problem of the engine has its words; no key is missing, none is left over.
-#![cfg(not(target_family = "wasm"))]
 
-#[path = "words/kinds.rs"]
 mod kinds;
-#[path = "words/limits.rs"]
 mod limits;
-#[path = "words/terms.rs"]
 mod terms;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,8 +4,8 @@
 use assur::Vector;
 use nalgebra::DMatrix;
 
-use crate::equations::{Body, Driver, Equations, across, along};
-use crate::shown::Shown;
+use super::equations::{Body, Driver, Equations, across, along};
+use super::shown::Shown;
 
 impl Equations {
     /// How far a pose is determined by the equations.

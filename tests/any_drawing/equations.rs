@@ -7,7 +7,7 @@ use assur::gears::Mesh;
 use assur::mechanism::{Draft, DraftDriver, FRAME};
 use assur::{Point, Vector};
 
-use crate::shown::Shown;
+use super::shown::Shown;
 
 /// A link as a body: its points with their places on it, from its first point, the axis
 /// towards its second.

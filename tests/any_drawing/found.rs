@@ -7,7 +7,7 @@ use std::{env, fs};
 use assur::mechanism::Draft;
 use assur_file::LinkageDocument;
 
-use crate::subject::Subject;
+use super::subject::Subject;
 
 /// Something that does not hold of a linkage.
 pub(crate) struct Failure {

@@ -5,8 +5,8 @@ use assur::Point;
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, DraftDriver, DraftGear, DraftPoint, FRAME};
 
-use crate::places::Places;
-use crate::random::Random;
+use super::places::Places;
+use crate::properties::random::Random;
 
 /// What a linkage is built of.
 const PARTS: [Part; 14] = [

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur::{Point, Vector};
 
-use crate::random::Random;
+use crate::properties::random::Random;
 
 /// Half the width of what points are drawn in: the largest drawing that is scaled by 1e9 is not
 /// beyond what is taken.

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Draft, DraftDriver};
 use assur::{Point, Vector};
 
-use crate::random::Random;
-use crate::shown::Shown;
+use super::shown::Shown;
+use crate::properties::random::Random;
 
 /// A drawing of `size` is moved by no more than so many sizes.
 const FARTHEST: f64 = 6.0;

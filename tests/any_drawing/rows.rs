@@ -4,12 +4,12 @@
 use assur::mechanism::Pose;
 use assur::motion::DeadPointKind;
 
-use crate::equations::modulo_turn;
-use crate::found::Tally;
-use crate::random::Random;
-use crate::shown::Shown;
-use crate::subject::{Known, Subject, determined, uncertainty};
-use crate::way::{condition, way};
+use super::equations::modulo_turn;
+use super::found::Tally;
+use super::shown::Shown;
+use super::subject::{Known, Subject, determined, uncertainty};
+use super::way::{condition, way};
+use crate::properties::random::Random;
 
 /// What links, slides and gears may leave of their equations, relative to the size, and of their
 /// derivatives, relative to their scale.

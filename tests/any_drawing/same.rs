@@ -7,13 +7,13 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Defect, Mechanism};
 use assur::motion::{DeadPoint, DeadPointKind, Motion};
 
-use crate::equations::{Equations, modulo_turn};
-use crate::found::Tally;
-use crate::random::Random;
-use crate::redrawn::{CHANGES, Redrawn};
-use crate::shown::Shown;
-use crate::subject::{Known, Subject, determined, uncertainty};
-use crate::way::{condition, way};
+use super::equations::{Equations, modulo_turn};
+use super::found::Tally;
+use super::redrawn::{CHANGES, Redrawn};
+use super::shown::Shown;
+use super::subject::{Known, Subject, determined, uncertainty};
+use super::way::{condition, way};
+use crate::properties::random::Random;
 
 /// So many drawings of each linkage are compared.
 pub(crate) const REDRAWN: usize = 10;

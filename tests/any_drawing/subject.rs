@@ -3,12 +3,12 @@
 use assur::mechanism::{Defect, Draft, Mechanism};
 use assur::motion::Motion;
 
-use crate::condition::Condition;
-use crate::equations::Equations;
-use crate::linkage::Linkage;
-use crate::random::Random;
-use crate::redrawn::with_shapes;
-use crate::shown::Shown;
+use super::condition::Condition;
+use super::equations::Equations;
+use super::linkage::Linkage;
+use super::redrawn::with_shapes;
+use super::shown::Shown;
+use crate::properties::random::Random;
 
 /// So many poses of each motion are compared.
 pub(crate) const POSES: usize = 12;

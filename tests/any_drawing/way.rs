@@ -2,10 +2,10 @@
 
 use assur::motion::Motion;
 
-use crate::condition::Condition;
-use crate::equations::Equations;
-use crate::shown::Shown;
-use crate::subject::determined;
+use super::condition::Condition;
+use super::equations::Equations;
+use super::shown::Shown;
+use super::subject::determined;
 
 /// What is met on a way along a motion.
 pub(crate) struct Way {

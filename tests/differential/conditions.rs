@@ -5,7 +5,7 @@ use assur::gears::train::{
 };
 use proptest::prelude::*;
 
-use crate::draw::{bevel_teeth, config, planar, stepped, teeth};
+use super::draw::{bevel_teeth, config, planar, stepped, teeth};
 
 fn find(conditions: &[Condition], kind: ConditionKind) -> Option<&Condition> {
     conditions.iter().find(|condition| condition.kind == kind)

@@ -3,7 +3,7 @@
 use assur::gears::train::{Counts, Differential, Shaft, Train};
 use proptest::prelude::*;
 
-use crate::draw::{
+use super::draw::{
     bevel_teeth, config, from_sun_and_ring, given, planar, speed, stepped, teeth, tied,
 };
 

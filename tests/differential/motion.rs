@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::gears::train::{Coupling, Layout, Member, Shaft, Shafts, Train};
 
-use crate::draw::{from_sun_and_ring, given};
+use super::draw::{from_sun_and_ring, given};
 
 /// Angles of sun and ring at a time, and their speeds.
 fn driven(time: f64) -> ([f64; 2], [f64; 2]) {

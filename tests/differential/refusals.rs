@@ -5,7 +5,7 @@ use assur::gears::train::{
     Counts, Differential, InputError, Layout, Member, Shaft, Train, TrainError,
 };
 
-use crate::draw::{given, tied};
+use super::draw::{given, tied};
 
 #[test]
 fn all_bad_numbers_are_named_at_once() {

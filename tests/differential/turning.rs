@@ -8,7 +8,7 @@ use assur::gears::train::{
 };
 use proptest::prelude::*;
 
-use crate::draw::{bevel_teeth, config, given, planar, stepped, teeth, tied};
+use super::draw::{bevel_teeth, config, given, planar, stepped, teeth, tied};
 
 fn timed(input: Input, rise: f64) -> TimedInput {
     TimedInput { input, rise }

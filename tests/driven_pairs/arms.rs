@@ -7,7 +7,7 @@ use assur::gears::Mesh;
 use assur::mechanism::{Draft, DraftGear, FRAME};
 use assur::motion::DeadPointKind;
 
-use crate::{along, angle, assert_angle, motion, moved, place, reduced, turned};
+use super::{along, angle, assert_angle, motion, moved, place, reduced, turned};
 
 /// Three links one on the other.
 pub(crate) fn arm() -> Draft {

@@ -3,7 +3,7 @@
 use assur::mechanism::{Defect, Draft, FRAME, Mechanism};
 use assur::motion::Motion;
 
-use crate::{angle, assert_smooth, motion, moved, on_line, place, turned};
+use super::{angle, assert_smooth, motion, moved, on_line, place, turned};
 
 /// Every pair between moving links of the catalogue's linkages, as the driver of the same linkage from the same pose:
 /// its poses are those of the motion as it was, with derivatives by the other input.

@@ -3,10 +3,10 @@
 use assur::Point;
 use assur::mechanism::{Defect, Dimension, Draft, Mechanism};
 
-use crate::arms::{arm, drawn_arm};
-use crate::cylinders::{angle_opposite, cylinder, reach};
-use crate::excavators::{Random, excavator};
-use crate::{angle, motion, place, reduced, turned};
+use super::arms::{arm, drawn_arm};
+use super::cylinders::{angle_opposite, cylinder, reach};
+use super::excavators::{Random, excavator};
+use super::{angle, motion, place, reduced, turned};
 
 /// A length is dragged: the input stays, and so does what further drivers make of it.
 #[test]

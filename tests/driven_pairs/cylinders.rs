@@ -6,7 +6,7 @@ use assur::mechanism::Draft;
 use assur::motion::DeadPointKind;
 use assur::{Jet, Vector};
 
-use crate::{angle, assert_angle, motion, moved, place, reduced, turned};
+use super::{angle, assert_angle, motion, moved, place, reduced, turned};
 
 /// A lever D–B that a cylinder A turns; its rod's hinge is off the line of the cylinder.
 pub(crate) fn cylinder(range: [f64; 2]) -> Draft {

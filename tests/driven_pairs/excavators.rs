@@ -2,7 +2,7 @@
 
 use assur::mechanism::Draft;
 
-use crate::{assert_smooth, motion, moved, on_line, place};
+use super::{assert_smooth, motion, moved, on_line, place};
 
 /// Random numbers that are the same every time.
 pub(crate) struct Random(pub(crate) u64);

@@ -7,7 +7,7 @@ use assur::dynamics::{
 };
 use proptest::prelude::*;
 
-use crate::sample::{parameters, speed, synchronous, ticks, torque, undamped};
+use super::sample::{parameters, speed, synchronous, ticks, torque, undamped};
 
 fn defects(change: impl FnOnce(&mut Parameters)) -> Vec<Defect> {
     let mut parameters = parameters();

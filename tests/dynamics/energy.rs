@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur::dynamics::{Body, Differential, Drive, Run, Shaft, Start};
 
-use crate::sample::{parameters, speed, synchronous, ticks, torque, undamped};
+use super::sample::{parameters, speed, synchronous, ticks, torque, undamped};
 
 /// The worst imbalance over so many revolutions of the slowest shaft, relative to the energy at the start.
 fn drift(mut run: Run, revolutions: f64, slowest: f64) -> f64 {

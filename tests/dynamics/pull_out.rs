@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use assur::dynamics::{Body, Differential, Mesh, Parameters, Run, Shaft};
 use assur_tests::assert_near;
 
-use crate::sample::{parameters, speed, synchronous, ticks, torque};
+use super::sample::{parameters, speed, synchronous, ticks, torque};
 
 /// The load on a shaft at which the first period slips, when it grows slowly from 99 % of the limit; relative to the limit.
 fn pulled_out(mut parameters: Parameters, shaft: Shaft) -> f64 {

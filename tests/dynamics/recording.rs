@@ -2,7 +2,7 @@
 
 use assur::dynamics::{Body, Halt, Mesh, Parameters, Reading, Recording, Run, TICKS_PER_SECOND};
 
-use crate::sample::{parameters, speed, synchronous, torque, undamped};
+use super::sample::{parameters, speed, synchronous, torque, undamped};
 
 /// Sun and ring driven, the carrier under a load that pulls the magnets out and is lifted again.
 fn slipping() -> Run {

@@ -10,7 +10,7 @@ use assur::dynamics::{
 };
 use assur_tests::{Table, assert_near};
 
-use crate::sample::{parameters, speed, ticks, torque, undamped};
+use super::sample::{parameters, speed, ticks, torque, undamped};
 
 fn fan(fan: f64) -> Load {
     Load {

@@ -6,7 +6,7 @@ use assur::dynamics::{Body, Differential, Drive, Mesh, Run, Start};
 use assur_tests::assert_near;
 use nalgebra::Matrix2;
 
-use crate::sample::{speed, undamped};
+use super::sample::{speed, undamped};
 
 /// Mean period between zeros in the same sense, found by a line between ticks.
 fn frequency(run: &mut Run, read: impl Fn(&Run) -> f64) -> f64 {

@@ -3,8 +3,8 @@
 use assur::mobility::PairKind::{Class, Prismatic, Revolute, Screw, Spherical, Universal};
 use assur::mobility::{CutError, Scheme, SchemeDefect, SchemeDraft, Vector3};
 
-use crate::paper::{class_iv, four_bar, six_bar};
-use crate::schemes::{hinge, pair, placed, planar, spatial};
+use super::paper::{class_iv, four_bar, six_bar};
+use super::schemes::{hinge, pair, placed, planar, spatial};
 
 fn defects(draft: &SchemeDraft) -> Vec<SchemeDefect> {
     Scheme::new(draft).unwrap_err()

@@ -3,7 +3,7 @@
 use assur::mobility::{Cut, CutError, Scheme};
 use nalgebra::DMatrix;
 
-use crate::random::{Geometry, Random, scheme};
+use super::random::{Geometry, Random, scheme};
 
 /// All subsets of so many items, or if there are too many some of them.
 fn subsets(random: &mut Random, items: &[Cut], size: usize) -> (Vec<Vec<Cut>>, bool) {

@@ -2,8 +2,8 @@
 
 use assur::mobility::{Generic, Scheme, SchemeDraft, Space};
 
-use crate::random::{Geometry, Random, scheme};
-use crate::rank::{bennett, double_universal_joint, sarrus, verdict, with_extra_rocker};
+use super::random::{Geometry, Random, scheme};
+use super::rank::{bennett, double_universal_joint, sarrus, verdict, with_extra_rocker};
 
 fn permuted(draft: &SchemeDraft, random: &mut Random) -> SchemeDraft {
     let mut draft = draft.clone();

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use assur::mobility::{Generic, PairKind, Scheme, Space, Vector3};
 use nalgebra::{DMatrix, Vector6};
 
-use crate::random::{Geometry, Random, scheme, sound};
+use super::random::{Geometry, Random, scheme, sound};
 
 /// The motions that a pair allows.
 fn twists(

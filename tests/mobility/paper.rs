@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use assur::mobility::PairKind::{Cylindrical, Revolute, Spherical};
 use assur::mobility::{Cut, Scheme, SchemeDraft};
 
-use crate::schemes::{hinge, pair, placed, planar, spatial};
+use super::schemes::{hinge, pair, placed, planar, spatial};
 
 /// What the paper counts.
 struct Row {

@@ -4,7 +4,7 @@ use assur::mobility::{PairDraft, PairKind, Point3, SchemeDraft, Vector3};
 use proptest::prelude::Rng as _;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-use crate::schemes::pair;
+use super::schemes::pair;
 
 /// Random numbers, the same for the same seed.
 pub(crate) struct Random(TestRng);

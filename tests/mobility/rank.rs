@@ -8,8 +8,8 @@ use assur::mobility::PairKind::{
 use assur::mobility::{Generic, NoRank, PairDraft, Point3, Scheme, SchemeDraft, Space, Vector3};
 use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion};
 
-use crate::paper::{class_iv, four_bar, six_bar, two_contours};
-use crate::schemes::{hinge, pair, placed, planar, spatial};
+use super::paper::{class_iv, four_bar, six_bar, two_contours};
+use super::schemes::{hinge, pair, placed, planar, spatial};
 
 /// W, q and the names of the pairs of each redundant part, then of idle links.
 pub(crate) fn verdict(

@@ -3,8 +3,8 @@
 use assur::mobility::PairKind::{CylinderOnPlane, Cylindrical, SphereInCylinder, Spherical};
 use assur::mobility::{Scheme, SchemeDraft, Space};
 
-use crate::paper::{class_iv, four_bar, six_bar, two_contours};
-use crate::rank::{bennett, double_universal_joint, sarrus, with_extra_rocker};
+use super::paper::{class_iv, four_bar, six_bar, two_contours};
+use super::rank::{bennett, double_universal_joint, sarrus, with_extra_rocker};
 
 /// The first replacements in words, after each of them was tried.
 fn tried(draft: &SchemeDraft, most: usize) -> (Vec<String>, bool) {

@@ -8,8 +8,8 @@ use assur::motion::Motion;
 use assur::{Point, Vector};
 use assur_tests::{angle_between, assert_near};
 
-use crate::draw::gear;
-use crate::{angle, moved, residual};
+use super::draw::gear;
+use super::{angle, moved, residual};
 
 const CRANKS: [f64; 2] = [1.0, 0.8];
 const ARMS: [f64; 2] = [3.2, 2.9];

@@ -4,8 +4,8 @@ use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, Mechanism};
 use assur::motion::Motion;
 
-use crate::draw::{Dice, gear, set};
-use crate::residual;
+use super::draw::{Dice, gear, set};
+use super::residual;
 
 fn refused(draft: &Draft) -> Vec<Defect> {
     Mechanism::new(draft).unwrap_err()

@@ -6,8 +6,8 @@ use assur::gears::Mesh;
 use assur::mechanism::{Defect, Mechanism};
 use assur_tests::{angle_between, assert_near};
 
-use crate::draw::{DRAWN, gear, set};
-use crate::{angle, moved, residual};
+use super::draw::{DRAWN, gear, set};
+use super::{angle, moved, residual};
 
 #[test]
 fn further_satellites_are_passive() {

@@ -8,8 +8,8 @@ use assur::motion::DeadPointKind;
 use assur::{Assembly, FourBar, Point};
 use assur_tests::{angle_between, assert_near};
 
-use crate::draw::gear;
-use crate::{angle, moved, residual};
+use super::draw::gear;
+use super::{angle, moved, residual};
 
 /// Watt's sun-and-planet gear: the planet is fixed to the connecting rod between the carrier and the beam. The four-bar
 /// of carrier, rod, beam and frame as drawn at an angle of the carrier; the sun is driven.

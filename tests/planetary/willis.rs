@@ -6,8 +6,8 @@ use assur::gears::Mesh;
 use assur::mechanism::Draft;
 use assur_tests::{angle_between, assert_near};
 
-use crate::draw::{DRAWN, Dice, SHAFTS, gear, set};
-use crate::{angle, moved};
+use super::draw::{DRAWN, Dice, SHAFTS, gear, set};
+use super::{angle, moved};
 
 /// What is constant by Willis: each shaft's angle multiplied by its number.
 fn willis([sun, ring]: [u32; 2], [at_sun, at_ring]: [u32; 2]) -> [f64; 3] {

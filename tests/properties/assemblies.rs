@@ -6,7 +6,7 @@ use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
-use crate::groups::{KINDS, Kind, drawn};
+use super::groups::{KINDS, Kind, drawn};
 
 const GROUPS: u64 = 120;
 const SPECIAL: u64 = 40;

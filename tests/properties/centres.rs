@@ -8,8 +8,8 @@ use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 use nalgebra::Vector3;
 
-use crate::following::{Random, inputs, rate, size_at};
-use crate::{dyads, groups};
+use super::following::{Random, inputs, rate, size_at};
+use super::{dyads, groups};
 
 /// A centre as a triple of length 1, so that one far away is next to one at infinity; none that is anywhere.
 fn triple(mechanism: &Mechanism, centre: &Centre) -> Option<Vector3<f64>> {

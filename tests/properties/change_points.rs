@@ -7,7 +7,7 @@ use assur::mechanism::{Draft, DraftGear, Mechanism, Quantity};
 use assur::motion::Motion;
 use assur::{Assembly, FourBar, Jet};
 
-use crate::random::Random;
+use super::random::Random;
 
 /// Ways from a change point, within and beyond what is interpolated.
 const WAYS: [f64; 9] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2];

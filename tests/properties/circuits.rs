@@ -7,8 +7,8 @@ use assur::circuits::{Circuits, MeetingKind, Reach};
 use assur::mechanism::{Draft, DraftDriver, Mechanism, Method, Pose};
 use assur::{Assembly, FourBar, Grashof};
 
-use crate::groups::{KINDS, drawn};
-use crate::random::Random;
+use super::groups::{KINDS, drawn};
+use super::random::Random;
 
 const GROUPS: u64 = 12;
 const FOUR_BARS: u64 = 400;
@@ -172,7 +172,7 @@ fn every_assembly_of_chains() {
     let mut random = Random::new(47);
     let (mut chains, mut whole) = (0, 0);
     for seed in 0..CHAINS {
-        let Some((draft, _)) = crate::dyads::moving(seed) else {
+        let Some((draft, _)) = super::dyads::moving(seed) else {
             continue;
         };
         let mechanism = Mechanism::new(&draft).unwrap();

@@ -8,8 +8,8 @@ use assur::mechanism::{BodyId, Draft, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
-use crate::following::{Random, inputs, rate, size_at};
-use crate::{dyads, groups};
+use super::following::{Random, inputs, rate, size_at};
+use super::{dyads, groups};
 
 /// The body's point at a place.
 fn of(mechanism: &Mechanism, pose: &Pose<4>, body: BodyId, at: Point) -> Option<Curvature> {

@@ -4,8 +4,8 @@
 use assur::mechanism::{Draft, DraftDriver, Mechanism, Pose};
 use assur::motion::Motion;
 
-use crate::following::{Random, closes, inputs, leads_to_itself, rate};
-use crate::{dyads, groups};
+use super::following::{Random, closes, inputs, leads_to_itself, rate};
+use super::{dyads, groups};
 
 const LINKAGES: u64 = 1_500;
 

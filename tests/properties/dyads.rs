@@ -4,7 +4,7 @@ use assur::mechanism::{Draft, DraftPoint, Mechanism};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
-use crate::following::{Random, closes, does_not_jump, inputs, leads_to_itself};
+use super::following::{Random, closes, does_not_jump, inputs, leads_to_itself};
 
 const CHAINS: usize = 4_000;
 

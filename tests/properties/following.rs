@@ -5,7 +5,7 @@ use assur::JetPoint;
 use assur::mechanism::{Draft, Mechanism, Pose};
 use assur::motion::Motion;
 
-pub(crate) use crate::random::Random;
+pub(crate) use super::random::Random;
 
 /// Inputs over the whole motion, the ends not quite included.
 pub(crate) fn inputs(motion: &Motion, random: &mut Random) -> Vec<f64> {

@@ -7,8 +7,8 @@ use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, DraftPoint, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
 
-use crate::closure::Closure;
-use crate::following::{Random, closes, does_not_jump, inputs, leads_to_itself, rate};
+use super::closure::Closure;
+use super::following::{Random, closes, does_not_jump, inputs, leads_to_itself, rate};
 
 const GROUPS: u64 = 400;
 

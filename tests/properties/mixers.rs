@@ -7,7 +7,7 @@ use assur::motion::{Motion, OutputProfile, Placed, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use proptest::prelude::*;
 
-use crate::draw::{config, linkage, posed};
+use super::draw::{config, linkage, posed};
 
 /// As in golden.rs: of a value, its first and its second derivative.
 const TOLERANCE: [f64; 3] = [1e-12, 1e-11, 1e-10];

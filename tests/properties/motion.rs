@@ -7,8 +7,8 @@ use assur::motion::{Extremum, Input, features};
 use assur::{Assembly, FourBar, Grashof, Swing};
 use proptest::prelude::*;
 
-use crate::draw::{config, linkage};
-use crate::mixers::mixer;
+use super::draw::{config, linkage};
+use super::mixers::mixer;
 
 /// The largest jump of `f` (value and rate) that does not shrink with the step:
 /// bisects every step over which the value moves by more than `coarse` down to

@@ -6,8 +6,8 @@ use assur::motion::{Input, Motion};
 use assur::polygons::{Kind, Node, Order, Polygon, Route};
 use assur::{JetPoint, Vector};
 
-use crate::following::{Random, inputs, rate, size_at};
-use crate::{dyads, groups};
+use super::following::{Random, inputs, rate, size_at};
+use super::{dyads, groups};
 
 /// Closed to this, relative to the longest vector.
 const CLOSED: f64 = 1e-12;

@@ -3,7 +3,7 @@
 use assur::{FourBar, Pose, Unsolved};
 use proptest::prelude::*;
 
-use crate::draw::{config, lengths, posed};
+use super::draw::{config, lengths, posed};
 
 /// How far the first two derivatives of l₁e₁ + l₂e₂ − l₃e₃ − l₄ are from zero,
 /// relative to the longest link times the largest rate.

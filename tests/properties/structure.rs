@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use assur::structure::{Fault, Graph, Group, Pair, Step, Structure, decompose};
 use proptest::prelude::*;
 
-use crate::draw::config;
+use super::draw::config;
 use draw::{Built, Kind, Links, Shuffled, any_linkage, build, choices, shuffle};
 
 fn group_kind(group: &Group) -> Kind {

@@ -1,7 +1,9 @@
-//! What several tests share: reading the golden tables and comparing with them; files of the
-//! project.
+//! What several tests share: golden tables and how to compare with them, files of the project, counts of random input.
 
 pub mod files;
+mod scale;
+
+pub use scale::scaled;
 
 use std::f64::consts::{PI, TAU};
 

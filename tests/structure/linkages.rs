@@ -142,7 +142,7 @@ fn jansen_leg() {
         structure.formula(|link| link),
         "I(0,1) → II₂(2,3) → II₂(4,5) → II₂(6,7)"
     );
-    assert_eq!(structure.needs(0), []);
+    assert!(structure.needs(0).is_empty());
     assert_eq!(structure.needs(1), [0]);
     assert_eq!(structure.needs(3), [1, 2]);
 }

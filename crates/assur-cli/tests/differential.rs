@@ -1,9 +1,4 @@
 //! `assur differential` as it is run: speeds, ratios, conditions, bad input.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use std::process::{Command, Output};
 

@@ -1,9 +1,4 @@
 //! `assur mobility` as it is run: the paper's table, other cuts, linkages, bad input by names.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use std::process::{Command, Output};
 

@@ -1,9 +1,4 @@
 //! `assur synth` as it is run: families, exact linkages, compromises, and what has none.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use std::process::{Command, Output};
 

@@ -1,5 +1,4 @@
 //! Differentials by time in the terminal: they are no linkages, and that is said in a sentence.
-#![allow(clippy::unwrap_used, reason = "that is how a test fails")]
 
 use std::process::Command;
 

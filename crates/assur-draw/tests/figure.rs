@@ -1,5 +1,4 @@
 //! Drawings of any linkage: whole lists, bodies where the engine has them.
-#![allow(clippy::panic, reason = "that is how a test fails")]
 
 use assur::Point;
 use assur::mechanism::{Draft, DraftDriver, Mechanism, Quantity};
@@ -8,9 +7,7 @@ use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
 use assur_draw::{Annotations, Figure, Overlays, Role, View};
 
-use records::records;
-
-mod records;
+use crate::records::records;
 
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.

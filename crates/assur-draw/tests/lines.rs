@@ -1,14 +1,11 @@
 //! What lecturers draw over a linkage, in numbers: instant centres with Kennedy's lines, centrodes, circles.
-#![allow(clippy::panic, reason = "that is how a test fails")]
 
 use assur::Point;
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
 use assur_draw::{Figure, Lines, Role, View};
 
-use records::records;
-
-mod records;
+use crate::records::records;
 
 const POLYLINE: f32 = 2.0;
 const CIRCLE: f32 = 3.0;

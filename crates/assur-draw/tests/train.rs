@@ -1,9 +1,4 @@
 //! Drawings of differentials: they hold what they say, wheels mesh, forces and velocities are true.
-#![allow(
-    clippy::panic,
-    clippy::unwrap_used,
-    reason = "that is how a test fails"
-)]
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,9 +6,7 @@ use assur::dynamics::Poles;
 use assur::gears::train::{Coupling, Drive, Input, Kind, Layout, Member, Shaft, Shafts, Train};
 use assur_draw::{Role, TrainFigure, TrainPose, TrainView, WorkingMember};
 
-use records::records;
-
-mod records;
+use crate::records::records;
 
 const ALIKE: TrainView = TrainView {
     coupling: Coupling::Magnetic,

@@ -1,9 +1,4 @@
 //! Linkages drawn from nothing, and what is refused.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur::mechanism::Mechanism;
 use assur::motion::Motion;

@@ -1,9 +1,4 @@
 //! Lengths and angles that are locked, while points are moved.
-#![allow(
-    clippy::panic,
-    clippy::unwrap_used,
-    reason = "that is how a test fails"
-)]
 
 use std::f64::consts::TAU;
 

@@ -1,9 +1,4 @@
 //! The saved form of a differential by time: what is left out, what is read of it, what is refused.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur::gears::train::{ConditionKind, Shaft};
 use assur_file::{

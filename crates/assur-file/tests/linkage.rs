@@ -1,6 +1,5 @@
 //! The saved form of a linkage: what is read is what was meant, and what is broken
 //! says where.
-#![allow(clippy::unwrap_used, reason = "that is how a test fails")]
 
 use assur::mechanism::Draft;
 use assur::motion::Motion;

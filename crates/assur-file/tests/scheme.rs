@@ -1,5 +1,4 @@
 //! The saved form of a scheme: what is left out, what is read of it, what is refused.
-#![allow(clippy::unwrap_used, reason = "that is how a test fails")]
 
 use assur_file::{Document, SchemeDocument, State, document, document_of, from_text, schemes};
 use serde_json::{Value, json};

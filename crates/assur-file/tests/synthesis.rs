@@ -1,5 +1,4 @@
 //! The saved form of a synthesis: what is left out, what is shown, what is refused.
-#![allow(clippy::unwrap_used, reason = "that is how a test fails")]
 
 use assur_file::{Document, Kind, State, SynthesisDocument};
 use serde_json::{Value, json};

@@ -5,11 +5,6 @@
 //! come with Linkage (<https://github.com/rectorsquid/Linkage>, `samplegallery` of its source), without colours and
 //! selections; `issue-12.linkage2` is drawn after what is said in that issue, whose own file is not public any more.
 //! `published/expected.txt` has what each comes to: `name | W | motion | what was left out`.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,9 @@
 //! The engine in the browser. This crate converts between JavaScript's values
 //! and the engine's and computes nothing.
 
+// No unit test runs there.
+#![cfg(not(all(test, target_family = "wasm")))]
+
 mod assemblies;
 mod canvas;
 mod capabilities;

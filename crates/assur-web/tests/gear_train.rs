@@ -1,19 +1,11 @@
 //! A differential by time through the border, in a real browser: what is said of it, its places, plots and load.
-#![cfg(target_family = "wasm")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur_web::{Simulator, catalogue, role_names};
 use js_sys::JSON;
 use serde_json::{Value, json};
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
-
-wasm_bindgen_test_configure!(run_in_browser);
 
 fn value(value: &JsValue) -> Value {
     let text: String = JSON::stringify(value).unwrap().into();

@@ -1,18 +1,10 @@
 //! Linkages through the border, in a real browser: the gallery, what is said of a
 //! motion, dragged points; what is no mechanism names links and points.
-#![cfg(target_family = "wasm")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur_web::{Simulator, catalogue, read_state};
 use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-
-wasm_bindgen_test_configure!(run_in_browser);
+use wasm_bindgen_test::wasm_bindgen_test;
 
 const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank.json");
 const CLASS4: &str = include_str!("../../assur-file/catalogue/class4-dwell.json");

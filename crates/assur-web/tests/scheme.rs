@@ -1,19 +1,11 @@
 //! A scheme through the border, in a real browser: what is said of it, pairs that are cut, the
 //! chain that falls open.
-#![cfg(target_family = "wasm")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur_web::{Simulator, catalogue, task};
 use js_sys::JSON;
 use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-
-wasm_bindgen_test_configure!(run_in_browser);
+use wasm_bindgen_test::wasm_bindgen_test;
 
 fn value(value: &JsValue) -> Value {
     let text: String = JSON::stringify(value).unwrap().into();

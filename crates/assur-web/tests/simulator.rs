@@ -1,19 +1,11 @@
 //! The simulator through the border, in a real browser: what the page gives and
 //! gets are JavaScript's values.
-#![cfg(target_family = "wasm")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur_web::{Simulator, catalogue, check_keys};
 use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::wasm_bindgen_test;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
-
-wasm_bindgen_test_configure!(run_in_browser);
 
 const STATE: &str = r#"{"format":1,"lesson":"mixer",
     "document":{"l1":0.37,"l2":0.85,"l3":0.55,"l4":0.85,"z4":36,"z5":18,

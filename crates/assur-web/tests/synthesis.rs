@@ -1,19 +1,11 @@
 //! A synthesis through the border, in a real browser: what is said of it, directions that are
 //! dragged, members that are chosen.
-#![cfg(target_family = "wasm")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 use assur_web::Simulator;
 use js_sys::JSON;
 use serde_json::Value;
 use wasm_bindgen::JsValue;
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-
-wasm_bindgen_test_configure!(run_in_browser);
+use wasm_bindgen_test::wasm_bindgen_test;
 
 const EXAMPLE: &str = r#"[{"output_deg":240,"input_deg":45},{"output_deg":253,"input_deg":60}]"#;
 

@@ -1,6 +1,6 @@
 //! Help, and arguments that are none.
 
-use crate::run::{refused, said};
+use super::run::{refused, said};
 
 #[test]
 fn help_and_list() {

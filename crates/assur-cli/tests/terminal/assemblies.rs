@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::run::{Table, data, said};
+use super::run::{Table, data, said};
 
 /// The golden table of the Class IV mechanism, in the order of its numbers.
 #[test]

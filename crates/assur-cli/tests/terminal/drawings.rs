@@ -1,6 +1,6 @@
 //! Drawings.
 
-use crate::run::{Scratch, data, refused, said};
+use super::run::{Scratch, data, refused, said};
 
 #[test]
 fn drawings() {

@@ -4,7 +4,7 @@
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 
-use crate::run::{Scratch, data, refused, said};
+use super::run::{Scratch, data, refused, said};
 
 const SLIDE: &str = include_str!("../../../../tests/data/linkages/slide.json");
 

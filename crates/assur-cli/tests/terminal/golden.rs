@@ -1,6 +1,6 @@
 //! Tables against golden ones and against geometry.
 
-use crate::run::{Table, data, said};
+use super::run::{Table, data, said};
 
 /// All that the table in 40-digit arithmetic says of the mixer, to its tolerances.
 #[test]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::run::{Scratch, assur, refused};
+use super::run::{Scratch, assur, refused};
 
 const LINK: &str = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.MA,A,0,0,0.GB,B,0,Im,0.GC,C,0,0r8,0.LP,P,0,0r8,OZ..\
     YRAB,Crank,VG,o,0,9O,c5cae9,A,B,,.YRBC,Connecting rod,ku,6G,0,0HC,303e9f,B,C,,.YPCP,CP,1Tm,0,0,0,,C,P,,..\

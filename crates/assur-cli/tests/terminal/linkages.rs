@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::run::{Scratch, refused};
+use super::run::{Scratch, refused};
 
 /// What is no mechanism is refused with the names of what is at fault.
 #[test]

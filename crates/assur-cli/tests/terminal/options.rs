@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::run::{Scratch, Table, data, refused, said};
+use super::run::{Scratch, Table, data, refused, said};
 
 fn table(arguments: &[&str]) -> Table {
     Table::of(&said(&[&["sweep"], arguments].concat()))

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::run::{Scratch, data, refused, said};
+use super::run::{Scratch, data, refused, said};
 
 #[test]
 fn structures() {

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::run::{Scratch, Table, data, said};
+use super::run::{Scratch, Table, data, said};
 
 #[test]
 fn the_header_and_the_grid() {

@@ -6,7 +6,7 @@ use assur::mixer::{Carrier, Case, Tracer};
 use assur::{Point, Vector};
 use assur_draw::{Figure, Overlays, Role, View};
 
-use crate::drawn::*;
+use super::drawn::*;
 use crate::records::records;
 
 /// Everything over the drawing, at every angle: numbers a screen can show,

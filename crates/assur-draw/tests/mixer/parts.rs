@@ -7,7 +7,7 @@ use assur::mixer::{Case, Dimensions};
 use assur::{Point, Vector};
 use assur_draw::{Overlays, Role};
 
-use crate::drawn::*;
+use super::drawn::*;
 use crate::records::records;
 
 #[test]

@@ -1,9 +1,6 @@
 //! The differential with magnetic couplings in motion: against an independent integration, closed forms and the
 //! account of energies.
 
-#![cfg(not(target_family = "wasm"))]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 mod angle;
 mod bad_input;
 mod energy;

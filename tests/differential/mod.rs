@@ -1,8 +1,6 @@
 //! Epicyclic trains of two freedoms: the paper's formulas over random numbers, the satellite
 //! against integrated rolling, conditions against geometry, refusals.
 
-#![cfg(not(target_family = "wasm"))]
-
 mod conditions;
 mod draw;
 mod formulas;

@@ -1,5 +1,4 @@
 //! The four-bar from given positions.
-#![cfg(not(target_family = "wasm"))]
 
 mod approximations;
 mod draw;

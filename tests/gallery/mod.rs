@@ -1,6 +1,5 @@
 //! The mechanisms of the catalogue: each is decomposed as it should be, moves and
 //! closes, and has a number that is published or follows exactly.
-#![cfg(not(target_family = "wasm"))]
 
 mod four_bars;
 mod groups;

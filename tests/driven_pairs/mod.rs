@@ -1,7 +1,6 @@
 //! Drivers between links that both move: arms of robots, hydraulic cylinders, platforms.
 
 mod arms;
-#[cfg(not(target_family = "wasm"))]
 mod catalogue;
 mod changes;
 mod cylinders;

@@ -1,9 +1,4 @@
 //! The terminal program as it is run: exit status, tables, structures, drawings.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "that is how a test fails"
-)]
 
 mod arguments;
 mod assemblies;

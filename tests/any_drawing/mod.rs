@@ -1,14 +1,11 @@
 //! A motion is the linkage's, not the drawing's: properties of random linkages of every class, of
 //! which `ASSUR_DRAWINGS` says how many are compared (10,000 without it).
-#![cfg(not(target_family = "wasm"))]
 
 mod condition;
 mod equations;
 mod found;
 mod linkage;
 mod places;
-#[path = "../properties/random.rs"]
-mod random;
 mod redrawn;
 mod rows;
 mod same;

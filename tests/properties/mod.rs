@@ -1,6 +1,5 @@
 //! Properties that hold for every four-bar, chain of dyads, higher group and structure, drawn
 //! near degenerate on purpose.
-#![cfg(not(target_family = "wasm"))]
 
 mod assemblies;
 mod centres;
@@ -17,5 +16,5 @@ mod mixers;
 mod motion;
 mod polygons;
 mod poses;
-mod random;
+pub(crate) mod random;
 mod structure;

@@ -1,0 +1,12 @@
+//! The terminal program as it is run: commands, tables, drawings, refusals.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+mod differential;
+mod mobility;
+mod synth;
+mod terminal;
+mod trains;

@@ -1,0 +1,22 @@
+//! The border in a real browser, and the engine against its tables there: all that wasm-pack runs.
+#![cfg(target_family = "wasm")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "that is how a test fails"
+)]
+
+// The same sources run natively, in `tests/native.rs`.
+#[path = "../../../tests/class4.rs"]
+mod class4;
+mod gear_train;
+#[path = "../../../tests/golden.rs"]
+mod golden;
+mod linkage;
+mod scheme;
+mod simulator;
+mod synthesis;
+
+use wasm_bindgen_test::wasm_bindgen_test_configure;
+
+wasm_bindgen_test_configure!(run_in_browser);

@@ -1,0 +1,14 @@
+//! How much the tests with random input look at.
+
+use std::env;
+use std::ops::Mul;
+
+/// The count of a quick run times `ASSUR_SCALE`, which is 1 if it is not set.
+///
+/// # Panics
+/// Where `ASSUR_SCALE` is no whole number of at least 1.
+pub fn scaled<T: From<u16> + Mul<Output = T>>(quick: T) -> T {
+    let scale = env::var("ASSUR_SCALE").map_or(1, |text| text.parse().unwrap_or(0));
+    assert!(scale > 0, "ASSUR_SCALE is a whole number of at least 1");
+    quick * T::from(scale)
+}
