@@ -53,7 +53,7 @@ test("no label of a plot is over another, over a title or outside the plot", () 
   const { draw, page } = begin("mixer-a");
   for (const { id } of page.engine.catalogue.filter(({ kind }) => kind !== "scheme" && kind !== "synthesis")) {
     const { draw: of } = begin(id, { phi_deg: 0 });
-    for (const axes of ["analogues", "physical"]) {
+    for (const axes of id.startsWith("mixer") ? ["analogues", "physical"] : ["analogues"]) {
       const { panels, labels, titles } = of((state) => withView(state, { axes }));
       for (const [i, boxes] of labels.entries()) {
         const { left, top, width, height } = panels[i];
