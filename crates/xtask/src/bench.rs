@@ -11,14 +11,17 @@ use crate::browser::{self, Kind};
 use crate::server::Server;
 use crate::site;
 use crate::step::{announce, output};
-use crate::test::{browser_tests, page_test};
+use crate::test::{page_test, wasm_tests};
 use crate::tools;
 use crate::workspace::Workspace;
 
 /// Prints the figures of the engine, natively and in the browser, of the page and
 /// of its download; the page is played and dragged for some minutes.
 pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
-    tools::wasm_pack(workspace)?;
+    let (bindgen, pack) = (
+        tools::wasm_bindgen(workspace)?,
+        tools::wasm_pack(workspace)?,
+    );
     let browser = browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
     site::give_away(workspace)?;
@@ -28,7 +31,7 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     native.args(["--test", "speed", "--", "--nocapture"]);
     let native = figures(&output(&mut native, "measuring")?, "speed: ");
     announce("engine, in the browser", "measuring");
-    let mut wasm = browser_tests(workspace, "crates/assur-web", &browser)?;
+    let mut wasm = wasm_tests(workspace, &bindgen, &pack, &browser)?;
     wasm.args(["--release", "--test", "speed", "--", "--nocapture"]);
     let wasm = figures(&output(&mut wasm, "measuring")?, "speed: ");
     announce("page", "measuring");

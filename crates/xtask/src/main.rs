@@ -2,7 +2,7 @@
 //! serving the page, running every test, writing the one-file page.
 //!
 //! Whatever a command needs and does not find it installs first, each step announced on one line.
-//! Tools go under the target directory, so nobody's own are overwritten.
+//! Tools go into a folder of their own below cargo's, by name and version, so nobody's own are overwritten.
 
 mod bench;
 mod browser;
@@ -22,6 +22,7 @@ use clap::{Parser, Subcommand};
 
 use crate::browser::Kind;
 use crate::server::Server;
+use crate::test::Extent;
 use crate::workspace::Workspace;
 
 /// Sets up, builds, serves and tests Assur.
@@ -52,21 +53,29 @@ enum Task {
         #[arg(long)]
         no_open: bool,
     },
-    /// Runs everything: format, lint, documentation, native tests, wasm tests, tests of the page
+    /// Runs the tests that judge a change: format, lint, documentation, tests of the engine, of the scripts, of the page
     ///
-    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack and (on
-    /// Debian, as root) Chromium with its driver and Firefox, whose driver is built by cargo. The environment
-    /// variables CHROME, CHROMEDRIVER, FIREFOX and GECKODRIVER name others. The last line says how many checks
-    /// passed and failed; the exit code is 1 if any failed.
+    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack, the packages of npm and (on
+    /// Debian, as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
+    /// GECKODRIVER name others. The last line says how many checks passed and failed; the exit code is 1 if any
+    /// failed.
     ///
-    /// With a browser named, only the tests of the page are run, all of them in that one.
+    /// With WORDS or a browser, only page tests are run.
     Test {
-        /// Only the tests of the page, in this browser
+        /// Also long tests, ten times the counts of random input, and the page in Firefox, whose driver cargo builds
+        #[arg(long)]
+        all: bool,
+        /// Only page tests, in this browser
         #[arg(long)]
         browser: Option<Kind>,
-        /// Only those tests of the page whose names hold one of these words
-        #[arg(requires = "browser")]
+        /// Only page tests whose names hold one of these words, in Chromium unless a browser is named
         words: Vec<String>,
+    },
+    /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files
+    Soak {
+        /// The seed that the input begins with, for a run that differs from the last
+        #[arg(long, default_value_t = 777)]
+        seed: u64,
     },
     /// Prints how fast engine and page are, beside a yardstick of the same run
     ///
@@ -101,13 +110,17 @@ fn perform(task: &Task) -> Result<ExitCode> {
     match task {
         Task::Serve { port, no_open } => serve(&workspace, *port, !no_open)?,
         Task::Test {
-            browser: None,
-            words: _,
-        } => return test::run(&workspace),
-        Task::Test {
-            browser: Some(kind),
+            all,
+            browser,
             words,
-        } => return test::run_page(&workspace, *kind, words),
+        } => {
+            let extent = if *all { Extent::All } else { Extent::Quick };
+            return match browser {
+                None if words.is_empty() => test::run(&workspace, extent),
+                kind => test::run_page(&workspace, kind.unwrap_or(Kind::Chromium), extent, words),
+            };
+        }
+        Task::Soak { seed } => return test::soak(&workspace, *seed),
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;

@@ -1,14 +1,14 @@
 //! The built page in `target/site`: the release build of the wasm side in `pkg/`, and around it what the
 //! scripts of `build` make of `www/` and `lang/`.
 
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
 use anyhow::{Context, Result};
 
 use crate::step::{announce, run};
 use crate::tools::{self, WASM};
-use crate::workspace::{VERSION, Workspace};
+use crate::workspace::{VERSION, Workspace, cargo_home};
 
 /// Less is put inline than LLVM would: that makes the download smaller, and nothing slower that
 /// could be measured.
@@ -17,18 +17,19 @@ const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
 /// Installs what the build needs, then builds.
 pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     tools::wasm_target(workspace)?;
-    tools::wasm_bindgen(workspace)?;
+    let bindgen = tools::wasm_bindgen(workspace)?;
     tools::packages(workspace)?;
-    build(workspace)
+    build(workspace, &bindgen)
 }
 
 /// Builds beside the old site and puts the new one in its place only when it is whole, so nothing
 /// stale survives and a failed build leaves the old one alone.
-pub(crate) fn build(workspace: &Workspace) -> Result<()> {
+pub(crate) fn build(workspace: &Workspace, bindgen: &Path) -> Result<()> {
     let (site, fresh) = (workspace.site(), workspace.target().join("site.new"));
     announce("page", "building the release");
     remove(&fresh)?;
-    bind(workspace, &compile(workspace)?, &fresh.join("pkg"))?;
+    let wasm = compile(workspace)?;
+    bind(workspace, bindgen, &wasm, &fresh.join("pkg"))?;
     write(workspace, "site", &fresh, None)?;
 
     remove(&site)?;
@@ -67,9 +68,9 @@ fn write(workspace: &Workspace, what: &str, site: &Path, more: Option<&Path>) ->
 }
 
 /// Writes the module that JavaScript imports.
-fn bind(workspace: &Workspace, wasm: &Path, place: &Path) -> Result<()> {
+fn bind(workspace: &Workspace, program: &Path, wasm: &Path, place: &Path) -> Result<()> {
     // The names of functions only make the file longer.
-    let mut bindgen = workspace.command(&tools::path(workspace, "wasm-bindgen"));
+    let mut bindgen = workspace.command(program);
     bindgen
         .args(["--target", "web"])
         .args(["--encode-into", "always"])
@@ -116,10 +117,7 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
 /// Messages of panics name source files. These flags shorten them to paths that are the same on
 /// every machine, so that the page tells nothing about the one it was built on.
 fn path_remapping(workspace: &Workspace) -> Vec<String> {
-    let home = env::var_os("CARGO_HOME")
-        .map(PathBuf::from)
-        .or_else(|| env::home_dir().map(|home| home.join(".cargo")));
-    let sources = home.map(|home| home.join("registry").join("src"));
+    let sources = cargo_home().map(|home| home.join("registry").join("src"));
     let registries = sources.and_then(|sources| fs::read_dir(sources).ok());
     registries
         .into_iter()

@@ -57,11 +57,6 @@ impl Workspace {
         &self.target
     }
 
-    /// Where cargo installs the tools of this project.
-    pub(crate) fn tools(&self) -> PathBuf {
-        self.target.join("tools")
-    }
-
     pub(crate) fn site(&self) -> PathBuf {
         self.target.join("site")
     }
@@ -109,6 +104,12 @@ impl Workspace {
             .with_context(|| format!("cargo pkgid says no version of {name}"))?
             .to_owned())
     }
+}
+
+/// The folder of cargo itself.
+pub(crate) fn cargo_home() -> Option<PathBuf> {
+    let named = env::var_os("CARGO_HOME").map(PathBuf::from);
+    named.or_else(|| env::home_dir().map(|home| home.join(".cargo")))
 }
 
 /// The cargo that runs this program, which rustup has already chosen.
