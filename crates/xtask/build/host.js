@@ -21,8 +21,8 @@ const FIXED = "files/";
 /** The headers, in the form that several hosts read. */
 const HEADERS = "_headers";
 
-/** What keeps its name, is no part of the page, or is made anew here. */
-const NAMED = new RegExp(`\\.html$|^offline/|^${ELEMENT}$|^pkg/.*\\.js$`);
+/** What keeps its name, or is made anew here. */
+const NAMED = new RegExp(`\\.html$|^offline/|^${ELEMENT}$`);
 
 /**
  * @param {import("./files.js").Files} built

@@ -17,7 +17,6 @@ const SITE = Object.freeze({
   "docs/note.html": "<style>a {}</style>",
   "index.html": "as it is served",
   "offline/service-worker.js": "self.version.split(` `)",
-  "pkg/assur_web.js": "is in the first chunk",
 });
 
 /**

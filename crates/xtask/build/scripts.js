@@ -10,8 +10,11 @@ import { lists } from "./folders.js";
 /** The module that the first view begins with, and its chunk. */
 const FIRST = "app/main.js";
 
-/** Scripts that run outside the page, each bundled with all that it imports: workers, and the element for other pages. */
-const ALONE = /(^|[/-])worker\.js$|^assur-mechanism\.js$/;
+/** The engine's module, a script of its own: programs that use the engine without the page import it by the same name. */
+const ENGINE = "pkg/assur_web.js";
+
+/** Scripts that are bundled each by itself, with all that it imports: workers, the element for other pages, the engine's module. */
+const ALONE = /(^|[/-])worker\.js$|^assur-mechanism\.js$|^pkg\/assur_web\.js$/;
 
 /** A chunk that is not kept. */
 const ENTRY = "entry.js";
@@ -42,15 +45,19 @@ export async function bundle(sources) {
   /**
    * @param {string} entry
    * @param {import("rolldown").OutputOptions} options
+   * @param {string} [external] a module that is not bundled
    */
-  const generate = async (entry, options) => {
+  const generate = async (entry, options, external) => {
     const build = await rolldown({
       input: PREFIX + entry,
+      external,
       plugins: [plugin],
-      // Nothing is imported from the entry, so its chunk may be that of the whole first view.
-      preserveEntrySignatures: false,
-      onLog: (_, { message }) => {
-        throw new Error(message);
+      // Parts that are loaded later import from the chunk of the first view.
+      preserveEntrySignatures: "allow-extension",
+      // A warning is a fault, but that a machine is slow is none.
+      checks: { bundlerTimings: false },
+      onLog: (level, { message }) => {
+        if (level === "warn") throw new Error(message);
       },
     });
     // Names of exports stay: short ones would change with what other chunks import.
@@ -63,11 +70,15 @@ export async function bundle(sources) {
     const modules = moduleIds.map((id) => names.get(id));
     return modules.includes(FIRST) ? FIRST : (names.get(facadeModuleId ?? "") ?? modules.at(-1) ?? "chunk.js");
   };
-  const chunks = await generate(FIRST, {
-    codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] },
-    chunkFileNames: named,
-    entryFileNames: (chunk) => (chunk.moduleIds.length > 0 ? named(chunk) : ENTRY),
-  });
+  const chunks = await generate(
+    FIRST,
+    {
+      codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] },
+      chunkFileNames: named,
+      entryFileNames: (chunk) => (chunk.moduleIds.length > 0 ? named(chunk) : ENTRY),
+    },
+    PREFIX + ENGINE,
+  );
   // Where something is loaded later, the entry is a chunk of its own that only imports the first view.
   for (const { fileName, code } of chunks.filter(({ fileName }) => fileName !== ENTRY)) {
     const absolute = (/** @type {string} */ name) => PREFIX + path.posix.join(path.posix.dirname(fileName), name);

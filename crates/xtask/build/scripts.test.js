@@ -39,12 +39,16 @@ const bundled = (test, changes) => bundle(list(temporary(test, { ...PAGE, ...cha
 test("the first view is one chunk, each part that is loaded later another", async (context) => {
   const scripts = await bundled(context);
   const parts = ["common.js", "kinds/second/kind.js", "late.js", "later.js", "lessons/one/lesson.js", "lessons/two/lesson.js"];
-  assert.deepEqual([...scripts.keys()].sort(), ["app/main.js", ...parts, "worker.js"]);
+  assert.deepEqual([...scripts.keys()].sort(), ["app/main.js", ...parts, "pkg/assur_web.js", "worker.js"]);
   const main = scripts.get("app/main.js") ?? "";
   for (const name of ["late.js", "later.js", "lessons/one/lesson.js", "kinds/second/kind.js"]) {
     assert.match(main, new RegExp(`import\\([\`"']assur/${name}[\`"']\\)`));
   }
-  assert.match(main, /ROLE/);
+  // The engine's module is one for the page and for who imports it by its name, all that it exports with it.
+  assert.doesNotMatch(main, /ROLE/);
+  assert.match(main, /from"assur\/pkg\/assur_web\.js"/);
+  const { default: init, role } = await import(`data:text/javascript,${encodeURIComponent(scripts.get("pkg/assur_web.js") ?? "")}`);
+  assert.deepEqual([init(), role()], [undefined, "ROLE"]);
 });
 
 test("chunks import each other by bare names", async (context) => {

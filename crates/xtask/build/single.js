@@ -4,8 +4,8 @@ import { gzipSync } from "node:zlib";
 import { dataAddress, text } from "./files.js";
 import { Page } from "./page.js";
 
-/** Not for a page from the disk: notes, which are documents of their own, what a host needs, scripts that no part of the page loads. */
-const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$|^pkg\/.*\.js$/;
+/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages. */
+const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$/;
 
 /**
  * @param {import("./files.js").Files} built

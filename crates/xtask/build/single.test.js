@@ -16,7 +16,6 @@ function file(changes = {}) {
     "linkage/style.css": "a { color: blue }",
     "offline/service-worker.js": "1",
     "assur-mechanism.js": "2",
-    "pkg/assur_web.js": "3",
     "pkg/assur_web_bg.wasm": "\0asm",
     "style.css": "body { color: red }",
     ...changes,
