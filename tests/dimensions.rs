@@ -6,6 +6,7 @@ use assur::mechanism::{ConstraintKind, Dimension, DraftDriver, Mechanism, Pose, 
 use assur::motion::{Changed, Motion, OutputProfile, Refusal};
 use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
+use assur_tests::scaled;
 
 fn motion(name: &str) -> Motion {
     from_catalogue(name).unwrap().unwrap().motion().unwrap()
@@ -52,12 +53,12 @@ fn off(a: &[Point], b: &[Point]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Every value of every slider's range is shown, or refused with the last value that
+/// Values over every slider's range, of which a quick run takes each tenth: each is shown, or refused with the last value that
 /// works; what is shown is closed and of that value, and goes back to the same pose
 /// unless the input gave way, after which there may be another way back.
 #[test]
 fn every_dimension_of_the_catalogue() {
-    let [mut shown, mut gave, mut refused] = [0, 0, 0];
+    let [mut number, mut shown, mut gave, mut refused] = [0, 0, 0, 0];
     for name in gallery() {
         let motion = motion(name);
         let mechanism = motion.mechanism();
@@ -67,6 +68,10 @@ fn every_dimension_of_the_catalogue() {
             for input in inputs(&motion) {
                 let before = places(mechanism, &motion.pose(input).unwrap());
                 for k in 0..9 {
+                    number += 1;
+                    if number % 10 >= scaled(1) {
+                        continue;
+                    }
                     let value = from + (to - from) * f64::from(k) / 8.0;
                     let at = format!("{name} {dimension:?} {was} → {value} at {input}");
                     match motion.changed(dimension, value, input) {

@@ -1,5 +1,4 @@
-//! A motion is the linkage's, not the drawing's: properties of random linkages of every class, of
-//! which `ASSUR_DRAWINGS` says how many are compared (10,000 without it).
+//! A motion is the linkage's, not the drawing's: properties of random linkages of every class.
 
 mod condition;
 mod equations;
@@ -13,14 +12,12 @@ mod shown;
 mod subject;
 mod way;
 
+use assur_tests::scaled;
 use found::Found;
 use linkage::Linkage;
 
-/// How many drawings are compared.
-fn drawings() -> u64 {
-    let asked = std::env::var("ASSUR_DRAWINGS").ok();
-    asked.map_or(10_000, |count| count.parse().unwrap())
-}
+/// How many drawings are compared in a quick run.
+const DRAWINGS: u64 = 1_000;
 
 /// From which seed on, to look at one again.
 fn first() -> u64 {
@@ -33,7 +30,7 @@ fn a_motion_is_the_same_however_it_is_drawn() {
     let mut found = Found::default();
     let mut compared = 0;
     let mut seed = first();
-    while compared < drawings() {
+    while compared < scaled(DRAWINGS) {
         let parts = Linkage::parts_of(seed);
         found.linkage(seed, parts, |subject, tally| {
             same::holds(subject, seed, tally)
@@ -47,7 +44,7 @@ fn a_motion_is_the_same_however_it_is_drawn() {
 #[test]
 fn rows_are_the_linkage_and_each_other() {
     let mut found = Found::default();
-    for seed in first()..first() + drawings() / 5 {
+    for seed in first()..first() + scaled(DRAWINGS) / 5 {
         let parts = Linkage::parts_of(seed);
         found.linkage(seed, parts, |subject, tally| {
             rows::hold(subject, seed, tally)

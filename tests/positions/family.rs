@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use assur::synthesis::four_bar::{
     Family, MemberError, Position, Proportions, Range, Solution, Task, TwoPositions,
 };
+use assur_tests::scaled;
 
 use super::draw::{Dice, task};
 
@@ -128,7 +129,7 @@ fn members_by_the_coupler() {
 fn ranges_are_those_of_a_sampling() {
     let mut dice = Dice::new(21);
     let mut families = 0;
-    while families < 300 {
+    while families < scaled(30) {
         let positions = dice.positions(2);
         let Some(TwoPositions::Family(family)) = TwoPositions::new(&task(&positions)) else {
             continue;

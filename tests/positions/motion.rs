@@ -8,7 +8,7 @@ use assur::motion::Motion;
 use assur::synthesis::four_bar::{
     Frame, Order, Passage, Position, Proportions, Solution, Task, ThreePositions, five_positions,
 };
-use assur_tests::angle_between;
+use assur_tests::{angle_between, scaled};
 
 use super::draw::{Dice, task};
 
@@ -84,7 +84,7 @@ fn passage_is_that_of_the_motion() {
 fn order_and_transmission_are_those_of_the_motion() {
     let mut dice = Dice::new(78);
     let mut seen = [0; 3];
-    for _ in 0..20_000 {
+    for _ in 0..scaled(2_000) {
         let z = dice.proportions(3.0);
         let Some(positions) = dice.taken(&z, 3) else {
             continue;
@@ -119,7 +119,7 @@ fn order_and_transmission_are_those_of_the_motion() {
         assert!(verdict.transmission <= between + 1e-12);
         seen[usize::from(verdict.turns)] += 1;
     }
-    assert!(seen[0] > 100 && seen[1] > 100, "{seen:?}");
+    assert!(seen[0] > scaled(10) && seen[1] > scaled(10), "{seen:?}");
 }
 
 /// Whether the second and then the third input come while the first grows (or falls), before the
@@ -216,7 +216,7 @@ fn solutions_take_up_their_positions() {
 fn closing_inputs() {
     let mut dice = Dice::new(80);
     let mut counts = [0; 3];
-    for _ in 0..20_000 {
+    for _ in 0..scaled(2_000) {
         let task = task(&dice.positions(1));
         let [coupler, output] = [dice.ratio(5.0), dice.ratio(5.0)];
         let found = task.closing_inputs(0, coupler, output);
@@ -247,7 +247,7 @@ fn closing_inputs() {
         assert!(changes == found.len() || close, "{changes} {found:?}");
         counts[found.len()] += 1;
     }
-    assert!(counts.iter().all(|count| *count > 500), "{counts:?}");
+    assert!(counts.iter().all(|count| *count > scaled(50)), "{counts:?}");
     let task = task(&dice.positions(1));
     assert!(task.closing_inputs(1, 1.0, 1.0).is_empty());
     assert!(task.closing_inputs(0, f64::NAN, 1.0).is_empty());

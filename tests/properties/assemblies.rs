@@ -5,12 +5,13 @@ use std::f64::consts::TAU;
 use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
 use assur::motion::Motion;
 use assur::{Point, Vector};
+use assur_tests::scaled;
 
 use super::groups::{KINDS, Kind, drawn};
 
-const GROUPS: u64 = 120;
-const SPECIAL: u64 = 40;
-const FOLLOWED: u64 = 40;
+const GROUPS: u64 = 12;
+const SPECIAL: u64 = 4;
+const FOLLOWED: u64 = 4;
 /// Angles of assemblies agree, radians.
 const SAME: f64 = 2e-11;
 
@@ -37,7 +38,7 @@ fn alike(one: &[f64], other: &[f64]) -> bool {
 #[test]
 fn two_methods_find_the_same_assemblies() {
     for (kind, _) in KINDS {
-        for seed in 0..GROUPS {
+        for seed in 0..scaled(GROUPS) {
             let mechanism = Mechanism::new(&drawn(kind, seed)).unwrap();
             for input in [mechanism.home(), mechanism.home() + TAU / 3.0] {
                 let at = format!("{kind:?} {seed} at {input}");
@@ -125,7 +126,7 @@ fn special_dimensions() {
     for (kind, _) in KINDS {
         for choice in [Choice::Grid, Choice::InLine, Choice::Whole] {
             let mut compared = 0;
-            for seed in 0..SPECIAL {
+            for seed in 0..scaled(SPECIAL) {
                 let Some(mechanism) = chosen(kind, choice, seed) else {
                     continue;
                 };
@@ -156,7 +157,10 @@ fn special_dimensions() {
                     compared += 1;
                 }
             }
-            assert!(compared > SPECIAL / 4, "{kind:?} {choice:?}: {compared}");
+            assert!(
+                compared > scaled(SPECIAL) / 4,
+                "{kind:?} {choice:?}: {compared}"
+            );
         }
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));
@@ -168,7 +172,7 @@ fn special_dimensions() {
 fn followed_ones_are_all() {
     let chains = ["jansen", "watt-1", "class4-order2"];
     let groups = KINDS.iter().flat_map(|(kind, _)| {
-        (0..FOLLOWED).map(move |seed| (format!("{kind:?} {seed}"), drawn(*kind, seed)))
+        (0..scaled(FOLLOWED)).map(move |seed| (format!("{kind:?} {seed}"), drawn(*kind, seed)))
     });
     let chains = chains.map(|name| {
         let document = assur_file::from_catalogue(name).unwrap().unwrap();

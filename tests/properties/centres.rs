@@ -6,6 +6,7 @@ use assur::gears::Mesh;
 use assur::mechanism::{BodyId, Draft, DraftGear, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
+use assur_tests::scaled;
 use nalgebra::Vector3;
 
 use super::following::{Random, inputs, rate, size_at};
@@ -158,7 +159,7 @@ fn checked(seed: u64, motion: &Motion, inputs: &[f64]) -> (usize, [usize; 2]) {
 fn both_ways_agree_on_chains_of_dyads() {
     let mut random = Random::new(171);
     let (mut poses, mut counts) = (0, [0; 2]);
-    for seed in 0..1_500 {
+    for seed in 0..scaled(150) {
         let Some((_, motion)) = dyads::moving(seed) else {
             continue;
         };
@@ -166,7 +167,7 @@ fn both_ways_agree_on_chains_of_dyads() {
         poses += found;
         counts = [counts[0] + by[0], counts[1] + by[1]];
     }
-    assert!(poses > 4_000, "{poses}");
+    assert!(poses > scaled(400), "{poses}");
     // Dyads are within Kennedy's reach, but for lines that are one on a drawing on a grid.
     assert!(counts[1] * 100 < counts[0], "{counts:?}");
 }
@@ -176,12 +177,12 @@ fn both_ways_agree_on_higher_groups() {
     let mut random = Random::new(172);
     for (kind, name) in groups::KINDS {
         let mut poses = 0;
-        for seed in 0..60 {
+        for seed in 0..scaled(6) {
             let (_, motion) = groups::moving(kind, seed);
             let (found, _) = checked(seed, &motion, &inputs(&motion, &mut random));
             poses += found;
         }
-        assert!(poses > 200, "{name}: {poses}");
+        assert!(poses > scaled(20), "{name}: {poses}");
     }
 }
 

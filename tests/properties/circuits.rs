@@ -6,13 +6,14 @@ use std::f64::consts::TAU;
 use assur::circuits::{Circuits, MeetingKind, Reach};
 use assur::mechanism::{Draft, DraftDriver, Mechanism, Method, Pose};
 use assur::{Assembly, FourBar, Grashof};
+use assur_tests::scaled;
 
 use super::groups::{KINDS, drawn};
 use super::random::Random;
 
-const GROUPS: u64 = 12;
+const GROUPS: u64 = 2;
 const FOUR_BARS: u64 = 400;
-const CHAINS: u64 = 1000;
+const CHAINS: u64 = 100;
 /// So many inputs of each are looked at, none of which the search saw.
 const INPUTS: usize = 40;
 
@@ -64,7 +65,7 @@ fn every_assembly_is_on_one_branch(
 fn every_assembly_of_groups() {
     let mut random = Random::new(41);
     for (kind, _) in KINDS {
-        for seed in 0..GROUPS {
+        for seed in 0..scaled(GROUPS) {
             let mechanism = Mechanism::new(&drawn(kind, seed)).unwrap();
             let what = format!("{kind:?} {seed}");
             every_assembly_is_on_one_branch(&what, &mechanism, &mut random);
@@ -171,7 +172,7 @@ fn change_points_connect() {
 fn every_assembly_of_chains() {
     let mut random = Random::new(47);
     let (mut chains, mut whole) = (0, 0);
-    for seed in 0..CHAINS {
+    for seed in 0..scaled(CHAINS) {
         let Some((draft, _)) = super::dyads::moving(seed) else {
             continue;
         };
@@ -226,7 +227,7 @@ fn redrawn(draft: &Draft) -> Draft {
 fn drawn_otherwise() {
     let mut random = Random::new(53);
     for (kind, _) in KINDS {
-        for seed in 0..GROUPS {
+        for seed in 0..scaled(GROUPS) {
             let what = format!("{kind:?} {seed}");
             let draft = drawn(kind, seed);
             let mechanism = Mechanism::new(&draft).unwrap();

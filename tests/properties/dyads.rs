@@ -3,10 +3,11 @@
 use assur::mechanism::{Draft, DraftPoint, Mechanism};
 use assur::motion::Motion;
 use assur::{Point, Vector};
+use assur_tests::scaled;
 
 use super::following::{Random, closes, does_not_jump, inputs, leads_to_itself};
 
-const CHAINS: usize = 4_000;
+const CHAINS: usize = 400;
 
 /// A chain under construction: on which links new dyads can be set.
 struct Chain {
@@ -166,7 +167,7 @@ pub(crate) fn moving(seed: u64) -> Option<(Draft, Motion)> {
 fn chains_close_with_all_derivatives() {
     let mut random = Random::new(7);
     let (mut closed, mut checked) = (0, 0);
-    for seed in 0..CHAINS as u64 {
+    for seed in 0..scaled(CHAINS) as u64 {
         let Some((draft, motion)) = moving(seed) else {
             continue;
         };
@@ -174,27 +175,27 @@ fn chains_close_with_all_derivatives() {
         let inputs = inputs(&motion, &mut random);
         checked += closes(seed, &draft, &motion, &inputs);
     }
-    assert!(closed > CHAINS / 2, "{closed} of {CHAINS}");
-    assert!(checked > 3 * CHAINS, "{checked}");
+    assert!(closed > scaled(CHAINS) / 2, "{closed}");
+    assert!(checked > 3 * scaled(CHAINS), "{checked}");
 }
 
 #[test]
 fn any_pose_leads_to_the_same_motion() {
     let mut random = Random::new(11);
     let mut checked = 0;
-    for seed in 0..CHAINS as u64 / 4 {
+    for seed in 0..scaled(CHAINS) as u64 / 4 {
         let Some((draft, motion)) = moving(seed) else {
             continue;
         };
         let inputs = inputs(&motion, &mut random);
         checked += leads_to_itself(seed, &draft, &motion, &inputs);
     }
-    assert!(checked > CHAINS / 2, "{checked}");
+    assert!(checked > scaled(CHAINS) / 2, "{checked}");
 }
 
 #[test]
 fn nothing_jumps() {
-    for seed in 0..CHAINS as u64 / 8 {
+    for seed in 0..scaled(CHAINS) as u64 / 8 {
         if let Some((_, motion)) = moving(seed) {
             does_not_jump(seed, &motion);
         }

@@ -6,11 +6,12 @@ use assur::Point;
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, DraftPoint, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
+use assur_tests::scaled;
 
 use super::closure::Closure;
 use super::following::{Random, closes, does_not_jump, inputs, leads_to_itself, rate};
 
-const GROUPS: u64 = 400;
+const GROUPS: u64 = 40;
 
 /// Kinds of groups by class and order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +123,7 @@ pub(crate) fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
 #[test]
 fn groups_are_of_their_class() {
     for (kind, symbol) in KINDS {
-        for seed in 0..GROUPS / 10 {
+        for seed in 0..scaled(GROUPS) / 10 {
             let mechanism = Mechanism::new(&drawn(kind, seed)).unwrap();
             let formula = mechanism.structure().formula(|link| link);
             assert!(formula.contains(symbol), "{kind:?} {seed}: {formula}");
@@ -135,12 +136,12 @@ fn groups_close_with_all_derivatives() {
     let mut random = Random::new(17);
     for (kind, _) in KINDS {
         let mut checked = 0;
-        for seed in 0..GROUPS {
+        for seed in 0..scaled(GROUPS) {
             let (draft, motion) = moving(kind, seed);
             let inputs = inputs(&motion, &mut random);
             checked += closes(seed, &draft, &motion, &inputs);
         }
-        assert!(checked as u64 > 7 * GROUPS, "{kind:?}: {checked}");
+        assert!(checked as u64 > 7 * scaled(GROUPS), "{kind:?}: {checked}");
     }
 }
 
@@ -149,19 +150,19 @@ fn any_pose_leads_to_the_same_motion() {
     let mut random = Random::new(19);
     for (kind, _) in KINDS {
         let mut checked = 0;
-        for seed in 0..GROUPS / 4 {
+        for seed in 0..scaled(GROUPS) / 4 {
             let (draft, motion) = moving(kind, seed);
             let inputs = inputs(&motion, &mut random);
             checked += leads_to_itself(seed, &draft, &motion, &inputs);
         }
-        assert!(checked as u64 > GROUPS, "{kind:?}: {checked}");
+        assert!(checked as u64 > scaled(GROUPS), "{kind:?}: {checked}");
     }
 }
 
 #[test]
 fn nothing_jumps() {
     for (kind, _) in KINDS {
-        for seed in 0..GROUPS / 10 {
+        for seed in 0..scaled(GROUPS) / 10 {
             let (_, motion) = moving(kind, seed);
             does_not_jump(seed, &motion);
         }
@@ -174,7 +175,7 @@ fn nothing_jumps() {
 fn small_steps_lead_the_same_way() {
     for (kind, _) in KINDS {
         let mut compared = 0;
-        for seed in 0..GROUPS / 20 {
+        for seed in 0..scaled(GROUPS) / 20 {
             let (draft, motion) = moving(kind, seed);
             let mechanism = motion.mechanism();
             // Where the crank goes to and fro over more than a turn, whole turns count.
@@ -207,7 +208,7 @@ fn small_steps_lead_the_same_way() {
             }
         }
         assert!(
-            compared as u64 > 3_600 * GROUPS / 80,
+            compared as u64 > 3_600 * scaled(GROUPS) / 80,
             "{kind:?}: {compared}"
         );
     }
@@ -218,7 +219,7 @@ fn small_steps_lead_the_same_way() {
 fn dead_points_to_ten_digits() {
     for (kind, _) in KINDS {
         let mut compared = 0;
-        for seed in 0..GROUPS / 4 {
+        for seed in 0..scaled(GROUPS) / 4 {
             let (draft, motion) = moving(kind, seed);
             for dead in motion.dead_points() {
                 if dead.kind != DeadPointKind::Singular {
@@ -246,7 +247,10 @@ fn dead_points_to_ten_digits() {
                 compared += 1;
             }
         }
-        assert!(compared as u64 > GROUPS / 10, "{kind:?}: {compared}");
+        assert!(
+            compared as u64 > scaled(GROUPS) / 10,
+            "{kind:?}: {compared}"
+        );
     }
 }
 

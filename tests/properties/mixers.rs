@@ -5,6 +5,7 @@ use assur::mechanism::{Multiple, Pose, Quantity};
 use assur::mixer::{Carrier, Case, Mixer, Tracer};
 use assur::motion::{Motion, OutputProfile, Placed, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
+use assur_tests::scaled;
 use proptest::prelude::*;
 
 use super::draw::{config, linkage, posed};
@@ -117,7 +118,7 @@ where
 }
 
 proptest! {
-    #![proptest_config(config(6_000))]
+    #![proptest_config(config(scaled(600)))]
 
     /// The same inputs have a pose, and it is the same with two derivatives, in the
     /// same whole turns.
@@ -178,7 +179,7 @@ fn profile<'a>(motion: &'a Motion, link: &str) -> OutputProfile<'a> {
 }
 
 proptest! {
-    #![proptest_config(config(3_000))]
+    #![proptest_config(config(scaled(300)))]
 
     /// Its one dyad and four-bar, and the transmission angle, are the four-bar's.
     #[test]

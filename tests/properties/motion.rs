@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use assur::mechanism::Quantity;
 use assur::motion::{Extremum, Input, features};
 use assur::{Assembly, FourBar, Grashof, Swing};
+use assur_tests::scaled;
 use proptest::prelude::*;
 
 use super::draw::{config, linkage};
@@ -40,7 +41,7 @@ fn extrema(linkage: &FourBar, assembly: Assembly) -> [Vec<Extremum>; 2] {
 }
 
 proptest! {
-    #![proptest_config(config(4_000))]
+    #![proptest_config(config(scaled(400)))]
 
     /// No silent change of branch: both angles are continuous over every arc, over
     /// both turns where a cycle takes two, and from its end to its start.

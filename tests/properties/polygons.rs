@@ -5,6 +5,7 @@ use assur::mechanism::{BodyId, Mechanism, Pose};
 use assur::motion::{Input, Motion};
 use assur::polygons::{Kind, Node, Order, Polygon, Route};
 use assur::{JetPoint, Vector};
+use assur_tests::scaled;
 
 use super::following::{Random, inputs, rate, size_at};
 use super::{dyads, groups};
@@ -200,14 +201,17 @@ fn checked(seed: u64, motion: &Motion, random: &mut Random) -> [usize; 2] {
 fn polygons_of_chains_of_dyads_are_their_derivatives() {
     let mut random = Random::new(173);
     let mut counts = [0; 2];
-    for seed in 0..1_500 {
+    for seed in 0..scaled(150) {
         let Some((_, motion)) = dyads::moving(seed) else {
             continue;
         };
         let [poses, crossings] = checked(seed, &motion, &mut random);
         counts = [counts[0] + poses, counts[1] + crossings];
     }
-    assert!(counts[0] > 3_000 && counts[1] > 10_000, "{counts:?}");
+    assert!(
+        counts[0] > scaled(300) && counts[1] > scaled(1_000),
+        "{counts:?}"
+    );
 }
 
 #[test]
@@ -215,7 +219,7 @@ fn polygons_of_higher_groups_have_all_points() {
     let mut random = Random::new(174);
     for (kind, name) in groups::KINDS {
         let mut poses = 0;
-        for seed in 0..60 {
+        for seed in 0..scaled(6) {
             let (_, motion) = groups::moving(kind, seed);
             poses += checked(seed, &motion, &mut random)[0];
             let order = Order::Velocity;
@@ -225,7 +229,7 @@ fn polygons_of_higher_groups_have_all_points() {
                 assert_eq!(polygon.stages[0].nodes[0].1, Vector::zeros());
             }
         }
-        assert!(poses > 100, "{name}: {poses}");
+        assert!(poses > scaled(10), "{name}: {poses}");
     }
 }
 

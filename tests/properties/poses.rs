@@ -1,6 +1,7 @@
 //! What holds of every single pose.
 
 use assur::{FourBar, Pose, Unsolved};
+use assur_tests::scaled;
 use proptest::prelude::*;
 
 use super::draw::{config, lengths, posed};
@@ -48,7 +49,7 @@ fn by_the_paper(linkage: &FourBar, pose: &Pose<3>) -> ([f64; 2], [f64; 2], f64) 
 }
 
 proptest! {
-    #![proptest_config(config(60_000))]
+    #![proptest_config(config(scaled(20_000)))]
 
     /// The loop closes to 1e-13 of the longest link, and so do its derivatives
     /// relative to the size of their terms; whatever is solved is finite.

@@ -9,6 +9,7 @@ mod oracle;
 use std::collections::BTreeMap;
 
 use assur::structure::{Fault, Graph, Group, Pair, Step, Structure, decompose};
+use assur_tests::scaled;
 use proptest::prelude::*;
 
 use super::draw::config;
@@ -62,7 +63,7 @@ fn check_counts(graph: &Graph, structure: &Structure) {
 }
 
 proptest! {
-    #![proptest_config(config(2_000))]
+    #![proptest_config(config(scaled(400)))]
 
     #[test]
     fn what_is_built_comes_apart(choices in choices(1..12)) {
