@@ -103,28 +103,6 @@ async fn measures_are_chosen_by_lists() {
     page.close().await;
 }
 
-/// A transmission angle has columns in the table while it is plotted.
-#[tokio::test]
-async fn a_plotted_transmission_angle_is_in_the_table() {
-    let page = Page::open().await;
-    page.stop_at("75").await;
-    let table = async || {
-        open_dialog(&page).await;
-        let csv = Csv::save(&page, "assur-mixer-a.csv").await;
-        page.keys(Key::Escape + "").await;
-        csv
-    };
-    assert!(!table().await.has("C.transmission"));
-    page.choose("plot", "C.transmission").await;
-    page.settle().await;
-    let csv = table().await;
-    for (order, expected) in ["", "d", "dd"].into_iter().zip(jet("C.transmission", 75.0)) {
-        let found = csv.value(75, &format!("C.{order}transmission"));
-        assert_near(found, expected, 1e-12, &format!("{order}transmission"));
-    }
-    page.close().await;
-}
-
 /// By presses in the drawing, on two points or on two links; another mechanism has none of it.
 #[tokio::test]
 async fn measures_are_chosen_in_the_drawing() {
