@@ -1,9 +1,8 @@
-//! The lesson on assemblies: what its steps show and ask, answered by what the engine says.
+//! The lesson on assemblies on the page: its pictures and its room. Its answers are in `www/lesson/folder.test.js`.
 
 use assur::mechanism::{Mechanism, Method};
 use assur_file::{LinkageDocument, from_catalogue};
 use serde_json::{Value, json};
-use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;

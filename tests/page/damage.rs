@@ -96,12 +96,12 @@ fn files() -> Vec<String> {
 }
 
 /// Every one is refused by a sentence with the name of what it is.
-async fn refuses(page: &Page, kind: &str, inputs: &[String], shown: &str, name: &str) {
+async fn refuses(page: &Page, kind: &str, inputs: &[String], name: &str) {
     let before = [
         page.picture("mechanism").await,
         page.picture("charts").await,
     ];
-    let arguments = vec![json!(kind), json!(inputs), json!(shown)];
+    let arguments = vec![json!(kind), json!(inputs)];
     let answers = page.ask_later(GIVE, arguments).await;
     let answers: &Vec<Value> = answers.as_array().unwrap_or_else(|| panic!("{answers}"));
     assert_eq!(answers.len(), inputs.len());
@@ -129,7 +129,7 @@ async fn refuses(page: &Page, kind: &str, inputs: &[String], shown: &str, name: 
 async fn damaged_addresses_are_sentences() {
     let home = setting("ASSUR_URL");
     let page = Page::open_at(&format!("{home}#{SHOWN}"), "en-US").await;
-    refuses(&page, "address", &addresses(), SHOWN, "The link").await;
+    refuses(&page, "address", &addresses(), "The link").await;
     page.close().await;
 
     // A page that opens with one shows what it would without.
@@ -149,6 +149,6 @@ async fn damaged_addresses_are_sentences() {
 async fn damaged_files_are_sentences() {
     let page = Page::open_at(&format!("{}#{SHOWN}", setting("ASSUR_URL")), "en-US").await;
     let name = "<img src=x onerror=window.hurt=1>.json";
-    refuses(&page, "file", &files(), SHOWN, name).await;
+    refuses(&page, "file", &files(), name).await;
     page.close().await;
 }

@@ -95,10 +95,6 @@ impl Csv {
         }
     }
 
-    pub(crate) fn has(&self, column: &str) -> bool {
-        self.columns.contains_key(column)
-    }
-
     fn cell(&self, row: usize, column: &str) -> &str {
         &self.rows[row][self.columns[column]]
     }

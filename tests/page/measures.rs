@@ -7,7 +7,7 @@ use thirtyfour::prelude::*;
 
 use crate::access::named_and_fits;
 use crate::browser::Page;
-use crate::export::{Csv, open_dialog, save_text};
+use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 use crate::plots::texts;
 

@@ -1,9 +1,7 @@
-//! The lesson on mobility by sections: what its steps show, ask and lend, answered by what the engine
-//! says.
+//! The lesson on mobility by sections on the page: its tools, its misprints, its room. Its answers are in
+//! `www/lesson/folder.test.js`.
 
-use assur::mobility::{Scheme, Space};
 use serde_json::json;
-use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
@@ -22,11 +20,6 @@ async fn lesson(page: &Page) {
     })
     .await;
     there(page).await;
-}
-
-/// All pairs; a hinge of k links is k − 1 of them.
-fn pairs(scheme: &Scheme) -> usize {
-    scheme.pairs().iter().map(|pair| pair.count()).sum()
 }
 
 /// The buttons of a step that show something.

@@ -1,15 +1,13 @@
 //! What is plotted and by what: chosen by mouse, by keys and by touch, read
 //! against the engine; the marks and the proof by differences.
 
-use std::collections::BTreeSet;
-
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
 use serde_json::json;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::picture::COUPLER;
 
 /// Colours of the curves of a point and of the ink, as the style sheet has them.

@@ -1,18 +1,12 @@
-//! The lesson on synthesis from positions: what its steps show, ask and lend, answered by what the
-//! engine says.
+//! The lesson on synthesis from positions on the page: its tools, its misprints, its room. Its answers are in
+//! `www/lesson/folder.test.js`.
 
-use assur::mechanism::Quantity;
-use assur::motion::OutputProfile;
-use assur::synthesis::four_bar::Options;
-use assur::synthesis::four_bar::theorems::{Angles, functional};
-use assur_file::{LinkageDocument, SynthesisDocument};
 use serde_json::json;
-use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
 use crate::layout::defects;
-use crate::synthesis::{document, preset, synthesis, there};
+use crate::synthesis::there;
 
 async fn lesson(page: &Page) {
     page.click("gallery").await;
