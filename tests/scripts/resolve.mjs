@@ -3,7 +3,7 @@ import { pathToFileURL } from "node:url";
 
 const ROOT = new URL("../../", import.meta.url);
 const WWW = new URL("www/", ROOT);
-const SITE = new URL("./", `${pathToFileURL(process.env.ASSUR_SITE ?? new URL("target/site", ROOT).pathname)}/`);
+const SITE = process.env.ASSUR_SITE ? pathToFileURL(`${process.env.ASSUR_SITE}/`) : new URL("target/site/", ROOT);
 
 /** Folders of the page that are elsewhere than in `www`; `tests` is for tests alone. */
 const ELSEWHERE = new Map([

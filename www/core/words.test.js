@@ -74,6 +74,10 @@ test("what has no unit is followed by none", () => {
 
 test("a form that a table lacks is the usual one", () => {
   assert.equal(words.counted("n", 1, { of: "x" }), "1 of x");
+  const russian = tableOf("ru");
+  assert.equal(new Words("ru", russian).counted("wheels.teeth", 25), "25 зубьев");
+  russian.delete("wheels.teeth.many");
+  assert.equal(new Words("ru", russian).counted("wheels.teeth", 25), "25 зуба");
 });
 
 test("tables are put one over the other, each is fetched once, and one that failed is asked for again", async (t) => {

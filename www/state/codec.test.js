@@ -111,7 +111,7 @@ test("keys of an address that are names of a prototype are keys like others", ()
 test("a file that is too long or too deep is refused; an image does not count for its length", () => {
   const nested = (depth) => JSON.parse(`${"[".repeat(depth)}${"]".repeat(depth)}`);
   assert.deepEqual(fromFile(JSON.stringify(nested(12))), nested(12));
-  refused(() => fromFile(JSON.stringify(nested(14))));
+  refused(() => fromFile(JSON.stringify(nested(13))));
   refused(() => fromFile("[".repeat(90_000)));
   refused(() => fromFile(JSON.stringify({ long: "x".repeat(LONGEST) })));
   refused(() => fromFile("x".repeat(20_000_001)));

@@ -206,7 +206,11 @@ test("what is compared is read at the same input, and only where it changes it i
   const beside = update((state) => withFurther(state, { compared }));
   assert.equal(beside.compares, true);
   assert.deepEqual(beside.compared.readouts, beside.readouts);
-  const { revision } = beside.compared;
+  // By the same axes, with the same rates of the driver, and what is measured of both.
+  const byTime = update((state) => withView(state, { axes: "physical", omega: 2, epsilon: 3, measures: ["A-C.distance"] }));
+  assert.deepEqual(byTime.compared.readouts, byTime.readouts);
+  assert.ok("A-C.distance″" in byTime.readouts);
+  const { revision } = byTime.compared;
   const other = update((state) => withDocument(state, { l2: 0.9 }));
   assert.equal(other.compared.revision, revision);
   assert.notEqual(other.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
