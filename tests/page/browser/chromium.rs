@@ -73,12 +73,15 @@ impl Chromium {
         let kept = json!({ "disposeOnDetach": false });
         let context = tools.command("Target.createBrowserContext", &kept)?;
         let context = context["browserContextId"].clone();
-        let place = json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
-        tools.command("Browser.setDownloadBehavior", &place)?;
         let (width, height) = WINDOW;
         let window = json!({ "url": "about:blank", "browserContextId": context, "width": width, "height": height });
         let window = tools.command("Target.createTarget", &window)?;
         switch(driver, &window["targetId"]).await?;
+        // Through the driver, because what is set by a line of our own ends with it.
+        let place = json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
+        let tools = driver.cdp();
+        let set = tools.send_raw("Browser.setDownloadBehavior", place).await;
+        set.map_err(|error| error.to_string())?;
         // What was said in the window before is not of this one.
         let said = driver.browser_log().await;
         said.map_err(|error| error.to_string())?;
