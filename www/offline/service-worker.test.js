@@ -46,7 +46,7 @@ globalThis.addEventListener = (type, listener) => (events[type] = listener);
  */
 async function version(build, ...files) {
   events = {};
-  const script = SOURCE.replace("{{build}}", [build, ...files].join(" "));
+  const script = `self.version=${JSON.stringify([build, ...files].join(" "))};${SOURCE}`;
   await import(`data:text/javascript,${encodeURIComponent(`${script}\n// ${Math.random()}`)}`);
   const own = events;
   const step = (type) => new Promise((done, fail) => own[type]({ waitUntil: (promise) => promise.then(done, fail) }));
