@@ -29,7 +29,7 @@ test("a label whose place is taken goes to the opposite side of its point", () =
 });
 
 test("labels that are placed are not over each other, and stay on the sheet", () => {
-  often(60, (dice) => {
+  often(30, (dice) => {
     const places = new Places();
     let points = Array.from({ length: 14 }, () => at(dice.between(0, SHEET.width), dice.between(0, SHEET.height)));
     for (let frame = 0; frame < 20; frame++) {
@@ -48,7 +48,7 @@ test("labels that are placed are not over each other, and stay on the sheet", ()
 });
 
 test("a label is moved only where the wanted place is taken", () => {
-  often(500, (dice) => {
+  often(200, (dice) => {
     const points = Array.from({ length: 10 }, () => at(dice.between(30, 370), dice.between(30, 270)));
     const found = Object.values(placed(new Places(), points));
     for (const [i, { x, y, free }] of found.entries()) {

@@ -57,10 +57,10 @@ function chance(dice, page) {
   return dice.one(all)();
 }
 
-test("hundreds of edits by chance: each is taken or refused with a reason, undone, redone, and read again from its address", () => {
+test("edits by chance: each is taken or refused with a reason, undone, redone, and read again from its address", () => {
   let [taken, refused] = [0, 0];
   const kinds = new Set();
-  often(10, (dice, run) => {
+  often(4, (dice, run) => {
     const page = begin();
     if (run % 2 === 0) step(page, { edit: "drive", link: fourBar(page).crank });
     // Where the driver stands goes with no step.
@@ -97,7 +97,7 @@ test("hundreds of edits by chance: each is taken or refused with a reason, undon
     }
     assert.deepEqual([page.history.canRedo, page.engine.trapped], [false, false]);
   });
-  assert.ok(taken > 100 && refused > 20 && kinds.size === 2, `${taken} ${refused} ${[...kinds]}`);
+  assert.ok(taken > 50 && refused > 10 && kinds.size === 2, `${taken} ${refused} ${[...kinds]}`);
 });
 
 test("a drawing becomes a linkage when it moves, and a drawing again when it does not", () => {

@@ -40,7 +40,7 @@ const crossed = (one, other) => Math.abs(one.x - other.x) < (one.width + other.w
 
 test("round a whole turn no label is over another, with everything shown", () => {
   const { turned } = begin("mixer-a", ALL);
-  for (let degrees = 0; degrees <= 360; degrees++) {
+  for (let degrees = 0; degrees <= 360; degrees += 2) {
     const { labels } = turned(degrees);
     assert.ok(labels.length > 12);
     for (const [i, one] of labels.entries()) {

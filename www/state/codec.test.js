@@ -46,7 +46,7 @@ test("any JSON in a document and a view comes back from an address", () => {
     const parts = Array.from({ length: dice.below(4) }, () => value(dice, depth - 1));
     return choice === 5 ? parts : Object.fromEntries(parts.map((part) => [text(dice) || "k", part]));
   };
-  often(600, (dice) => {
+  often(200, (dice) => {
     const [document, view] = [0, 1].map(() => Object.fromEntries(Array.from({ length: dice.below(6) }, (_, i) => [`${text(dice)}${i}`, value(dice, 3)])));
     const state = { format: 2, kind: text(dice), document, view };
     // Browsers take tabs and new lines out of an address: they have to be encoded.

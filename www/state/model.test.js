@@ -184,7 +184,7 @@ test("what the engine changes of a document is taken, with the place of the inpu
 });
 
 test("any drag of any handle gives a mechanism that the engine takes, or is refused", () => {
-  often(25, (dice) => {
+  often(8, (dice) => {
     const { engine, store, model, drafts, now } = begin(dice.one(["mixer-a", "jansen", "whitworth", "class4-dwell", "crank-rocker"]), { phi_deg: dice.below(360) });
     const page = { store, model, drafts };
     for (let i = 0; i < 4; i++) {
