@@ -52,7 +52,7 @@ async fn visible(page: &Page, id: &str) -> bool {
 
 #[tokio::test]
 async fn six_questions_answered_by_mouse() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     // Who comes first sees the machine run, and the settings.
     assert!(visible(&page, "rail").await && !visible(&page, "lesson").await);
     assert_eq!(
