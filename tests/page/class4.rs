@@ -220,7 +220,7 @@ async fn a_step_opens_a_document_of_another_kind() {
 /// the address does not tell it.
 #[tokio::test]
 async fn progress_outlives_the_page() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     open_lesson(&page).await;
     page.click("lesson-show").await;
     page.write("lesson-answer", "10").await;

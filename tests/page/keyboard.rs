@@ -37,7 +37,7 @@ async fn tab_to(page: &Page, id: &str) {
 
 #[tokio::test]
 async fn tab_reaches_every_control() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.keys(" ").await; // at rest
     page.keys("1").await; // a step to undo, so that its button is a stop
     page.keys("2").await;
@@ -69,7 +69,7 @@ async fn tab_reaches_every_control() {
 
 #[tokio::test]
 async fn all_is_done_by_keys() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.keys(" ").await;
     page.keys(Key::Home + "").await;
     page.keys(Key::Right + "").await;

@@ -8,7 +8,7 @@ use crate::browser::{Page, lacking};
 /// script has to arrive before it says what else is needed.
 #[tokio::test]
 async fn the_first_view_is_asked_for_at_once() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     let asked = page
         .ask(
             "const ready = performance.getEntriesByName('ready')[0].startTime;

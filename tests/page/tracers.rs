@@ -144,7 +144,7 @@ async fn a_point_by_touch() {
 
 #[tokio::test]
 async fn a_point_by_keyboard_alone() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.keys(" ").await;
     page.keys("t").await;
     let tracing = async || page.attribute("trace", "aria-pressed").await;

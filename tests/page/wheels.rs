@@ -145,7 +145,7 @@ async fn a_bad_wheel_is_named() {
 
 #[tokio::test]
 async fn wheels_by_keyboard_alone() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.keys(" ").await;
     page.focus("wheels-add").await;
     page.keys(Key::Enter + "").await;
