@@ -236,7 +236,11 @@ fn what_would_swell_is_refused() {
         format!("2P.Fe.K,0.1011.{}", "MA,A,0,0,0.".repeat(60_000)),
         many,
     ] {
-        let room = room(&text, |text| assert!(read(text).is_err()));
-        println!("{} {room:?}", &text[..20]);
+        let [allocated, at_once] = room(&text, |text| assert!(read(text).is_err()));
+        let shown = &text[..20];
+        assert!(
+            allocated <= 64 && at_once <= 32,
+            "{shown}: {allocated} {at_once}"
+        );
     }
 }
