@@ -90,7 +90,7 @@ async fn have(page: &Page, what: &str) -> Vec<f64> {
 
 #[tokio::test]
 async fn page_speed() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.tool(
         "Page.addScriptToEvaluateOnNewDocument",
         json!({ "source": BENCH }),

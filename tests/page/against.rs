@@ -159,21 +159,6 @@ async fn what_is_gone_is_not_plotted() {
     page.close().await;
 }
 
-/// A differential has the phase planes of its angles: a speed that stands is a level line.
-#[tokio::test]
-async fn differentials_have_phase_planes() {
-    let url = format!("{}#train-gears", setting("ASSUR_URL"));
-    let page = Page::open_at(&url, "en-US").await;
-    page.choose("plot", "carrier.angle|carrier.dangle").await;
-    let seen = texts(&page).await;
-    assert!(
-        seen.iter().any(|text| text.starts_with("↑ ω₃, rad/s")),
-        "{seen:?}"
-    );
-    assert!(seen.iter().any(|text| text == "φ₃, ° →"), "{seen:?}");
-    page.close().await;
-}
-
 /// In every language, on a phone, too, the lists are named and fit.
 #[tokio::test]
 async fn lists_of_quantities_are_named_and_fit() {

@@ -1,9 +1,8 @@
-//! The lesson on assemblies: what its steps show and ask, answered by what the engine says.
+//! The lesson on assemblies on the page: its pictures and its room. Its answers are in `www/lesson/folder.test.js`.
 
 use assur::mechanism::{Mechanism, Method};
 use assur_file::{LinkageDocument, from_catalogue};
 use serde_json::{Value, json};
-use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::LANGUAGES;
@@ -46,105 +45,10 @@ fn real(name: &str) -> String {
     found.poses.len().to_string()
 }
 
-/// What each step asks, answered wrongly and as the engine has it.
-fn answers() -> [(&'static str, String); STEPS] {
-    let triad = mechanism("class3-platform");
-    let triad = triad.assemblies_at(triad.home(), Method::Usual).complex;
-    let [6] = triad[..] else {
-        panic!("{triad:?}");
-    };
-    let short = document("short").motion().unwrap();
-    let [from, to] = short.cycle().arcs()[0];
-    [
-        ("1", real("crank-rocker")),
-        ("two", "six".to_owned()),
-        ("14", real("ten")),
-        ("4", format!("{:.3}", (to - from).to_degrees())),
-        ("whole", "joined".to_owned()),
-        ("some", "none".to_owned()),
-    ]
-}
-
 /// The buttons of a step that show something.
 async fn shows(page: &Page) -> Vec<String> {
     let script = "return [...document.querySelectorAll('#lesson button[id^=lesson-show]')].map((one) => one.id)";
     serde_json::from_value(page.ask(script).await).unwrap()
-}
-
-async fn answer(page: &Page, answer: &str) -> (Option<String>, String) {
-    let choices = page
-        .count("#lesson input[type=radio][name=lesson-choice]")
-        .await;
-    if choices > 0 {
-        page.click(&format!("lesson-{answer}")).await;
-    } else {
-        page.write("lesson-answer", answer).await;
-    }
-    page.press("lesson-check", Key::Enter).await;
-    let verdict = page.attribute("lesson-said", "data-verdict").await;
-    (verdict, page.text("lesson-said").await)
-}
-
-/// From the gallery through all steps: each shows without a problem, and its answer is that of the engine.
-#[tokio::test]
-async fn its_lesson_is_answered() {
-    let page = Page::open().await;
-    lesson(&page).await;
-    for (index, (wrong, right)) in answers().iter().enumerate() {
-        let step = index + 1;
-        // A step may have several things to show: the question is about the first.
-        for show in shows(&page).await.iter().rev() {
-            page.click(show).await;
-            page.settle().await;
-            assert_eq!(page.text("problem").await, "", "step {step}: {show}");
-        }
-        for (given, verdict) in [(*wrong, "not_yet"), (right.as_str(), "right")] {
-            let (found, text) = answer(&page, given).await;
-            assert_eq!(
-                found.as_deref(),
-                Some(verdict),
-                "step {step}: {given} {text}"
-            );
-            assert!(text.len() > 10 && !text.contains(['{', '}']), "{text}");
-        }
-        if step < STEPS {
-            page.click("lesson-on").await;
-        }
-    }
-    let progress = page.text("lesson-progress").await;
-    assert!(progress.contains("6 right answers"), "{progress}");
-    page.close().await;
-}
-
-/// What a step shows besides has an answer of its own.
-#[tokio::test]
-async fn whatever_a_step_shows_has_its_answer() {
-    let page = Page::open().await;
-    lesson(&page).await;
-    for (step, show, right) in [
-        (2, "dyad", "two".to_owned()),
-        (3, "zero", real("class4-dwell")),
-        (5, "crank", "whole".to_owned()),
-        (5, "by_rocker", "pairs".to_owned()),
-        (6, "near", "some".to_owned()),
-    ] {
-        while !page
-            .text("lesson-progress")
-            .await
-            .contains(&format!("Step {step} "))
-        {
-            page.click("lesson-on").await;
-        }
-        page.click(&format!("lesson-show-{show}")).await;
-        page.settle().await;
-        let (verdict, text) = answer(&page, &right).await;
-        assert_eq!(
-            verdict.as_deref(),
-            Some("right"),
-            "step {step} {show}: {text}"
-        );
-    }
-    page.close().await;
 }
 
 /// The section with a picture of each assembly stands in the step, and goes home with the lesson.

@@ -1,9 +1,6 @@
 //! A browser of our own with the page open, and a person's hands.
 
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::path::Path;
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
@@ -12,23 +9,22 @@ use thirtyfour::prelude::*;
 
 use crate::picture::Picture;
 use firefox::Firefox;
+use pool::{Own, Profile, Window};
 
 #[path = "browser/chromium.rs"]
 mod chromium;
 #[path = "browser/firefox.rs"]
 pub(crate) mod firefox;
+#[path = "browser/pool.rs"]
+mod pool;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// The page, open and ready, in a browser that ends with it.
+/// The page, open and ready, in a window of its own.
 pub(crate) struct Page {
     pub(crate) driver: WebDriver,
-    server: Child,
-    port: u16,
-    downloads: PathBuf,
-    /// Where the page is not in Chromium.
-    pub(crate) firefox: Option<Firefox>,
+    window: Window,
 }
 
 /// Whether the pages are opened in Firefox: `ASSUR_BROWSER` says so.
@@ -44,69 +40,41 @@ pub(crate) fn lacking(what: &str) -> bool {
     in_firefox()
 }
 
-impl Drop for Page {
-    /// Ends the browser, then its server, also where a test fails: by a request of
-    /// our own, because the client's waits for a runtime that is unwinding.
-    fn drop(&mut self) {
-        let _ = self.driver.clone().leak();
-        if let Ok(mut server) = TcpStream::connect(("127.0.0.1", self.port)) {
-            let (session, port) = (self.driver.handle().session_id(), self.port);
-            let end = format!(
-                "DELETE /session/{session} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n"
-            );
-            let _ = server.write_all(end.as_bytes());
-            let _ = server.set_read_timeout(Some(PATIENCE));
-            let _ = server.read(&mut [0; 256]);
-        }
-        let _ = self.server.kill();
-        let _ = self.server.wait();
-        let _ = fs::remove_dir_all(&self.downloads);
-    }
-}
-
 /// An environment variable that `cargo xtask test` sets.
 pub(crate) fn setting(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
 }
 
-/// A driver of browsers and its port. It looks for a free port before it takes it: where another one
-/// takes it in between, it ends without one.
-fn driver() -> Option<(Child, u16)> {
-    let (program, options, before_port) = if in_firefox() {
-        firefox::DRIVER
-    } else {
-        chromium::DRIVER
-    };
-    let mut server = Command::new(setting(program))
-        .args(options)
-        .envs(firefox::ROOM)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut said = BufReader::new(server.stdout.take().unwrap()).lines();
-    let port = said.by_ref().map_while(Result::ok).find_map(|line| {
-        let (_, port) = line.split_once(before_port)?;
-        port.trim().trim_end_matches('.').parse().ok()
-    });
-    // A driver that goes on talking is not to wait for a listener.
-    std::thread::spawn(move || said.for_each(drop));
-    if port.is_none() {
-        server.wait().unwrap();
-    }
-    Some((server, port?))
+/// Goes on in another window.
+async fn switch(driver: &WebDriver, window: &Value) -> Result<(), String> {
+    let window = window.as_str().ok_or("a window without a name")?.to_owned();
+    let switched = driver.switch_to_window(window.into()).await;
+    switched.map_err(|error| error.to_string())
 }
 
 impl Page {
-    /// The served page in English.
+    /// The served page in English, at rest.
     pub(crate) async fn open() -> Self {
         Self::open_at(&setting("ASSUR_URL"), "en-US").await
     }
 
-    /// A page at an address, in a browser that speaks a language, of someone who has been
-    /// there.
-    pub(crate) async fn open_at(url: &str, lang: &str) -> Self {
-        let page = Self::browser(lang).await;
+    /// The served page in English, of a reader who has not asked for less motion: it opens playing.
+    pub(crate) async fn playing() -> Self {
+        Self::playing_at(&setting("ASSUR_URL"), "en-US").await
+    }
+
+    /// A page at an address, at rest, in a browser that speaks a language, of someone who has been there.
+    pub(crate) async fn open_at(url: &str, lang: &'static str) -> Self {
+        Self::returning(url, Profile { lang, calm: true }).await
+    }
+
+    /// The same of a reader who has not asked for less motion.
+    pub(crate) async fn playing_at(url: &str, lang: &'static str) -> Self {
+        Self::returning(url, Profile { lang, calm: false }).await
+    }
+
+    async fn returning(url: &str, profile: Profile) -> Self {
+        let page = Self::window(profile).await;
         page.before("try { localStorage.setItem('assur.welcome', 'closed') } catch {}")
             .await;
         page.driver.goto(url).await.unwrap();
@@ -114,50 +82,39 @@ impl Page {
         page
     }
 
-    /// A page at an address for the first time.
-    pub(crate) async fn visit(url: &str, lang: &str) -> Self {
-        let page = Self::browser(lang).await;
-        page.driver.goto(url).await.unwrap();
+    /// A page at an address for the first time, of a reader who has not asked for less motion.
+    pub(crate) async fn visit(url: &str, lang: &'static str) -> Self {
+        let page = Self::elsewhere(url, lang).await;
         page.ready().await;
         page
     }
 
     /// A page of others, which tells nobody when it is ready.
-    #[allow(dead_code, reason = "page_speed has none")]
-    pub(crate) async fn elsewhere(url: &str, lang: &str) -> Self {
-        let page = Self::browser(lang).await;
+    pub(crate) async fn elsewhere(url: &str, lang: &'static str) -> Self {
+        let page = Self::window(Profile { lang, calm: false }).await;
         page.driver.goto(url).await.unwrap();
         page
     }
 
-    /// A browser that speaks a language, without a page.
-    async fn browser(lang: &str) -> Self {
-        let (server, port) = (0..5).find_map(|_| driver()).unwrap();
-        let downloads = env::temp_dir().join(format!("assur-page-{}-{port}", std::process::id()));
-        fs::create_dir_all(&downloads).unwrap();
-
-        let address = format!("http://127.0.0.1:{port}");
-        let (driver, firefox) = if in_firefox() {
-            let wanted = firefox::wanted(lang, &downloads);
-            let driver = WebDriver::new(address, wanted).await.unwrap();
-            let firefox = Firefox::of(&driver).await;
-            (driver, Some(firefox))
-        } else {
-            let wanted = chromium::wanted(lang, &downloads);
-            (WebDriver::new(address, wanted).await.unwrap(), None)
-        };
+    async fn window(profile: Profile) -> Self {
+        let window = Window::open(profile).await;
         Self {
-            driver,
-            server,
-            port,
-            downloads,
-            firefox,
+            driver: window.browser().driver.clone(),
+            window,
+        }
+    }
+
+    /// The second line to the browser where it is Firefox.
+    pub(crate) fn firefox(&self) -> Option<&Firefox> {
+        match &self.window.browser().own {
+            Own::Firefox(firefox) => Some(firefox),
+            Own::Chromium(_) => None,
         }
     }
 
     /// Has a script run before those of any page that is opened from now on.
     pub(crate) async fn before(&self, script: &str) {
-        match &self.firefox {
+        match self.firefox() {
             Some(firefox) => firefox.before(script).await,
             None => {
                 let script = json!({ "source": script });
@@ -199,7 +156,7 @@ impl Page {
     }
 
     pub(crate) async fn reload(&self) {
-        if self.firefox.is_some() {
+        if self.firefox().is_some() {
             // Its driver would pass over what is kept for days without a network.
             self.ask("document.documentElement.dataset.ready = 'left'; location.reload()")
                 .await;
@@ -240,12 +197,12 @@ impl Page {
 
     /// A folder of this page's own, where the browser puts what it saves.
     pub(crate) fn downloads(&self) -> &Path {
-        &self.downloads
+        &self.window.downloads
     }
 
     /// The bytes of a file that the page saves, and takes it away.
     pub(crate) async fn saved(&self, name: &str) -> Vec<u8> {
-        let path = self.downloads.join(name);
+        let path = self.window.downloads.join(name);
         // Firefox keeps the place by an empty file until the other one, beside it, is whole.
         self.until(name, async || {
             fs::metadata(&path).is_ok_and(|file| file.len() > 0)
@@ -328,7 +285,7 @@ impl Page {
 
     /// What has been said on the console since this was asked last.
     pub(crate) async fn said(&self) -> Vec<String> {
-        if let Some(firefox) = &self.firefox {
+        if let Some(firefox) = self.firefox() {
             return firefox.said();
         }
         let said = self.driver.browser_log().await.unwrap();

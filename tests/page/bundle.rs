@@ -6,7 +6,7 @@ use crate::browser::{Page, setting};
 
 #[tokio::test]
 async fn opens_from_a_file_and_runs() {
-    let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
+    let page = Page::playing_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
     let start = page.value("out-input").await;
     page.until("the crank to turn", async || {
         (page.value("out-input").await - start).rem_euclid(360.0) > 10.0

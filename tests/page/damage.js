@@ -1,6 +1,5 @@
-// Gives inputs to the page one after the other, as addresses or as files, and tells what came of each. After one that was
-// taken the page is brought back to what it showed.
-const [kind, inputs, shown, done] = arguments;
+// Gives inputs to the page one after the other, as addresses or as files, and tells what came of each.
+const [kind, inputs, done] = arguments;
 const byId = (id) => document.getElementById(id);
 const frame = () => new Promise(requestAnimationFrame);
 const controls = () => [...document.querySelectorAll("input:not([type=file]), select")].filter((one) => one.checkVisibility()).map((one) =>
@@ -35,19 +34,13 @@ const run = async () => {
     while (performance.now() - began < 60) await frame();
     const said = byId("notice-text").textContent;
     const paragraphs = document.querySelectorAll("#notice-text p").length;
-    const same = screen() === before;
     answers.push({
       said,
-      same,
+      same: screen() === before,
       hurt: window.hurt ?? {}.hurt ?? null,
       clean: own() === clean,
       injected: document.querySelectorAll("*").length - elements - paragraphs,
-      controls: Object.fromEntries(controls()),
     });
-    if (same) continue;
-    give(shown);
-    await until(() => screen() === before);
-    answers.at(-1).back = screen() === before;
   }
   byId("notice-close").click();
   return answers;

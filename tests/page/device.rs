@@ -13,7 +13,7 @@ impl Page {
 
     /// The medium that the page is shown on, the screen where nothing is said, and what a person has asked of the system.
     pub(crate) async fn show_on(&self, medium: &str, asked: &[(&str, &str)]) {
-        if self.firefox.is_none() {
+        if self.firefox().is_none() {
             let features = asked
                 .iter()
                 .map(|(name, value)| json!({ "name": name, "value": value }));
@@ -40,7 +40,7 @@ impl Page {
 
     /// A screen of a size in pixels of the reader, with so many device pixels to each.
     pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
-        match &self.firefox {
+        match self.firefox() {
             Some(firefox) => firefox.screen((width, height), ratio).await,
             None => {
                 let screen = json!({ "width": width, "height": height,
@@ -55,7 +55,7 @@ impl Page {
 
     /// A screen that is touched instead of a mouse.
     pub(crate) async fn touched(&self) {
-        if self.firefox.is_some() {
+        if self.firefox().is_some() {
             let coarse = "for (const which of ['primary', 'all']) Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, 1);
                 gBrowser.selectedBrowser.browsingContext.touchEventsOverride = 'enabled';";
             firefox::within(&self.driver, coarse).await;

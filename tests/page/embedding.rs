@@ -18,7 +18,7 @@ async fn seen(page: &Page) -> serde_json::Value {
 
 async fn at(parameters: &str) -> Page {
     let url = format!("{}?{parameters}", setting("ASSUR_URL"));
-    Page::open_at(&url, "en-US").await
+    Page::playing_at(&url, "en-US").await
 }
 
 #[tokio::test]

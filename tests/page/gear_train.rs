@@ -119,7 +119,7 @@ async fn column(page: &Page, part: f64) -> f64 {
 /// From the gallery it plays on and on; plots and scrubber have one span after the other, angles do not jump.
 #[tokio::test]
 async fn it_plays_on_and_on() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.click("gallery").await;
     page.until("the gallery", async || {
         page.count("#gallery-train-magnets").await == 1

@@ -12,7 +12,7 @@ async fn playing(page: &Page) -> bool {
 
 #[tokio::test]
 async fn every_key_does_what_the_help_says() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     page.keys(" ").await;
     assert!(!playing(&page).await);
     page.keys(" ").await;

@@ -42,7 +42,7 @@ async fn check_readouts(page: &Page, lengths: [f64; 4], assembly: Assembly, rati
 
 #[tokio::test]
 async fn plays_pauses_and_turns_about() {
-    let page = Page::open().await;
+    let page = Page::playing().await;
     assert_eq!(
         page.attribute("play", "data-playing").await.as_deref(),
         Some("true")

@@ -7,7 +7,7 @@ use thirtyfour::prelude::*;
 
 use crate::access::named_and_fits;
 use crate::browser::Page;
-use crate::export::{Csv, open_dialog, save_text};
+use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
 use crate::plots::texts;
 
@@ -100,28 +100,6 @@ async fn measures_are_chosen_by_lists() {
     assert_eq!(page.written("plot").await, "angles");
     page.click("undo").await;
     assert_eq!(page.count("#measured button").await, 3);
-    page.close().await;
-}
-
-/// A transmission angle has columns in the table while it is plotted.
-#[tokio::test]
-async fn a_plotted_transmission_angle_is_in_the_table() {
-    let page = Page::open().await;
-    page.stop_at("75").await;
-    let table = async || {
-        open_dialog(&page).await;
-        let csv = Csv::save(&page, "assur-mixer-a.csv").await;
-        page.keys(Key::Escape + "").await;
-        csv
-    };
-    assert!(!table().await.has("C.transmission"));
-    page.choose("plot", "C.transmission").await;
-    page.settle().await;
-    let csv = table().await;
-    for (order, expected) in ["", "d", "dd"].into_iter().zip(jet("C.transmission", 75.0)) {
-        let found = csv.value(75, &format!("C.{order}transmission"));
-        assert_near(found, expected, 1e-12, &format!("{order}transmission"));
-    }
     page.close().await;
 }
 

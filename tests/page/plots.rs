@@ -1,15 +1,13 @@
 //! What is plotted and by what: chosen by mouse, by keys and by touch, read
 //! against the engine; the marks and the proof by differences.
 
-use std::collections::BTreeSet;
-
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur_tests::assert_near;
 use serde_json::json;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::picture::COUPLER;
 
 /// Colours of the curves of a point and of the ink, as the style sheet has them.
@@ -292,64 +290,5 @@ async fn differences_lie_on_the_curve() {
         page.address().await.contains("v.differenced=true")
     })
     .await;
-    page.close().await;
-}
-
-/// Zeros are labelled with their angle, extrema with value and angle; one label
-/// serves both curves at a common zero.
-#[tokio::test]
-async fn zeros_and_extrema_are_labelled() {
-    let page = Page::open().await;
-    page.stop_at("62").await;
-    let seen = texts(&page).await;
-    let count = |wanted: &str| seen.iter().filter(|text| *text == wanted).count();
-    // Every text once for each of the two times it was drawn.
-    for wanted in ["23.1°", "217.1°", "99.7°", "340.1°"] {
-        assert_eq!(count(wanted), 2, "{wanted}: {seen:?}");
-    }
-    for wanted in [
-        "60.3° at 23.1°",
-        "148.2° at 217.1°",
-        "0.673 at 99.7°",
-        "−1.094 at 340.1°",
-    ] {
-        assert_eq!(count(wanted), 2, "{wanted}: {seen:?}");
-    }
-    page.choose("plot", "C1").await;
-    let seen = texts(&page).await;
-    let count = |wanted: &str| seen.iter().filter(|text| *text == wanted).count();
-    for wanted in ["90.0°", "270.0°", "180.0°"] {
-        assert!(count(wanted) >= 4, "{wanted}: {seen:?}");
-    }
-    page.close().await;
-}
-
-/// A curve that does not change says so, and has no marks.
-#[tokio::test]
-async fn what_does_not_change_says_so() {
-    let url = format!("{}#peaucellier&v.playing=false", setting("ASSUR_URL"));
-    let page = Page::open_at(&url, "en-US").await;
-    let titles = async || {
-        let seen = texts(&page).await;
-        let titles = seen.into_iter().filter(|text| text.starts_with('x'));
-        titles
-            .collect::<BTreeSet<String>>()
-            .into_iter()
-            .collect::<Vec<_>>()
-    };
-    let expected = [
-        "x = 4.583 throughout",
-        "x′ = 0 throughout",
-        "x″ = 0 throughout",
-    ];
-    assert_eq!(titles().await, expected);
-    // By time the same, and in another language.
-    page.choose("axes", "physical").await;
-    page.choose("lang", "ru").await;
-    let expected = ["x = 4,583 всюду", "ẋ = 0 всюду", "ẍ = 0 всюду"];
-    let seen = texts(&page).await;
-    for title in expected {
-        assert!(seen.iter().any(|text| text == title), "{title}: {seen:?}");
-    }
     page.close().await;
 }

@@ -2,14 +2,13 @@
 //! presses keys, changes the window, follows wrong addresses. Nothing may be thrown, no
 //! number may be none, and what the browser keeps must open again.
 //!
-//! `ASSUR_RANDOM_SECONDS` says how long (20 if it is not set), `ASSUR_RANDOM_SEED` where the
-//! dice begin; a failure names the seed and what was done last.
+//! `ASSUR_SCALE` says for how long, `ASSUR_SEED` where the dice begin; a failure names the seed and the last acts.
 
 use std::collections::VecDeque;
 use std::env;
-use std::time::{Duration, Instant};
 
 use assur_file::State;
+use assur_tests::scaled;
 use serde_json::{Value, json};
 
 use crate::browser::{Page, lacking, setting};
@@ -300,10 +299,11 @@ impl Hand<'_> {
     }
 }
 
-fn asked(name: &str, usual: u64) -> u64 {
-    let given = env::var(name).ok();
-    given.map_or(usual, |text| text.parse().unwrap())
-}
+/// The acts after which the page is looked over.
+const ROUND: u32 = 10;
+
+/// Rounds in the quick run.
+const ROUNDS: u32 = 5;
 
 /// A synthesis of two positions.
 const SYNTHESIS: &str = "#2&kind=synthesis&d.frame=10.4&d.positions=%5B%7B%22output_deg%22:240,%22input_deg%22:45%7D,\
@@ -368,9 +368,9 @@ async fn wander(address: &str, presses: &[&str]) {
     if lacking("mouse and keys that nothing waits for") {
         return;
     }
-    let seed = asked("ASSUR_RANDOM_SEED", 20_261_122);
-    let time = Duration::from_secs(asked("ASSUR_RANDOM_SECONDS", 20));
-    let page = Page::open_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;
+    let given = env::var("ASSUR_SEED").ok();
+    let seed = given.map_or(20_261_122, |seed| seed.parse().unwrap());
+    let page = Page::playing_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;
     for press in presses {
         page.click(press).await;
         page.settle().await;
@@ -380,19 +380,15 @@ async fn wander(address: &str, presses: &[&str]) {
         dice: Dice(seed),
         done: VecDeque::new(),
     };
-    let start = Instant::now();
-    let mut count = 0;
-    while start.elapsed() < time {
-        for _ in 0..10 {
+    for round in 1..=scaled(ROUNDS) {
+        for _ in 0..ROUND {
             hand.act().await;
-            count += 1;
         }
         page.settle().await;
         if let Some(wrong) = hand.wrong().await {
-            panic!("seed {seed}, after {count}: {wrong}");
+            panic!("seed {seed}, round {round}: {wrong}");
         }
     }
-    assert!(count >= 10, "{count}");
     // What the browser keeps is what a next visit opens with, without a word of complaint.
     page.reload().await;
     if let Some(wrong) = hand.wrong().await {

@@ -156,9 +156,6 @@ async fn a_file_is_saved_and_opened() {
 
     for (broken, part) in [
         (text.replace("0.9,", "\"<img src=x>\","), "document.l2"),
-        (text.replace("\"l1\": 0.37", "\"l1\": -1"), "l₁"),
-        (text[..text.len() / 2].to_owned(), "Assur"),
-        ("[".repeat(90_000), "Assur"),
         (String::new(), "Assur"),
     ] {
         let path = page.downloads().join("<i>broken.assur.json");
@@ -178,7 +175,10 @@ async fn a_file_is_saved_and_opened() {
 #[tokio::test]
 async fn old_links_open() {
     let page = Page::open().await;
-    for line in LINKS.lines().filter(|line| !line.starts_with("# ")) {
+    // All of them are opened by www/app/opening.test.js; here the first and the newest.
+    let mut links = LINKS.lines().filter(|line| !line.starts_with("# "));
+    let [first, newest] = [links.next(), links.next_back()];
+    for line in first.into_iter().chain(newest) {
         let (hash, shown) = line.split_once('\t').unwrap();
         page.anew(&format!("{}{hash}", setting("ASSUR_URL"))).await;
         assert_eq!(page.text("notice-text").await, "", "{hash}");
@@ -188,87 +188,6 @@ async fn old_links_open() {
             assert_near(page.value(id).await, value, 1e-9, hash);
         }
     }
-    page.close().await;
-}
-
-/// Sixty and more addresses that somebody or something has damaged.
-fn damaged(good: &str) -> Vec<String> {
-    let mut all: Vec<String> = (1..16)
-        .map(|i| good[..i * (good.len() - 10) / 15].to_owned())
-        .collect();
-    let pairs: Vec<&str> = good.split('&').skip(1).collect();
-    for pair in pairs {
-        let key = pair.split('=').next().unwrap();
-        let markup = "%3Cimg%20src=x%20onerror=%22window.hurt=1%22%3E";
-        // Any text may name a language.
-        let bad = if key == "v.lang" { "{}" } else { markup };
-        all.push(good.replace(pair, &format!("{key}={bad}")));
-        all.push(good.replace(pair, &format!("{key}=[[null]]")));
-        all.push(good.replace(pair, key));
-    }
-    for (from, to) in [
-        ("d.l1=0.37", "d.l1=1e999"),
-        ("d.l1=0.37", "d.__proto__={\"l1\":0.37}"),
-        ("d.l1=0.37", "d.constructor=0.37"),
-        ("d.l1=0.37", "__proto__={\"l1\":0.37}"),
-        ("d.l1=0.37", "d.l1=%E0%A4%A"),
-        ("d.l4=0.85", "d.l4=2"),
-        ("v.phi_deg=75", "v.phi_deg=1e300"),
-        ("v.speed=1", "v.speed=1e300"),
-        ("2&", "7&"),
-        ("2&", "<script>window.hurt=1</script>&"),
-    ] {
-        assert!(good.contains(from), "{from} in {good}");
-        all.push(good.replacen(from, to, 1));
-    }
-    all.push(format!("{good}&d.l1={}", "9".repeat(110_000)));
-    let [open, close] = ["[", "]"].map(|bracket| bracket.repeat(20_000));
-    all.push(format!("{good}&d.x={open}{close}"));
-    let short = [
-        "__proto__",
-        "constructor&v.speed=1",
-        "janssen",
-        "jansen&v.speed=1e300",
-        "jansen&v.phi_deg=[[null]]",
-        "jansen&d.title=Leg",
-        "%E0%A4%A",
-    ];
-    all.extend(short.map(String::from));
-    all
-}
-
-#[tokio::test]
-async fn damaged_addresses_are_sentences() {
-    let page = Page::open().await;
-    page.stop_at("75").await;
-    // Of a changed one all is in the link.
-    page.write("field-l2", "0.9").await;
-    let link = link(&page).await;
-    let (home, good) = link.split_once('#').unwrap();
-    let picture = page.picture("mechanism").await;
-    let damaged = damaged(good);
-    assert!(damaged.len() >= 60, "{}", damaged.len());
-    for (number, bad) in damaged.iter().enumerate() {
-        let brief: String = bad.chars().take(400).collect();
-        page.goto(&format!("{home}#{bad}")).await;
-        // In the open page, and in one that opens with it.
-        for again in [false, true] {
-            if again {
-                if number % 4 != 0 {
-                    continue;
-                }
-                page.reload().await;
-            }
-            let said = page.text("notice-text").await;
-            assert!(said.len() > 30 && !said.contains('{'), "{brief}: {said:?}");
-            let injected = page.count("img, #notice b, #notice script").await;
-            assert_eq!(injected, 0, "{brief}");
-            assert!(page.ask("return window.hurt ?? null").await.is_null());
-            assert_eq!(page.value("out-input").await, 75.0, "{brief}");
-        }
-        page.click("notice-close").await;
-    }
-    assert!(page.picture("mechanism").await.difference(&picture) < 20);
     page.close().await;
 }
 

@@ -50,32 +50,3 @@ async fn every_edit_is_undone_and_redone() {
     assert_eq!(offered(&page).await, [true, false]);
     page.close().await;
 }
-
-#[tokio::test]
-async fn moving_makes_no_step_and_reset_makes_one() {
-    let page = Page::open().await;
-    page.stop_at("75").await;
-    page.click("step-forward").await;
-    page.drag("scrubber", 0.3, 0.6).await;
-    page.click("reverse").await;
-    page.choose("speed", "2").await;
-    page.choose("lang", "ru").await;
-    page.choose("lang", "en").await;
-    assert_eq!(offered(&page).await, [false, false]);
-
-    page.click("preset-c").await;
-    page.write("field-l1", "0.3").await;
-    page.write("field-l4", "oops").await; // no number: nothing of it is a step
-    page.click("menu").await;
-    page.click("reset").await;
-    assert_eq!(page.text("problem").await, "");
-    let pressed = async || page.attribute("preset-c", "aria-pressed").await;
-    assert_eq!(pressed().await.as_deref(), Some("true"));
-    page.click("undo").await;
-    assert_eq!(page.written("field-l1").await, "0.3");
-    page.click("undo").await;
-    assert_eq!(pressed().await.as_deref(), Some("true"));
-    page.click("undo").await;
-    assert_eq!(offered(&page).await, [false, true]);
-    page.close().await;
-}

@@ -1,6 +1,5 @@
 //! The unit of lengths: chosen for a document, kept with it, written beside every length.
 
-use crate::bad_input::swings;
 use crate::browser::Page;
 use crate::gallery::open;
 
@@ -69,19 +68,5 @@ async fn the_mixer_is_in_metres_unless_it_says_otherwise() {
     assert_eq!(page.ask(&above).await, "Lengths");
     page.click("undo").await;
     page.click("undo").await;
-    page.close().await;
-}
-
-/// An angle in a sentence is that of the field it is about.
-#[tokio::test]
-async fn angles_of_sentences_are_on_the_scale_of_their_field() {
-    let page = Page::open().await;
-    page.stop_at("10").await;
-    swings(&page).await;
-    for (typed, said) in [("-165.5", "194.5°"), ("170", "170°"), ("555.25", "195.25°")] {
-        page.write("angle", typed).await;
-        let sentence = page.text("problem").await;
-        assert!(sentence.contains(said), "{typed}: {sentence}");
-    }
     page.close().await;
 }

@@ -17,7 +17,7 @@ pub fn source(path: &str) -> String {
     fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The scripts of a folder and of those in it, by their paths.
+/// The scripts of a folder and of those in it, by their paths; their tests aside.
 ///
 /// # Panics
 /// Where one cannot be read.
@@ -28,7 +28,7 @@ pub fn scripts(folder: &str) -> BTreeMap<String, String> {
         let path = format!("{folder}/{}", entry.file_name().into_string().unwrap());
         if entry.path().is_dir() {
             found.extend(scripts(&path));
-        } else if path.ends_with(".js") {
+        } else if path.ends_with(".js") && !path.ends_with(".test.js") {
             found.insert(path.clone(), source(&path));
         }
     }

@@ -46,16 +46,23 @@ export class Notices {
   render({ words }) {
     if (this.#shown[0] === this.#told && this.#shown[1] === words) return;
     this.#shown = [this.#told, words];
-    const lines = this.#told.map((one) => {
-      if (isDone(one)) return words.text(`notice.${one}`);
-      const say = one.kind === "import" ? lossOf : sentence;
-      const why = one.problems.map((problem) => say(problem, words)).join(" ");
-      return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
-    });
+    const lines = this.#told.map((one) => lineOf(one, words));
     this.#place.hidden = lines.length === 0;
     this.#place.classList.toggle("good", this.#told.every((one) => isDone(one) || one.kind === "import"));
     this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
+}
+
+/**
+ * @param {Failure | Done} one
+ * @param {Words} words
+ * @returns {string} the sentence that says it
+ */
+export function lineOf(one, words) {
+  if (isDone(one)) return words.text(`notice.${one}`);
+  const say = one.kind === "import" ? lossOf : sentence;
+  const why = one.problems.map((problem) => say(problem, words)).join(" ");
+  return words.text(`notice.${one.kind}`, { why, name: one.name ?? "" });
 }
 
 /**

@@ -17,20 +17,19 @@ import { ChartView } from "assur/plots/chart.js";
 import { MechanismPointer } from "assur/stage/pointer.js";
 import { MechanismView } from "assur/stage/view.js";
 import { Address } from "assur/state/address.js";
-import { change } from "assur/state/change.js";
+import { choose } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
 import { Player, placed } from "assur/state/player.js";
-import { PARTS, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { PARTS, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Taken} Taken
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
- * with the input where it is drawn; the field where it stands why it is not done
+ * @typedef {import("assur/state/change.js").Edit} Edit
  */
 
 /** Numbers that change faster than this cannot be read; in seconds. */
@@ -166,19 +165,7 @@ export class Page {
     model.follow(store.get());
     const before = model.good;
     this.#player.begin();
-    this.history.step(() => {
-      store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
-      this.mechanism.fit();
-      for (const { asked, field } of edits) {
-        model.follow(store.get());
-        change(() => asked(model.home), field, this);
-      }
-      // The driver of another mechanism may not go where this one's stands.
-      model.follow(store.get());
-      const { coordinate, home } = model;
-      if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
-      store.update((state) => withView(state, look(model.sound ? model.summary : null)));
-    });
+    choose(kind, document, edits, look, this);
     // What the engine does not take is in no address.
     model.follow(store.get());
     address.enter(before, model.good);

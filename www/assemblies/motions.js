@@ -81,7 +81,7 @@ export class Motions {
     try {
       const response = await fetchWasm();
       const wasm = await response.arrayBuffer();
-      worker.postMessage({ engine: import.meta.resolve("assur/pkg/assur_web.js"), wasm, ...this.#next }, [wasm]);
+      worker.postMessage({ wasm, ...this.#next }, [wasm]);
       this.#next = null;
     } catch {
       this.#next = null;

@@ -1,15 +1,16 @@
-// All motions of a linkage, found beside the page: the map of their branches, and where the assemblies at an input belong. The
-// import map of the page does not hold here, so that the page says where the engine is.
+// All motions of a linkage, found beside the page: the map of their branches, and where the assemblies at an input belong.
+import load, { AllMotions } from "assur/pkg/assur_web.js";
 
-/** @type {Promise<typeof import("assur/pkg/assur_web.js")> | null} */
+/** @type {Promise<unknown> | null} */
 let engine = null;
-/** @type {import("assur/pkg/assur_web.js").AllMotions | null} */
+/** @type {AllMotions | null} */
 let motions = null;
 
 addEventListener("message", async ({ data }) => {
   try {
-    engine ??= load(data);
-    const { AllMotions } = await engine;
+    // The wasm comes with the first question.
+    engine ??= load({ module_or_path: data.wasm });
+    await engine;
     if (data.state) {
       motions?.free();
       motions = null;
@@ -26,10 +27,3 @@ addEventListener("message", async ({ data }) => {
     postMessage({ revision: data.revision, lost: true, broken });
   }
 });
-
-/** @param {{ engine: string, wasm: ArrayBuffer }} data address and wasm of the engine, which come first */
-async function load({ engine: address, wasm }) {
-  const module = await import(address);
-  await module.default({ module_or_path: wasm });
-  return module;
-}

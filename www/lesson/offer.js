@@ -1,5 +1,5 @@
 // Which lessons there are, and which is offered with a document. The list is written by the build from the folders of www/lessons.
-import { LESSONS } from "assur/lessons/index.js";
+import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -46,7 +46,7 @@ function originOf({ document }) {
  * its steps and the presets of its own
  */
 export async function readLesson({ id, presets }) {
-  const [{ LESSON: lesson }, own] = await Promise.all([import(`assur/lessons/${id}/lesson.js`), presets ? ownPresets(id) : {}]);
+  const [{ LESSON: lesson }, own] = await Promise.all([SCRIPTS[id](), presets ? ownPresets(id) : {}]);
   return { lesson, presets: own };
 }
 

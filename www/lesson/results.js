@@ -2,7 +2,7 @@
 import { make } from "assur/core/dom.js";
 import { fromCode } from "assur/lesson/code.js";
 import { sheets } from "assur/lesson/sheets.js";
-import { digestOf, verdictOn } from "assur/lesson/written.js";
+import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words

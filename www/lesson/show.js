@@ -41,10 +41,10 @@ export function open(show, presets, page, view = {}) {
  * @param {Show} show
  * @param {Whole["document"]} document that it opens
  * @param {Engine} engine
- * @returns {import("assur/app/page.js").Edit[]} what is other in it than in its preset
+ * @returns {import("assur/state/change.js").Edit[]} what is other in it than in its preset
  */
 function edits({ set = {}, drive }, document, engine) {
-  /** @type {import("assur/app/page.js").Edit[]} */
+  /** @type {import("assur/state/change.js").Edit[]} */
   const all = Object.entries(set).map(([name, value]) => {
     const field = fieldOf(name, document);
     return { asked: (home) => engine.setDimension(field, value, home), field };

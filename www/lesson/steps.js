@@ -1,6 +1,6 @@
 // Changes of a lesson that a lecturer writes.
 import { RESTING } from "assur/lesson/tasks.js";
-import { usualView } from "assur/state/state.js";
+import { contains, usualView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").Written} Written
@@ -17,7 +17,7 @@ export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"])
  */
 export function shownNow({ model: { good: { kind, document, view } } }) {
   const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));
-  const own = Object.entries(view).filter(([key, value]) => !READERS.includes(key) && value !== usual[key]);
+  const own = Object.entries(view).filter(([key, value]) => !READERS.includes(key) && !contains(usual, { [key]: value }));
   return /** @type {NonNullable<Step["shows"]>} */ ({ kind, document, view: Object.fromEntries(own) });
 }
 

@@ -1,9 +1,7 @@
 // A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
 import { make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { attempt } from "assur/core/problem.js";
-import { parseNumber } from "assur/core/numbers.js";
-import { digest, hash, nameKey } from "assur/lesson/chance.js";
+import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
 import { OWN } from "assur/lesson/offer.js";
@@ -11,6 +9,7 @@ import { isRound, measured, tellers, unitOf } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
+import { REACHED, digestOf, verdictOn } from "assur/lesson/verdict.js";
 import { keep, kept } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
@@ -25,38 +24,6 @@ import { usualView } from "assur/state/state.js";
 
 /** Characters of a name. */
 const LONGEST_NAME = 80;
-
-/** What a step that is reached has in a code. */
-export const REACHED = "1";
-
-/**
- * @param {Written} lesson
- * @param {import("assur/engine.js").Engine} engine
- * @returns {string} by which it is told from others, however it was written down
- */
-export function digestOf(lesson, engine) {
-  return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
-}
-
-/**
- * @param {Written} lesson
- * @param {number} index of a step with a question
- * @param {string} given
- * @param {string} name of who gave it
- * @param {import("assur/engine.js").Engine} engine
- * @returns {import("assur/lesson/panel.js").Verdict}
- */
-export function verdictOn(lesson, index, given, name, engine) {
-  const { number, choice } = lesson.steps[index].question ?? {};
-  if (choice) {
-    if (given === "") return "unanswered";
-    return given === String(choice.answer) ? "right" : "not_yet";
-  }
-  if (!number) return given === REACHED ? "right" : "not_yet";
-  if (parseNumber(given) === null) return "unread";
-  const exact = answerOf(lesson, index, name, engine);
-  return exact === null ? "none" : judged(given, exact, number.within, isRound(number.quantity ?? ""));
-}
 
 /**
  * Opens what a step shows, with the numbers of a reader.

@@ -1,18 +1,18 @@
-// Keeps the hosted page for days without a network. The build fills in what the page is made of: names of files hold the hash of
+// Keeps the hosted page for days without a network. The build puts before it what the page is made of: names of files hold the hash of
 // what is in them, so a file that any version kept is the right one, and a page goes on with those that it began with.
 
 /**
  * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step of its life
  * @typedef {Event & { request: Request, respondWith(answer: Promise<Response>): void }} Asked
  * @typedef {Window & typeof globalThis & {
- *   registration: { scope: string }, clients: { claim(): Promise<void> }, skipWaiting(): Promise<void>
+ *   version: string, registration: { scope: string }, clients: { claim(): Promise<void> }, skipWaiting(): Promise<void>
  * }} Keeper
  */
 
-/** The build, then the files. */
-const [BUILD, ...FILES] = "{{build}}".split(" ");
-
 const worker = /** @type {Keeper} */ (self);
+
+/** The build, then the files. */
+const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;
 

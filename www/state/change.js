@@ -1,6 +1,12 @@
 // What the engine changes, put into the state: fields of the document, and where the driver is.
 import { attempt } from "assur/core/problem.js";
-import { withDocument } from "assur/state/state.js";
+import { PARTS, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
+ * with the input where it is drawn; the field where it stands why it is not done
+ */
 
 /**
  * @param {import("assur/engine.js").Changed} change
@@ -42,4 +48,30 @@ export function inputNow({ store, model }) {
   const state = store.get();
   model.follow(state);
   return model.coordinate.input(model.coordinate.of(state));
+}
+
+/**
+ * Puts another document in the place of the one there is, in one step of undo.
+ * @param {State["kind"]} kind
+ * @param {State["document"]} document of that kind
+ * @param {readonly Edit[]} edits what the engine makes other in it
+ * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
+ * if it takes it
+ * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
+ */
+export function choose(kind, document, edits, look, page) {
+  const { store, model, history, mechanism } = page;
+  history.step(() => {
+    store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
+    mechanism.fit();
+    for (const { asked, field } of edits) {
+      model.follow(store.get());
+      change(() => asked(model.home), field, page);
+    }
+    // The driver of another mechanism may not go where this one's stands.
+    model.follow(store.get());
+    const { coordinate, home } = model;
+    if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
+    store.update((state) => withView(state, look(model.sound ? model.summary : null)));
+  });
 }

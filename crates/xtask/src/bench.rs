@@ -8,31 +8,35 @@ use std::io::Write as _;
 use anyhow::{Context, Result};
 
 use crate::browser::{self, Kind};
+use crate::server::Server;
+use crate::site;
 use crate::step::{announce, output};
-use crate::test::{browser_tests, page_test};
+use crate::test::{page_test, wasm_tests};
 use crate::tools;
 use crate::workspace::Workspace;
-use crate::{bundle, server, site};
 
 /// Prints the figures of the engine, natively and in the browser, of the page and
 /// of its download; the page is played and dragged for some minutes.
 pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
-    tools::wasm_pack(workspace)?;
+    let (bindgen, pack) = (
+        tools::wasm_bindgen(workspace)?,
+        tools::wasm_pack(workspace)?,
+    );
     let browser = browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
-    bundle::write(workspace)?;
+    site::give_away(workspace)?;
 
     announce("engine, natively", "measuring");
     let mut native = workspace.cargo(["test", "--release", "--package", "assur-web"]);
     native.args(["--test", "speed", "--", "--nocapture"]);
     let native = figures(&output(&mut native, "measuring")?, "speed: ");
     announce("engine, in the browser", "measuring");
-    let mut wasm = browser_tests(workspace, "crates/assur-web", &browser)?;
+    let mut wasm = wasm_tests(workspace, &bindgen, &pack, &browser)?;
     wasm.args(["--release", "--test", "speed", "--", "--nocapture"]);
     let wasm = figures(&output(&mut wasm, "measuring")?, "speed: ");
     announce("page", "measuring");
-    let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
-    let mut page = page_test(workspace, "page_speed", address, &browser);
+    let server = Server::start(workspace, 0, &workspace.site())?;
+    let mut page = page_test(workspace, "page_speed", &server.url, &browser);
     page.args(["--", "--nocapture"])
         .env("ASSUR_MINUTES", minutes.to_string());
     let page = output(&mut page, "measuring")?;
@@ -99,7 +103,7 @@ fn asked(line: &str) -> Option<&str> {
 }
 
 /// As small as brotli makes it.
-pub(crate) fn compressed(bytes: &[u8]) -> Result<Vec<u8>> {
+fn compressed(bytes: &[u8]) -> Result<Vec<u8>> {
     let mut packed = Vec::new();
     let mut writer = brotli::CompressorWriter::new(&mut packed, 4096, 11, 22);
     writer.write_all(bytes).context("compressing failed")?;

@@ -2,30 +2,18 @@
 //! serving the page, running every test, writing the one-file page.
 //!
 //! Whatever a command needs and does not find it installs first, each step announced on one line.
-//! Tools go under the target directory, so nobody's own are overwritten.
+//! Tools go into a folder of their own below cargo's, by name and version, so nobody's own are overwritten.
 
 mod bench;
 mod browser;
-mod bundle;
-mod dist;
-mod hosting;
-mod kinds;
-mod lessons;
-mod media;
-mod minify;
-mod notes;
-mod npm;
-mod scripts;
 mod server;
 mod site;
 mod step;
 mod tally;
 mod test;
 mod tools;
-mod words;
 mod workspace;
 
-use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -33,6 +21,8 @@ use anyhow::Result;
 use clap::{Parser, Subcommand};
 
 use crate::browser::Kind;
+use crate::server::Server;
+use crate::test::Extent;
 use crate::workspace::Workspace;
 
 /// Sets up, builds, serves and tests Assur.
@@ -52,7 +42,7 @@ struct Arguments {
 enum Task {
     /// Builds the page and serves it on this machine
     ///
-    /// Installs the wasm32 target and wasm-bindgen if they are missing, builds the release, serves
+    /// Installs the wasm32 target, wasm-bindgen and the packages of npm if they are missing, builds the release, serves
     /// it on 127.0.0.1 without caching, prints the address and opens it where there is a display.
     /// Stops with Ctrl-C.
     Serve {
@@ -63,21 +53,29 @@ enum Task {
         #[arg(long)]
         no_open: bool,
     },
-    /// Runs everything: format, lint, documentation, native tests, wasm tests, tests of the page
+    /// Runs the tests that judge a change: format, lint, documentation, tests of the engine, of the scripts, of the page
     ///
-    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack and (on
-    /// Debian, as root) Chromium with its driver and Firefox, whose driver is built by cargo. The environment
-    /// variables CHROME, CHROMEDRIVER, FIREFOX and GECKODRIVER name others. The last line says how many checks
-    /// passed and failed; the exit code is 1 if any failed.
+    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack, the packages of npm and (on
+    /// Debian, as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
+    /// GECKODRIVER name others. The last line says how many checks passed and failed; the exit code is 1 if any
+    /// failed.
     ///
-    /// With a browser named, only the tests of the page are run, all of them in that one.
+    /// With WORDS or a browser, only page tests are run.
     Test {
-        /// Only the tests of the page, in this browser
+        /// Also long tests, ten times the counts of random input, and the page in Firefox, whose driver cargo builds
+        #[arg(long)]
+        all: bool,
+        /// Only page tests, in this browser
         #[arg(long)]
         browser: Option<Kind>,
-        /// Only those tests of the page whose names hold one of these words
-        #[arg(requires = "browser")]
+        /// Only page tests whose names hold one of these words, in Chromium unless a browser is named
         words: Vec<String>,
+    },
+    /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files
+    Soak {
+        /// The seed that the input begins with, for a run that differs from the last
+        #[arg(long, default_value_t = 777)]
+        seed: u64,
     },
     /// Prints how fast engine and page are, beside a yardstick of the same run
     ///
@@ -112,17 +110,21 @@ fn perform(task: &Task) -> Result<ExitCode> {
     match task {
         Task::Serve { port, no_open } => serve(&workspace, *port, !no_open)?,
         Task::Test {
-            browser: None,
-            words: _,
-        } => return test::run(&workspace),
-        Task::Test {
-            browser: Some(kind),
+            all,
+            browser,
             words,
-        } => return test::run_page(&workspace, *kind, words),
+        } => {
+            let extent = if *all { Extent::All } else { Extent::Quick };
+            return match browser {
+                None if words.is_empty() => test::run(&workspace, extent),
+                kind => test::run_page(&workspace, kind.unwrap_or(Kind::Chromium), extent, words),
+            };
+        }
+        Task::Soak { seed } => return test::soak(&workspace, *seed),
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
-            dist::write(&workspace)?;
+            site::give_away(&workspace)?;
         }
         Task::Build { with } => {
             site::set_up_and_build(&workspace)?;
@@ -136,19 +138,13 @@ fn perform(task: &Task) -> Result<ExitCode> {
 
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     site::set_up_and_build(workspace)?;
-    let listener = server::listen(port)?;
-    let (address, workers) = server::start(listener, &workspace.site())?;
-    println!("The page is at {} (Ctrl-C stops it)", url(address));
+    let server = Server::start(workspace, port, &workspace.site())?;
+    println!("The page is at {} (Ctrl-C stops it)", server.url);
     if open && browser::display_present() {
         // The address is on the screen already, so a browser that does not come up stops nothing.
-        if let Err(error) = open::that_detached(url(address)) {
+        if let Err(error) = open::that_detached(&server.url) {
             eprintln!("No browser could be opened ({error}); open the address by hand.");
         }
     }
-    workers.wait()
-}
-
-/// The address as a person types it.
-fn url(address: SocketAddr) -> String {
-    format!("http://{address}/")
+    server.wait()
 }

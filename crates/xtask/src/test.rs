@@ -1,161 +1,170 @@
-//! Everything that must hold, run in one go: this is what a push is judged by.
+//! Every test, in one run: what a change is judged by.
 
 use std::fs;
-use std::net::SocketAddr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+use std::thread;
+use std::time::Instant;
 
 use anyhow::{Context, Error, Result, anyhow};
 use serde_json::Value;
 
 use crate::browser::{self, Browser, Kind};
+use crate::server::Server;
+use crate::site;
 use crate::step::{announce, run as run_step};
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
-use crate::{dist, server, site};
 
 /// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
 const WASM_TIME: &str = "300";
 
-/// The crates that have tests for the browser: package and directory.
-const WASM_CRATES: [(&str, &str); 2] =
-    [("assur-tests", "tests"), ("assur-web", "crates/assur-web")];
+/// The crate that has the tests of the wasm side: package and directory.
+const WASM_CRATE: (&str, &str) = ("assur-web", "crates/assur-web");
 
-/// What of the page differs most between browsers, by words in the names of its tests: keys, pointers, fingers,
-/// what is one step of undo, files and links. All of its tests are run in Firefox by `cargo xtask test --browser firefox`.
-const IN_FIREFOX: [&str; 7] = [
-    "undo::",
-    "keyboard::",
-    "hands::",
-    "touch::",
-    "draw::",
-    "share::",
-    "import::",
+/// Factor on the counts of random input in a run of everything.
+const ALL_SCALE: &str = "10";
+
+/// Factor on the counts of random input in `soak`.
+const SOAK_SCALE: &str = "1000";
+
+/// What `soak` runs: what it is called, its package, and words of its tests.
+const SOAKED: [(&str, &str, &str); 2] = [
+    ("drawings", "assur-tests", "any_drawing::"),
+    ("damaged files", "assur-cli", "damaged"),
 ];
 
-/// What of the set-up is there, each or the reason why not.
+/// The part of all tests that is run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// At counts of random input that find faults, the page in Chromium.
+    Quick,
+    /// Also the tests marked `ignore`, at ten times the counts, and the page in Firefox.
+    All,
+}
+
+/// The outcome of the set-up, part by part.
 struct SetUp {
     components: Result<()>,
     target: Result<()>,
-    bindgen: Result<()>,
-    pack: Result<()>,
-    typescript: Result<()>,
+    bindgen: Result<PathBuf>,
+    pack: Result<PathBuf>,
+    packages: Result<()>,
     browser: Result<Browser>,
-    firefox: Result<Browser>,
 }
 
-/// Runs every step even if an earlier one failed, except those that would mean nothing then; they
-/// count as failed.
-pub(crate) fn run(workspace: &Workspace) -> Result<ExitCode> {
+/// Runs every step even if an earlier one failed. A step that needs what failed counts as failed.
+pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
     let ready = SetUp::new(workspace);
+    let firefox = (extent == Extent::All).then(|| found(workspace, Kind::Firefox));
     let mut tally = Tally::default();
 
+    // The optimiser of the page uses one processor for minutes: the steps that need no page use the other.
+    let (page, took) = thread::scope(|scope| {
+        let page = scope.spawn(|| {
+            let began = Instant::now();
+            (ready.page(workspace), began.elapsed())
+        });
+        without_page(workspace, &ready, extent, &mut tally);
+        page.join()
+            .unwrap_or_else(|_| (Err(anyhow!("building stopped")), Instant::now().elapsed()))
+    });
+    tally.step("page", &page, took);
+    with_page(workspace, &ready, &page, extent, &mut tally);
+    if let Some(firefox) = firefox {
+        let tests = page_tests(workspace, &firefox, &page, extent, &[]);
+        tally.tests("page tests in Firefox", tests);
+    }
+    ended(&tally)
+}
+
+/// The steps that need no built page.
+fn without_page(workspace: &Workspace, ready: &SetUp, extent: Extent, tally: &mut Tally) {
     tally.check("format", || {
         needed(&ready.components)?;
         run_step(&mut workspace.cargo(["fmt", "--all", "--check"]), "format")
     });
     tally.check("lint", || {
         needed(&ready.components)?;
-        let natively = [
-            "clippy",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ];
-        run_step(&mut workspace.cargo(natively), "lint")
+        let mut clippy = workspace.cargo(["clippy", "--workspace", "--all-targets"]);
+        run_step(clippy.args(["--", "-D", "warnings"]), "lint")
     });
     tally.check("lint of the wasm side", || {
         needed(&ready.components)?;
         needed(&ready.target)?;
         let mut clippy = workspace.cargo(["clippy", "--tests", "--target", WASM]);
-        clippy.args(
-            WASM_CRATES
-                .iter()
-                .flat_map(|(package, _)| ["--package", package]),
-        );
-        run_step(
-            clippy.args(["--", "-D", "warnings"]),
-            "lint of the wasm side",
-        )
+        clippy.args(["--package", WASM_CRATE.0, "--", "-D", "warnings"]);
+        run_step(&mut clippy, "lint of the wasm side")
     });
     tally.check("documentation", || {
         let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
         run_step(doc.env("RUSTDOCFLAGS", "-D warnings"), "documentation")
     });
-    tally.tests(
-        "native tests",
-        Ok(workspace.cargo(["test", "--workspace", "--tests", "--no-fail-fast"])),
-    );
-    tally.tests(
-        "doc tests",
-        Ok(workspace.cargo(["test", "--workspace", "--doc", "--no-fail-fast"])),
-    );
-    for (package, directory) in WASM_CRATES {
-        tally.tests(
-            &format!("wasm tests of {package} in the browser"),
-            ready.wasm_tests(workspace, directory),
-        );
+    for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
+        let mut cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast"]);
+        cargo.arg(targets);
+        tally.tests(name, Ok(extended(cargo, extent)));
     }
+    tally.tests("wasm tests in the browser", ready.wasm_tests(workspace));
+}
 
-    let mut site = Err(anyhow!("the page was not built"));
-    tally.check("page", || {
-        needed(&ready.target)?;
-        needed(&ready.bindgen)?;
-        site::build(workspace)?;
-        site = Ok(());
-        Ok(())
-    });
+/// The steps that need the built page, in Chromium or in Node.
+fn with_page(
+    workspace: &Workspace,
+    ready: &SetUp,
+    page: &Result<()>,
+    extent: Extent,
+    tally: &mut Tally,
+) {
     tally.check("types of the scripts", || {
-        needed(&ready.typescript)?;
-        // What crosses the border has its types of the build.
-        needed(&site)?;
-        let mut checker = tools::type_checker(workspace);
-        run_step(checker.args(["--project", "."]), "types of the scripts")
-    });
-    let mut bundled = Err(anyhow!("the one-file page was not written"));
-    tally.check("one-file page, folder for a host, package", || {
-        needed(&site)?;
-        bundled = Ok(dist::write(workspace)?);
+        needed(&ready.packages)?;
+        // The build writes the types of the border.
+        needed(page)?;
+        for project in [".", "crates/xtask/build"] {
+            let mut checker = tools::type_checker(workspace);
+            run_step(checker.args(["--project", project]), "types of the scripts")?;
+        }
         Ok(())
     });
-    tally.tests_in_company(
-        "page tests in the browser",
-        page_tests(workspace, &ready.browser, &site, &bundled, &[]),
+    tally.tests(
+        "tests of the scripts in Node",
+        needed(page).and_then(|()| node_tests(workspace, extent)),
     );
-    tally.tests_in_company(
-        "page tests in Firefox",
-        page_tests(
-            workspace,
-            &ready.firefox,
-            &site,
-            &bundled,
-            &IN_FIREFOX.map(str::to_owned),
-        ),
+    tally.tests(
+        "page tests in Chromium",
+        page_tests(workspace, &ready.browser, page, extent, &[]),
     );
+}
 
+/// Runs the tests of random input at counts for which a run has no time, from a seed.
+pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
+    let mut tally = Tally::default();
+    for (name, package, test) in SOAKED {
+        let mut cargo = workspace.cargo(["test", "--release", "--package", package]);
+        cargo.args(["--", "--include-ignored", "--nocapture", test]);
+        cargo
+            .env("ASSUR_SCALE", SOAK_SCALE)
+            .env("ASSUR_SEED", seed.to_string());
+        tally.tests(name, Ok(cargo));
+    }
     ended(&tally)
 }
 
-/// Runs the tests of the page alone, in one browser: all, or those whose names hold one of the words.
-pub(crate) fn run_page(workspace: &Workspace, kind: Kind, words: &[String]) -> Result<ExitCode> {
-    let browser = told(
-        "browser and driver",
-        browser::find_or_install(workspace, kind),
-    );
+/// Runs the page tests alone, in one browser: all, or those whose names hold one of the words.
+pub(crate) fn run_page(
+    workspace: &Workspace,
+    kind: Kind,
+    extent: Extent,
+    words: &[String],
+) -> Result<ExitCode> {
+    let browser = found(workspace, kind);
     let mut tally = Tally::default();
-    let mut site = Err(anyhow!("the page was not built"));
-    tally.check("page", || {
-        site::set_up_and_build(workspace)?;
-        site = Ok(dist::write(workspace)?);
-        Ok(())
-    });
-    tally.tests_in_company(
-        "page tests in the browser",
-        page_tests(workspace, &browser, &site, &site, words),
-    );
+    let began = Instant::now();
+    let page = site::set_up_and_build(workspace).and_then(|()| site::give_away(workspace));
+    tally.step("page", &page, began.elapsed());
+    let tests = page_tests(workspace, &browser, &page, extent, words);
+    tally.tests("page tests", tests);
     ended(&tally)
 }
 
@@ -173,61 +182,56 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
 impl SetUp {
     fn new(workspace: &Workspace) -> Self {
         Self {
-            components: told("rustfmt and clippy", tools::components(workspace)),
-            target: told("wasm target", tools::wasm_target(workspace)),
-            bindgen: told("wasm-bindgen", tools::wasm_bindgen(workspace)),
-            pack: told("wasm-pack", tools::wasm_pack(workspace)),
-            typescript: told("TypeScript", tools::typescript(workspace)),
-            browser: told(
-                "browser and driver",
-                browser::find_or_install(workspace, Kind::Chromium),
-            ),
-            firefox: told(
-                "Firefox and its driver",
-                browser::find_or_install(workspace, Kind::Firefox),
-            ),
+            components: reported("rustfmt and clippy", tools::components(workspace)),
+            target: reported("wasm target", tools::wasm_target(workspace)),
+            bindgen: reported("wasm-bindgen", tools::wasm_bindgen(workspace)),
+            pack: reported("wasm-pack", tools::wasm_pack(workspace)),
+            packages: reported("packages of npm", tools::packages(workspace)),
+            browser: found(workspace, Kind::Chromium),
         }
     }
 
-    fn wasm_tests(&self, workspace: &Workspace, directory: &str) -> Result<Command> {
-        for part in [&self.target, &self.bindgen, &self.pack] {
-            needed(part)?;
-        }
-        browser_tests(workspace, directory, needed(&self.browser)?)
+    /// Builds the page and all that is made of it.
+    fn page(&self, workspace: &Workspace) -> Result<()> {
+        needed(&self.target)?;
+        needed(&self.packages)?;
+        site::build(workspace, needed(&self.bindgen)?)?;
+        site::give_away(workspace)
+    }
+
+    fn wasm_tests(&self, workspace: &Workspace) -> Result<Command> {
+        needed(&self.target)?;
+        let (bindgen, pack) = (needed(&self.bindgen)?, needed(&self.pack)?);
+        wasm_tests(workspace, bindgen, pack, needed(&self.browser)?)
     }
 }
 
-/// Tests of one crate by wasm-pack, which may fetch nothing: all it needs is set up here.
-pub(crate) fn browser_tests(
+/// The tests of the wasm side by wasm-pack, which may fetch nothing: all it needs is set up here.
+pub(crate) fn wasm_tests(
     workspace: &Workspace,
-    directory: &str,
+    bindgen: &Path,
+    pack: &Path,
     browser: &Browser,
 ) -> Result<Command> {
-    let mut pack = workspace.command(&tools::path(workspace, "wasm-pack"));
-    pack.args([
-        "test",
-        "--headless",
-        "--chrome",
-        "--mode",
-        "no-install",
-        "--chromedriver",
-    ])
-    .arg(&browser.driver)
-    .arg(directory)
-    .env("PATH", tools::search_path(workspace)?)
-    .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
-    .env(
-        "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
-        capabilities(workspace, directory, browser)?,
-    )
-    .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
+    let mut pack = workspace.command(pack);
+    pack.args(["test", "--headless", "--chrome", "--mode", "no-install"])
+        .arg("--chromedriver")
+        .arg(&browser.driver)
+        .arg(WASM_CRATE.1)
+        .env("PATH", tools::search_path(bindgen)?)
+        .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
+        .env(
+            "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
+            capabilities(workspace, browser)?,
+        )
+        .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
     Ok(pack)
 }
 
 /// The crate's webdriver.json completed with the browser that was found: the driver by itself might
 /// choose another, or none.
-fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Result<PathBuf> {
-    let source = workspace.root().join(directory).join("webdriver.json");
+fn capabilities(workspace: &Workspace, browser: &Browser) -> Result<PathBuf> {
+    let source = workspace.root().join(WASM_CRATE.1).join("webdriver.json");
     let known = || format!("{} is not as it should be", source.display());
     let mut value: Value = serde_json::from_str(&fs::read_to_string(&source).with_context(known)?)
         .with_context(known)?;
@@ -245,27 +249,56 @@ fn capabilities(workspace: &Workspace, directory: &str, browser: &Browser) -> Re
     Ok(path)
 }
 
-/// Tests of the page as `serve` ships it and as the one file, driven through the browser. They find
-/// what they need in the environment. All of them, or those whose names hold one of the words; what is added to the
-/// command goes to the tests themselves.
+/// The tests of the scripts in `www` and of those that build the page.
+fn node_tests(workspace: &Workspace, extent: Extent) -> Result<Command> {
+    let mut node = workspace.command("node");
+    node.args(["--import", "./tests/scripts/register.mjs", "--test"]);
+    for folder in ["www", "crates/xtask/build"] {
+        for test in files(&workspace.root().join(folder))? {
+            node.arg(test);
+        }
+    }
+    node.env("ASSUR_SITE", workspace.site());
+    if extent == Extent::All {
+        node.env("ASSUR_SCALE", ALL_SCALE);
+    }
+    Ok(node)
+}
+
+/// The files `*.test.js` of a folder and of those in it.
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let unreadable = || format!("{} cannot be read", folder.display());
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).with_context(unreadable)? {
+        let path = entry.with_context(unreadable)?.path();
+        if path.is_dir() {
+            found.extend(files(&path)?);
+        } else if path.to_string_lossy().ends_with(".test.js") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// The page tests: of the page as `serve` ships it, the one file and the folder for a host. They find
+/// all of these in the environment. All tests, or those whose names hold one of the words.
 fn page_tests(
     workspace: &Workspace,
     browser: &Result<Browser>,
-    site: &Result<()>,
-    bundled: &Result<()>,
+    page: &Result<()>,
+    extent: Extent,
     words: &[String],
 ) -> Result<Command> {
-    needed(site)?;
-    needed(bundled)?;
+    needed(page)?;
     let browser = needed(browser)?;
-    // The workers answer until this program ends.
-    let (address, _workers) = server::start(server::listen(0)?, &workspace.site())?;
+    let url = Server::start(workspace, 0, &workspace.site())?.keep();
     let folders = workspace.root().join("tests").join("data").join("page");
     let more = site::build_with(workspace, &folders)?;
-    let (with_more, _workers) = server::start(server::listen(0)?, &more)?;
-    let mut test = page_test(workspace, "page", address, browser);
-    test.env("ASSUR_MORE_URL", format!("http://{with_more}/"));
-    test.arg("--").args(words);
+    let with_more = Server::start(workspace, 0, &more)?.keep();
+    let mut test = extended(page_test(workspace, "page", &url, browser), extent);
+    test.env("ASSUR_MORE_URL", with_more);
+    test.args(words);
     Ok(test)
 }
 
@@ -273,18 +306,35 @@ fn page_tests(
 pub(crate) fn page_test(
     workspace: &Workspace,
     name: &str,
-    address: SocketAddr,
+    url: &str,
     browser: &Browser,
 ) -> Command {
-    let mut test = workspace.cargo(["test", "--package", "assur-tests", "--test", name]);
-    test.env("ASSUR_URL", format!("http://{address}/"))
+    // All packages, so that nothing is compiled again with other features.
+    let mut test = workspace.cargo(["test", "--workspace", "--test", name]);
+    test.env("ASSUR_URL", url)
         .env("ASSUR_BUNDLE", workspace.bundle())
         .envs(browser.variables());
     test
 }
 
-/// Says at once what cannot be had; the steps that need it repeat it.
-fn told<T>(what: &str, part: Result<T>) -> Result<T> {
+/// A command of `cargo test` with all that an extent asks for; what is added to it goes to the tests.
+fn extended(mut cargo: Command, extent: Extent) -> Command {
+    cargo.arg("--");
+    if extent == Extent::All {
+        cargo.arg("--include-ignored").env("ASSUR_SCALE", ALL_SCALE);
+    }
+    cargo
+}
+
+fn found(workspace: &Workspace, kind: Kind) -> Result<Browser> {
+    reported(
+        "browser and driver",
+        browser::find_or_install(workspace, kind),
+    )
+}
+
+/// Announces at once what cannot be had; the steps that need it repeat it.
+fn reported<T>(what: &str, part: Result<T>) -> Result<T> {
     if let Err(error) = &part {
         announce(what, &format!("FAILED. {error:#}"));
     }

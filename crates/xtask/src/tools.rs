@@ -1,14 +1,14 @@
 //! The tools of other makers: each is looked for and, if it is not there, installed.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
 use anyhow::{Context, Result};
 
 use crate::step::{announce, output, quiet_output, run};
-use crate::workspace::Workspace;
+use crate::workspace::{self, Workspace};
 
 /// What the browser runs.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
@@ -16,8 +16,6 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 const WASM_PACK: &str = "0.15.1";
 
 const GECKODRIVER: &str = "0.37.1";
-
-const TYPESCRIPT: &str = "7.0.2";
 
 const THERE: &str = "already there";
 
@@ -66,93 +64,94 @@ pub(crate) fn components(workspace: &Workspace) -> Result<()> {
 
 /// wasm-bindgen of exactly the version the code is locked to: no other can read its output. Its own
 /// lock file is not used, because the crates it shares with the code must match.
-pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<()> {
+pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     let version = workspace.locked_version("wasm-bindgen")?;
     installed(workspace, "wasm-bindgen", "wasm-bindgen-cli", &version, &[])
 }
 
 /// wasm-pack, which runs the tests of the wasm side in a browser.
-pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<()> {
-    installed(
-        workspace,
-        "wasm-pack",
-        "wasm-pack",
-        WASM_PACK,
-        &["--locked"],
-    )
+pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<PathBuf> {
+    let locked = ["--locked"];
+    installed(workspace, "wasm-pack", "wasm-pack", WASM_PACK, &locked)
 }
 
-/// The driver of Firefox, and where it lies.
+/// The driver of Firefox.
 pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
+    let locked = ["--locked"];
     installed(
         workspace,
         "geckodriver",
         "geckodriver",
         GECKODRIVER,
-        &["--locked"],
-    )?;
-    Ok(path(workspace, "geckodriver"))
+        &locked,
+    )
 }
 
-/// TypeScript, whose checker reads the scripts of the page.
-pub(crate) fn typescript(workspace: &Workspace) -> Result<()> {
-    let what = format!("TypeScript {TYPESCRIPT}");
-    let answer = quiet_output(type_checker(workspace).arg("--version"));
-    if answer.is_some_and(|answer| answer.split_whitespace().nth(1) == Some(TYPESCRIPT)) {
-        announce(&what, THERE);
+/// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
+pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
+    const WHAT: &str = "packages of npm";
+    let written = |name: &str| fs::metadata(workspace.root().join(name))?.modified();
+    let there = written("node_modules/.package-lock.json");
+    if there.is_ok_and(|there| written("package-lock.json").is_ok_and(|wanted| wanted <= there)) {
+        announce(WHAT, THERE);
         return Ok(());
     }
     let npm = which::which("npm")
         .ok()
         .filter(|_| which::which("node").is_ok());
-    let npm = npm.context("Node.js with npm is needed to check the scripts: install it")?;
-    announce(&what, "installing by npm");
-    let mut npm = workspace.command(&npm);
-    npm.args(["install", "--no-audit", "--no-fund", "--no-save"])
-        .arg(format!("typescript@{TYPESCRIPT}"))
-        .arg("--prefix")
-        .arg(workspace.tools().join("typescript"));
-    run(&mut npm, &what)
+    let npm = npm.context("Node.js with npm is needed to build the page: install it")?;
+    announce(WHAT, "installing by npm");
+    run(
+        workspace
+            .command(&npm)
+            .args(["ci", "--no-audit", "--no-fund"]),
+        WHAT,
+    )
 }
 
-/// The checker, to be given its arguments.
+/// TypeScript's checker, to be given its arguments.
 pub(crate) fn type_checker(workspace: &Workspace) -> Command {
-    let package = workspace.tools().join("typescript/node_modules/typescript");
     let mut checker = workspace.command("node");
-    checker.arg(package.join("bin/tsc"));
+    checker.arg(workspace.root().join("node_modules/typescript/bin/tsc"));
     checker
 }
 
+/// The path of a tool of a version, which is installed if it is not there: below cargo's own folder, so that every
+/// clone has it.
 fn installed(
     workspace: &Workspace,
     program: &str,
     package: &str,
     version: &str,
     options: &[&str],
-) -> Result<()> {
+) -> Result<PathBuf> {
     let what = format!("{program} {version}");
-    let answer = quiet_output(Command::new(path(workspace, program)).arg("--version"));
+    let home = workspace::cargo_home().context("the folder of cargo is unknown")?;
+    let root = home
+        .join("assur-tools")
+        .join(format!("{package}-{version}"));
+    let file = format!("{program}{}", env::consts::EXE_SUFFIX);
+    let path = root.join("bin").join(file);
+    let answer = quiet_output(Command::new(&path).arg("--version"));
     if answer.is_some_and(|answer| answer.split_whitespace().nth(1) == Some(version)) {
         announce(&what, THERE);
-        return Ok(());
+        return Ok(path);
     }
-    announce(&what, "installing by cargo (takes some minutes)");
-    let mut cargo = workspace.cargo(["install", package, "--version", version]);
-    cargo.args(options).arg("--root").arg(workspace.tools());
-    run(&mut cargo, &what)
+    announce(&what, "installing by cargo (takes a minute or two)");
+    let mut cargo = workspace.cargo(["install", package, "--version", version, "--force"]);
+    cargo.args(options).arg("--root").arg(&root);
+    // The tools wait for others most of the time: less optimised they are there sooner.
+    for (setting, value) in [("OPT_LEVEL", "1"), ("LTO", "off"), ("CODEGEN_UNITS", "16")] {
+        cargo.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
+    }
+    run(&mut cargo, &what)?;
+    Ok(path)
 }
 
-/// Where an installed tool lies.
-pub(crate) fn path(workspace: &Workspace, program: &str) -> PathBuf {
-    workspace
-        .tools()
-        .join("bin")
-        .join(format!("{program}{}", env::consts::EXE_SUFFIX))
-}
-
-/// PATH with our own tools first, so that tools find each other in the right version.
-pub(crate) fn search_path(workspace: &Workspace) -> Result<OsString> {
+/// PATH with the folder of a tool first, so that others find it in the right version.
+pub(crate) fn search_path(tool: &Path) -> Result<OsString> {
     let others = env::var_os("PATH").unwrap_or_default();
-    let paths = std::iter::once(workspace.tools().join("bin")).chain(env::split_paths(&others));
-    env::join_paths(paths).context("the path of the target directory cannot be put into PATH")
+    let own = tool.parent().map(Path::to_owned);
+    env::join_paths(own.into_iter().chain(env::split_paths(&others)))
+        .context("the path of cargo's folder cannot be put into PATH")
 }

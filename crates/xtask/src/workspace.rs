@@ -3,11 +3,10 @@
 
 use std::env;
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use serde::Deserialize;
 
 use crate::step;
@@ -15,7 +14,7 @@ use crate::step;
 /// The version of every crate of the workspace, and so of the page.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The two directories everything else hangs on.
+/// The root of the repository and the target directory of cargo, from which all other places follow.
 pub(crate) struct Workspace {
     root: PathBuf,
     target: PathBuf,
@@ -58,33 +57,24 @@ impl Workspace {
         &self.target
     }
 
-    /// Where cargo installs the tools of this project.
-    pub(crate) fn tools(&self) -> PathBuf {
-        self.target.join("tools")
-    }
-
     pub(crate) fn site(&self) -> PathBuf {
         self.target.join("site")
     }
 
-    /// Where `tsconfig.json` looks for the types of modules that the build writes.
+    /// Where `tsconfig.json` looks for the types of the engine.
     pub(crate) fn types(&self) -> PathBuf {
         self.root.join("target").join("types")
     }
 
+    /// A script of the build, to be given its arguments.
+    pub(crate) fn node(&self, script: &str) -> Command {
+        let mut node = self.command("node");
+        node.arg(self.root.join("crates/xtask/build").join(script));
+        node
+    }
+
     pub(crate) fn bundle(&self) -> PathBuf {
         self.root.join("dist").join("assur.html")
-    }
-
-    /// Where the folder for a host goes.
-    pub(crate) fn hosted(&self) -> PathBuf {
-        self.root.join("dist").join("site")
-    }
-
-    /// Where the package of npm goes.
-    pub(crate) fn package(&self) -> PathBuf {
-        let name = format!("assur-{VERSION}.tgz");
-        self.root.join("dist").join("npm").join(name)
     }
 
     /// A cargo command that starts in the root.
@@ -101,83 +91,28 @@ impl Workspace {
         command
     }
 
-    /// The version of a crate that Cargo.lock has settled on.
+    /// The version of a crate that Cargo.lock has settled on. Two versions of one crate are refused by
+    /// cargo, which then names them.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
-        let path = self.root.join("Cargo.lock");
-        let lock = fs::read_to_string(&path)
-            .with_context(|| format!("{} cannot be read", path.display()))?;
-        version_in_lock(&lock, name)
+        // `registry+…#NAME@VERSION`
+        let id = step::output(
+            &mut self.cargo(["pkgid", name]),
+            &format!("finding the version of {name}"),
+        )?;
+        let version = id.trim().rsplit_once('@').map(|(_, version)| version);
+        Ok(version
+            .with_context(|| format!("cargo pkgid says no version of {name}"))?
+            .to_owned())
     }
+}
+
+/// The folder of cargo itself.
+pub(crate) fn cargo_home() -> Option<PathBuf> {
+    let named = env::var_os("CARGO_HOME").map(PathBuf::from);
+    named.or_else(|| env::home_dir().map(|home| home.join(".cargo")))
 }
 
 /// The cargo that runs this program, which rustup has already chosen.
 fn cargo_program() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-#[derive(Deserialize)]
-struct Lock {
-    #[serde(default)]
-    package: Vec<Package>,
-}
-
-#[derive(Deserialize)]
-struct Package {
-    name: String,
-    version: String,
-}
-
-/// Two versions of one crate would leave the choice open, so they are refused.
-fn version_in_lock(lock: &str, name: &str) -> Result<String> {
-    let lock: Lock = toml::from_str(lock).context("Cargo.lock is not in the known form")?;
-    let mut versions = lock
-        .package
-        .into_iter()
-        .filter(|package| package.name == name);
-    match (versions.next(), versions.next()) {
-        (Some(package), None) => Ok(package.version),
-        (None, _) => bail!("Cargo.lock holds no {name}"),
-        (Some(_), Some(_)) => bail!("Cargo.lock holds more than one {name}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::version_in_lock;
-
-    const LOCK: &str = r#"
-version = 4
-
-[[package]]
-name = "twice"
-version = "1.0.0"
-
-[[package]]
-name = "twice"
-version = "2.0.0"
-
-[[package]]
-name = "wasm-bindgen"
-version = "0.2.130"
-source = "elsewhere"
-dependencies = ["wasm-bindgen-shared"]
-
-[[package]]
-name = "wasm-bindgen-shared"
-version = "0.2.99"
-"#;
-
-    #[test]
-    fn the_locked_version_is_that_of_the_exact_name() {
-        assert_eq!(version_in_lock(LOCK, "wasm-bindgen").unwrap(), "0.2.130");
-    }
-
-    #[test]
-    fn a_missing_or_doubled_crate_is_a_sentence() {
-        let absent = version_in_lock(LOCK, "nalgebra").unwrap_err().to_string();
-        assert_eq!(absent, "Cargo.lock holds no nalgebra");
-        let doubled = version_in_lock(LOCK, "twice").unwrap_err().to_string();
-        assert_eq!(doubled, "Cargo.lock holds more than one twice");
-        assert!(version_in_lock("not = [toml", "twice").is_err());
-    }
 }

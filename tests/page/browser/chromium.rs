@@ -1,19 +1,26 @@
-//! Chromium, as its own tools are asked.
+//! Chromium: what it is started with, and its own tools for windows of separate storage.
 
+use std::fs;
+use std::net::TcpStream;
 use std::path::Path;
 
-use serde_json::json;
+use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 use thirtyfour::{ChromeCapabilities, ChromiumLikeCapabilities, LoggingPrefsLogLevel};
+use tungstenite::{Message, WebSocket};
 
-use super::setting;
+use super::pool::Profile;
+use super::{PATIENCE, setting, switch};
 
 /// The variable that names the driver, what it is started with, and what it says before its port.
 pub(super) const DRIVER: (&str, &[&str], &str) =
     ("CHROMEDRIVER", &["--port=0"], "successfully on port ");
 
-/// A browser without a window that speaks a language and saves into a folder.
-pub(super) fn wanted(lang: &str, downloads: &Path) -> ChromeCapabilities {
+/// The size of a window of which the page has 1280 by 800.
+const WINDOW: (u32, u32) = (1280, 943);
+
+/// A browser without a window.
+pub(super) fn wanted(profile: Profile) -> ChromeCapabilities {
     let mut wanted = DesiredCapabilities::chrome();
     wanted.set_binary(&setting("CHROME")).unwrap();
     wanted
@@ -30,13 +37,95 @@ pub(super) fn wanted(lang: &str, downloads: &Path) -> ChromeCapabilities {
         "--disable-sync",
         "--hide-scrollbars",
         "--force-device-scale-factor=1",
-        "--window-size=1280,940", // of which the page has 1280 by 800
-        &format!("--lang={lang}"),
-        &format!("--accept-lang={lang}"),
+        &format!("--lang={}", profile.lang),
+        &format!("--accept-lang={}", profile.lang),
     ] {
         wanted.add_arg(argument).unwrap();
     }
-    let prefs = json!({ "download.default_directory": downloads });
-    wanted.add_experimental_option("prefs", prefs).unwrap();
+    if profile.calm {
+        wanted.add_arg("--force-prefers-reduced-motion").unwrap();
+    }
     wanted
+}
+
+/// Where a browser listens to commands that no window may give.
+pub(super) struct Chromium {
+    address: String,
+    path: String,
+}
+
+impl Chromium {
+    /// Reads what the browser has written beside its profile.
+    pub(super) fn of(driver: &WebDriver) -> Self {
+        let chrome = driver.handle().capabilities().get("chrome").unwrap();
+        let place = Path::new(chrome["userDataDir"].as_str().unwrap()).join("DevToolsActivePort");
+        let written = fs::read_to_string(place).unwrap();
+        let (port, path) = written.split_once('\n').unwrap();
+        Self {
+            address: format!("127.0.0.1:{port}"),
+            path: path.trim().to_owned(),
+        }
+    }
+
+    /// Opens a window with a storage of its own, and returns its name.
+    pub(super) async fn window(&self, driver: &WebDriver, downloads: &Path) -> Result<String, String> {
+        let mut tools = self.tools()?;
+        let kept = json!({ "disposeOnDetach": false });
+        let context = tools.command("Target.createBrowserContext", &kept)?;
+        let context = context["browserContextId"].clone();
+        let (width, height) = WINDOW;
+        let window = json!({ "url": "about:blank", "browserContextId": context, "width": width, "height": height });
+        let window = tools.command("Target.createTarget", &window)?;
+        switch(driver, &window["targetId"]).await?;
+        // Through the driver, because what is set by a line of our own ends with it.
+        let place = json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
+        let tools = driver.cdp();
+        let set = tools.send_raw("Browser.setDownloadBehavior", place).await;
+        set.map_err(|error| error.to_string())?;
+        // What was said in the window before is not of this one.
+        let said = driver.browser_log().await;
+        said.map_err(|error| error.to_string())?;
+        Ok(context.as_str().unwrap_or_default().to_owned())
+    }
+
+    fn tools(&self) -> Result<Tools, String> {
+        let stream = TcpStream::connect(&self.address).map_err(|error| error.to_string())?;
+        let patience = stream.set_read_timeout(Some(PATIENCE));
+        patience.map_err(|error| error.to_string())?;
+        let url = format!("ws://{}{}", self.address, self.path);
+        let line = tungstenite::client(url, stream).map_err(|error| error.to_string())?;
+        Ok(Tools(line.0))
+    }
+
+    /// Closes the windows of a storage and forgets it.
+    pub(super) fn close(&self, context: &str) -> Result<(), String> {
+        let mut tools = self.tools()?;
+        let context = json!({ "browserContextId": context });
+        tools.command("Target.disposeBrowserContext", &context)?;
+        Ok(())
+    }
+}
+
+/// A line to the browser itself.
+struct Tools(WebSocket<TcpStream>);
+
+impl Tools {
+    /// The answer to a command.
+    fn command(&mut self, method: &str, with: &Value) -> Result<Value, String> {
+        let command = json!({ "id": 1, "method": method, "params": with });
+        let sent = self.0.send(Message::text(command.to_string()));
+        sent.map_err(|error| error.to_string())?;
+        loop {
+            let message = self.0.read().map_err(|error| error.to_string())?;
+            let text = message.to_text().map_err(|error| error.to_string())?;
+            let mut answer: Value = serde_json::from_str(text).unwrap_or_default();
+            if answer["id"] != json!(1) {
+                continue;
+            }
+            if answer["error"].is_object() {
+                return Err(format!("{method}: {}", answer["error"]));
+            }
+            return Ok(answer["result"].take());
+        }
+    }
 }

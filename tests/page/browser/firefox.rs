@@ -2,7 +2,7 @@
 //! other way.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use futures_util::StreamExt;
 use http::Method;
@@ -15,7 +15,8 @@ use thirtyfour::common::command::FormatRequestData;
 use thirtyfour::prelude::*;
 use thirtyfour::{FirefoxCapabilities, RequestData, SessionId};
 
-use super::setting;
+use super::pool::{Profile, locked};
+use super::{setting, switch};
 
 /// The variable that names the driver, what it is started with, and what it says before its port.
 pub(super) const DRIVER: (&str, &[&str], &str) = (
@@ -30,20 +31,19 @@ pub(super) const ROOM: [(&str, &str); 2] = [
     ("MOZ_HEADLESS_HEIGHT", "4400"),
 ];
 
-/// A browser without a window that speaks a language and saves into a folder.
-pub(super) fn wanted(lang: &str, downloads: &Path) -> FirefoxCapabilities {
+/// A browser without a window.
+pub(super) fn wanted(profile: Profile) -> FirefoxCapabilities {
     let mut wanted = DesiredCapabilities::firefox();
     wanted.set_firefox_binary(&setting("FIREFOX")).unwrap();
     wanted.set_headless().unwrap();
     wanted.enable_bidi().unwrap();
     let mut prefs = FirefoxPreferences::new();
     for (name, value) in [
-        ("intl.accept_languages", json!(lang)),
+        ("intl.accept_languages", json!(profile.lang)),
         ("browser.download.folderList", json!(2)),
-        ("browser.download.dir", json!(downloads)),
         ("browser.download.useDownloadDir", json!(true)),
         ("browser.download.alwaysOpenPanel", json!(false)),
-        ("ui.prefersReducedMotion", json!(0)),
+        ("privacy.userContext.enabled", json!(true)),
         ("ui.systemUsesDarkTheme", json!(0)),
         // Scroll bars take no room, as those of Chromium without a window.
         ("widget.gtk.overlay-scrollbars.enabled", json!(true)),
@@ -71,54 +71,89 @@ impl FormatRequestData for Plain {
 /// The second line to the browser.
 pub(crate) struct Firefox {
     bidi: BiDi,
-    window: Value,
+    calm: bool,
+    window: Mutex<Value>,
     said: Arc<Mutex<Vec<String>>>,
 }
 
 impl Firefox {
-    pub(super) async fn of(driver: &WebDriver) -> Self {
+    pub(super) async fn of(driver: &WebDriver, calm: bool) -> Self {
         let bidi = driver.bidi().await.unwrap();
-        let window = bidi.browsing_context().top_level().await.unwrap();
         let mut entries = bidi.subscribe::<LogEntryAdded>().await.unwrap();
         let said: Arc<Mutex<Vec<String>>> = Arc::default();
         let heard = Arc::clone(&said);
         tokio::spawn(async move {
             while let Some(entry) = entries.next().await {
                 if matches!(entry.level, LogLevel::Warn | LogLevel::Error) {
-                    let mut said = heard.lock().unwrap_or_else(PoisonError::into_inner);
-                    said.push(format!("{entry:?}"));
+                    locked(&heard).push(format!("{entry:?}"));
                 }
             }
         });
-        let firefox = Self {
+        Self {
             bidi,
-            window: json!(window),
+            calm,
+            window: Mutex::default(),
             said,
-        };
-        firefox.screen((1280, 800), 1.0).await;
-        firefox
+        }
+    }
+
+    /// Opens a window with a storage of its own, and returns its name. What the whole browser has is as at its
+    /// start.
+    pub(super) async fn window(
+        &self,
+        driver: &WebDriver,
+        downloads: &Path,
+    ) -> Result<String, String> {
+        let context = self.ask("browser.createUserContext", json!({})).await?;
+        let context = context["userContext"].clone();
+        let tab = json!({ "type": "tab", "userContext": context });
+        let window = self.ask("browsingContext.create", tab).await?["context"].clone();
+        locked(&self.window).clone_from(&window);
+        let calm = u8::from(self.calm);
+        let script = format!(
+            "Services.prefs.setStringPref('browser.download.dir', {});
+            Services.prefs.setIntPref('ui.prefersReducedMotion', {calm});
+            for (const which of ['primary', 'all']) Services.prefs.clearUserPref(`ui.${{which}}PointerCapabilities`);",
+            json!(downloads)
+        );
+        switch(driver, &window).await?;
+        within(driver, &script).await;
+        self.screen((1280, 800), 1.0).await;
+        locked(&self.said).clear();
+        Ok(context.as_str().unwrap_or_default().to_owned())
+    }
+
+    /// Closes the windows of a storage and forgets it.
+    pub(super) async fn close(&self, context: &str) -> Result<(), String> {
+        let context = json!({ "userContext": context });
+        self.ask("browser.removeUserContext", context).await?;
+        Ok(())
+    }
+
+    async fn ask(&self, method: &str, with: Value) -> Result<Value, String> {
+        let answer = self.bidi.send_raw(method, with).await;
+        answer.map_err(|error| error.to_string())
     }
 
     /// What has been said on the console since this was asked last.
     pub(super) fn said(&self) -> Vec<String> {
-        let mut said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
-        std::mem::take(&mut *said)
+        std::mem::take(&mut *locked(&self.said))
     }
 
-    async fn send(&self, method: &str, with: Value) {
-        self.bidi.send_raw(method, with).await.unwrap();
-    }
-
-    /// Has a script run before those of any page.
+    /// Has a script run before those of any page of the window.
     pub(super) async fn before(&self, script: &str) {
-        let script = json!({ "functionDeclaration": format!("() => {{ {script} }}") });
-        self.send("script.addPreloadScript", script).await;
+        let window = locked(&self.window).clone();
+        let script = json!({ "functionDeclaration": format!("() => {{ {script} }}"), "contexts": [window] });
+        self.ask("script.addPreloadScript", script).await.unwrap();
     }
 
     pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
+        let window = locked(&self.window).clone();
         let size = json!({ "width": width, "height": height });
-        let screen = json!({ "context": self.window, "viewport": size, "devicePixelRatio": ratio });
-        self.send("browsingContext.setViewport", screen).await;
+        let screen = json!({ "context": window, "viewport": size, "devicePixelRatio": ratio });
+        self.ask("browsingContext.setViewport", screen)
+            .await
+            .unwrap();
     }
 }
 

@@ -200,7 +200,7 @@ export class DesignView {
     });
     worker.addEventListener("error", lost);
     fetchWasm().then((response) => response.arrayBuffer()).then((wasm) => {
-      worker.postMessage({ engine: import.meta.resolve("assur/pkg/assur_web.js"), wasm, state, wishes }, [wasm]);
+      worker.postMessage({ wasm, state, wishes }, [wasm]);
     }).catch(lost);
     this.#show();
     this.#stop.focus();

@@ -1,0 +1,88 @@
+// Files by their paths with forward slashes, as the outputs of the build are put together from them.
+import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+
+/** @typedef {Map<string, Buffer>} Files by their paths below one folder */
+
+/**
+ * @param {string} folder
+ * @returns {Map<string, string>} where each file of the folder is, by its path in it, hidden ones and tests left out
+ */
+export function list(folder) {
+  const entries = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const places = entries.map((entry) => path.join(entry.parentPath, entry.name));
+  const named = places.map((place) => /** @type {const} */ ([path.relative(folder, place).replaceAll(path.sep, "/"), place]));
+  return new Map(named.filter(([name]) => !/(^|\/)\.|\.test\.js$/.test(name)).sort(([one], [other]) => (one < other ? -1 : 1)));
+}
+
+/**
+ * @param {string} folder
+ * @returns {Files}
+ */
+export function read(folder) {
+  return new Map([...list(folder)].map(([name, place]) => [name, readFileSync(place)]));
+}
+
+/**
+ * @param {Files} files
+ * @param {string} name
+ * @returns {Buffer}
+ */
+export function bytes(files, name) {
+  const content = files.get(name);
+  if (!content) throw new Error(`there is no ${name}`);
+  return content;
+}
+
+/**
+ * @param {Files} files
+ * @param {string} name
+ * @returns {string}
+ */
+export function text(files, name) {
+  return bytes(files, name).toString();
+}
+
+/**
+ * @param {string} folder
+ * @param {ReadonlyMap<string, string | Uint8Array>} files
+ */
+export function write(folder, files) {
+  for (const [name, content] of files) {
+    const place = path.join(folder, name);
+    mkdirSync(path.dirname(place), { recursive: true });
+    writeFileSync(place, content);
+  }
+}
+
+/**
+ * Writes a folder anew, beside the old one, which it replaces when it is whole.
+ * @param {string} folder
+ * @param {ReadonlyMap<string, string | Uint8Array>} files
+ */
+export function replace(folder, files) {
+  const fresh = `${folder}.new`;
+  rmSync(fresh, { recursive: true, force: true });
+  write(fresh, files);
+  rmSync(folder, { recursive: true, force: true });
+  renameSync(fresh, folder);
+}
+
+const MEDIA_TYPES = Object.freeze({
+  css: "text/css;charset=utf-8",
+  js: "text/javascript;charset=utf-8",
+  json: "application/json",
+  svg: "image/svg+xml",
+  png: "image/png",
+});
+
+/**
+ * @param {string} name
+ * @param {Buffer} content
+ * @returns {string} a `data:` address that holds the file
+ */
+export function dataAddress(name, content) {
+  const ending = path.extname(name).slice(1);
+  if (!(ending in MEDIA_TYPES)) throw new Error(`no media type is known for ${name}`);
+  return `data:${MEDIA_TYPES[/** @type {keyof typeof MEDIA_TYPES} */ (ending)]};base64,${content.toString("base64")}`;
+}

@@ -1,0 +1,135 @@
+// The page as a folder for any host of plain files. Every file is called by the hash of what is in it, so that browsers may keep it for
+// ever; only the import map and the links of `index.html` say these names. A service worker keeps all of it for days without a network,
+// and a Content-Security-Policy lets nothing run that is not of the page. No address begins at a root: it works below any path.
+import { createHash } from "node:crypto";
+import path from "node:path";
+import { promisify } from "node:util";
+import { brotliCompress, constants, gzip } from "node:zlib";
+import { text } from "./files.js";
+import { FOLDER as NOTES } from "./notes.js";
+import { Page, inline } from "./page.js";
+
+/** The element for other pages, which name it. */
+export const ELEMENT = "assur-mechanism.js";
+
+/** What the browser looks for beside the page. */
+const WORKER = "service-worker.js";
+
+/** The place of files that never change under their names: a host can say so by one rule. */
+const FIXED = "files/";
+
+/** The headers, in the form that several hosts read. */
+const HEADERS = "_headers";
+
+/** What keeps its name, or is made anew here. */
+const NAMED = new RegExp(`\\.html$|^offline/|^${ELEMENT}$`);
+
+/**
+ * @param {import("./files.js").Files} built
+ * @param {string} index the page
+ * @returns {Map<string, string | Buffer>}
+ */
+export function hosted(built, index) {
+  /** @type {Map<string, string | Buffer>} */
+  const files = new Map();
+  /** @type {Map<string, string>} */
+  const addresses = new Map();
+  for (const [name, content] of built) {
+    if (name.startsWith(`${NOTES}/`) || name === ELEMENT) files.set(name, content);
+    if (NAMED.test(name)) continue;
+    const fixed = `${FIXED}${digest([content], "hex").slice(0, 8)}${path.extname(name)}`;
+    const other = files.get(fixed);
+    if (other && !content.equals(Buffer.from(other))) throw new Error(`${name} has the hash of another file: change any of its bytes`);
+    files.set(fixed, content);
+    addresses.set(name, fixed);
+  }
+
+  const page = new Page(index, "host");
+  page.setImportMap(Object.fromEntries([...addresses].map(([name, fixed]) => [`assur/${name}`, `./${fixed}`])));
+  page.setLinks((name) => {
+    const fixed = addresses.get(name);
+    if (!fixed) throw new Error(`index.html links to ${name}, which the site does not hold`);
+    return fixed;
+  });
+  const worker = text(built, `offline/${WORKER}`);
+  const names = [...files.keys()].sort();
+  const build = digest([page.text(), worker, ...names.flatMap((name) => [name, files.get(name) ?? ""])], "hex").slice(0, 20);
+  const pages = [page.text(), ...names.filter((name) => name.endsWith(".html")).map((name) => String(files.get(name)))];
+  const policy = contentSecurityPolicy(pages);
+  page.setMeta('http-equiv="Content-Security-Policy"', policy);
+  page.setMeta('name="build"', build);
+
+  files.set("index.html", page.text());
+  files.set(WORKER, `self.version=${JSON.stringify([build, "./", ...names].join(" "))};${worker}`);
+  files.set(HEADERS, headers(policy));
+  return files;
+}
+
+const LEVEL = Object.freeze({ params: { [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY } });
+
+/** How a file is packed, by the ending of the packed one. */
+const PACKERS = Object.freeze({
+  br: (/** @type {string | Buffer} */ content) => promisify(brotliCompress)(content, LEVEL),
+  gz: (/** @type {string | Buffer} */ content) => promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
+});
+
+/**
+ * Packs each file beside itself, for hosts that send what is packed. Packing the engine takes seconds: what an earlier build packed
+ * under the same hash is taken from it.
+ * @param {ReadonlyMap<string, string | Buffer>} files
+ * @param {ReadonlyMap<string, Buffer>} earlier
+ * @returns {Promise<Map<string, string | Buffer>>}
+ */
+export async function packed(files, earlier) {
+  const all = new Map(files);
+  const packing = [...files].filter(([name]) => name !== HEADERS).flatMap(([name, content]) =>
+    Object.entries(PACKERS).map(async ([ending, pack]) => {
+      const place = `${name}.${ending}`;
+      const small = (name.startsWith(FIXED) && earlier.get(place)) || (await pack(content));
+      if (small.length < Buffer.byteLength(content)) all.set(place, small);
+    }),
+  );
+  await Promise.all(packing);
+  return all;
+}
+
+/**
+ * @param {readonly (string | Buffer)[]} parts
+ * @param {import("node:crypto").BinaryToTextEncoding} encoding
+ */
+function digest(parts, encoding) {
+  const hash = createHash("sha256");
+  for (const part of parts) hash.update(part);
+  return hash.digest(encoding);
+}
+
+/**
+ * Lets run what is of the page, its inline scripts and style sheets by their hashes.
+ * @param {readonly string[]} pages
+ */
+function contentSecurityPolicy(pages) {
+  const sources = (/** @type {"script" | "style"} */ element) => {
+    const hashes = pages.flatMap((page) => inline(page, element)).map((content) => ` 'sha256-${digest([content], "base64")}'`);
+    return [...new Set(hashes)].sort().join("");
+  };
+  return (
+    "default-src 'none'; base-uri 'none'; form-action 'none'; connect-src 'self'; img-src 'self' data:; " +
+    `script-src 'self' 'wasm-unsafe-eval'${sources("script")}; style-src 'self'${sources("style")}; worker-src 'self'`
+  );
+}
+
+/**
+ * Who puts the page into a frame is not asked: it is there to be embedded.
+ * @param {string} policy
+ */
+function headers(policy) {
+  return `/*
+  Content-Security-Policy: ${policy}
+  X-Content-Type-Options: nosniff
+  Referrer-Policy: no-referrer
+  Cache-Control: no-cache
+/${FIXED}*
+  ! Cache-Control
+  Cache-Control: public, max-age=31536000, immutable
+`;
+}

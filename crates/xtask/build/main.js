@@ -1,0 +1,44 @@
+// The build of the page, as `cargo xtask` calls it: `site` writes what is served, `dist` what is given away of it.
+import { existsSync } from "node:fs";
+import path from "node:path";
+import { parseArgs } from "node:util";
+import { bytes, read, replace, write } from "./files.js";
+import { ELEMENT, hosted, packed } from "./host.js";
+import { pack } from "./package.js";
+import { single } from "./single.js";
+import { filled, site } from "./site.js";
+
+const string = Object.freeze({ type: /** @type {const} */ ("string"), default: "" });
+const { positionals, values } = parseArgs({
+  allowPositionals: true,
+  options: { root: string, target: string, site: string, more: string, version: string },
+});
+const { root, target, site: folder, more, version } = values;
+
+/** Writes the page beside its engine, which is in `pkg` already. */
+async function writeSite() {
+  write(folder, await site({ root, engine: path.join(folder, "pkg"), more: more || undefined, version }));
+}
+
+/** Writes the page in one file, the folder for a host, and the package. */
+async function writeDist() {
+  const to = path.join(root, "dist");
+  const built = read(folder);
+  const index = filled(root, built, version);
+  const file = single(built, index);
+  write(to, new Map([["assur.html", Buffer.from(file)], [ELEMENT, bytes(built, ELEMENT)]]));
+  const files = hosted(built, index);
+  const place = path.join(to, "site");
+  replace(place, await packed(files, existsSync(place) ? read(place) : new Map()));
+  pack({ root, site: folder, types: path.join(root, "target/types"), staging: path.join(target, "npm"), to: path.join(to, "npm"), version });
+  console.log(`==> one-file page: ${path.join(to, "assur.html")}, ${Buffer.byteLength(file)} bytes`);
+  console.log(`==> folder for a host: ${place}, ${files.size} files`);
+  console.log(`==> package for npm: ${path.join(to, "npm")}`);
+}
+
+try {
+  await (positionals[0] === "dist" ? writeDist() : writeSite());
+} catch (error) {
+  console.error(`error: ${error instanceof Error ? error.message : error}`);
+  process.exitCode = 1;
+}

@@ -1,0 +1,34 @@
+// The engine as a package of npm: the wasm side of the built page with its types, a README and an example, packed by `npm pack`.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { read, replace } from "./files.js";
+
+/** How the types of the border name those of saved files, in the workspace and in the package. */
+const TYPES = Object.freeze(/** @type {const} */ (['"assur/types/file.js"', '"./file.js"']));
+
+/**
+ * @param {{ root: string, site: string, types: string, staging: string, to: string, version: string }} options
+ */
+export function pack({ root, site, types, staging, to, version }) {
+  /** @type {Map<string, string | Buffer>} */
+  const files = new Map(read(path.join(root, "crates/assur-web/npm")));
+  for (const [name, content] of files) files.set(name, String(content).replaceAll("{{version}}", version));
+  for (const [name, place] of [
+    ["engine/assur_web.js", path.join(site, "pkg/assur_web.js")],
+    ["engine/assur_web_bg.wasm", path.join(site, "pkg/assur_web_bg.wasm")],
+    ["engine/assur_web.d.ts", path.join(types, "pkg/assur_web.d.ts")],
+    ["types/file.d.ts", path.join(root, "crates/assur-file/types.d.ts")],
+    ["LICENSE-MIT", path.join(root, "LICENSE-MIT")],
+    ["LICENSE-APACHE", path.join(root, "LICENSE-APACHE")],
+  ]) {
+    files.set(name, readFileSync(place));
+  }
+  const border = readFileSync(path.join(root, "crates/assur-web/types.d.ts"), "utf8");
+  files.set("types/web.d.ts", border.replaceAll(...TYPES));
+  replace(staging, files);
+  mkdirSync(to, { recursive: true });
+  // On Windows npm is a script of the shell.
+  const shell = process.platform === "win32";
+  execFileSync("npm", ["pack", "--silent", "--pack-destination", to], { cwd: staging, shell, stdio: ["ignore", "ignore", "inherit"] });
+}

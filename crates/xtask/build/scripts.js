@@ -1,0 +1,95 @@
+// The scripts of the built page, bundled by Rolldown: those of the first view in one chunk, and one chunk for each part that is
+// loaded later. Chunks keep the names of their modules and import each other by bare names (`assur/…`), so that an import map
+// can give each file any address: no chunk changes because another one did.
+import path from "node:path";
+import { rolldown } from "rolldown";
+import { lists } from "./folders.js";
+
+/** @typedef {import("./folders.js").Sources} Sources */
+
+/** The module that the first view begins with, and its chunk. */
+const FIRST = "app/main.js";
+
+/** The engine's module, a script of its own: programs that use the engine without the page import it by the same name. */
+const ENGINE = "pkg/assur_web.js";
+
+/** Scripts that are bundled each by itself, with all that it imports: workers, the element for other pages, the engine's module. */
+const ALONE = /(^|[/-])worker\.js$|^assur-mechanism\.js$|^pkg\/assur_web\.js$/;
+
+/** A chunk that is not kept. */
+const ENTRY = "entry.js";
+
+const PREFIX = "assur/";
+
+/** A specifier of a static or a dynamic import, relative to the chunk. */
+const RELATIVE = /(\bfrom|\bimport\(?)(["'`])(\.\.?\/[^"'`]+)\2/g;
+
+/**
+ * @param {Sources} sources of the page, its engine in `pkg/`
+ * @returns {Promise<Map<string, string>>} the scripts of the built page by their paths
+ */
+export async function bundle(sources) {
+  const names = new Map([...sources].map(([name, file]) => [file, name]));
+  const listed = lists(sources);
+  const used = new Set();
+  const plugin = {
+    name: "assur",
+    resolveId: (/** @type {string} */ id) => {
+      if (listed.has(id)) return id;
+      return id.startsWith(PREFIX) ? sources.get(id.slice(PREFIX.length)) : undefined;
+    },
+    load: (/** @type {string} */ id) => listed.get(id),
+    moduleParsed: (/** @type {{ id: string }} */ { id }) => void used.add(names.get(id)),
+  };
+  const scripts = new Map();
+  /**
+   * @param {string} entry
+   * @param {import("rolldown").OutputOptions} options
+   * @param {string} [external] a module that is not bundled
+   */
+  const generate = async (entry, options, external) => {
+    const build = await rolldown({
+      input: PREFIX + entry,
+      external,
+      plugins: [plugin],
+      // Parts that are loaded later import from the chunk of the first view.
+      preserveEntrySignatures: "allow-extension",
+      // A warning is a fault, but that a machine is slow is none.
+      checks: { bundlerTimings: false },
+      onLog: (level, { message }) => {
+        if (level === "warn") throw new Error(message);
+      },
+    });
+    // Names of exports stay: short ones would change with what other chunks import.
+    const { output } = await build.generate({ minify: true, comments: false, minifyInternalExports: false, ...options });
+    return output.filter((file) => file.type === "chunk");
+  };
+
+  /** @param {import("rolldown").PreRenderedChunk} chunk */
+  const named = ({ facadeModuleId, moduleIds }) => {
+    const modules = moduleIds.map((id) => names.get(id));
+    return modules.includes(FIRST) ? FIRST : (names.get(facadeModuleId ?? "") ?? modules.at(-1) ?? "chunk.js");
+  };
+  const chunks = await generate(
+    FIRST,
+    {
+      codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] },
+      chunkFileNames: named,
+      entryFileNames: (chunk) => (chunk.moduleIds.length > 0 ? named(chunk) : ENTRY),
+    },
+    PREFIX + ENGINE,
+  );
+  // Where something is loaded later, the entry is a chunk of its own that only imports the first view.
+  for (const { fileName, code } of chunks.filter(({ fileName }) => fileName !== ENTRY)) {
+    const absolute = (/** @type {string} */ name) => PREFIX + path.posix.join(path.posix.dirname(fileName), name);
+    scripts.set(fileName, code.replace(RELATIVE, (_, before, quote, name) => `${before}${quote}${absolute(name)}${quote}`));
+  }
+  for (const name of sources.keys()) {
+    if (!ALONE.test(name)) continue;
+    const [{ code }] = await generate(name, { codeSplitting: false });
+    scripts.set(name, code);
+  }
+  const unused = [...sources.keys()].find((name) => name.endsWith(".js") && !used.has(name));
+  if (unused) throw new Error(`${unused} is imported by no other script`);
+  return scripts;
+}

@@ -1,0 +1,34 @@
+// The page in one file, which opens by double-click: no server, no network. A page opened from a file may load no module and fetch no
+// file beside it. But scripts name all that they load by bare names, so it is enough that the import map says `data:` addresses.
+import { gzipSync } from "node:zlib";
+import { dataAddress, text } from "./files.js";
+import { Page } from "./page.js";
+
+/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages. */
+const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$/;
+
+/**
+ * @param {import("./files.js").Files} built
+ * @param {string} index the page
+ * @returns {string}
+ */
+export function single(built, index) {
+  const page = new Page(index, "file");
+  /** @type {Record<string, string>} */
+  const imports = {};
+  page.putStylesInside((name) => text(built, name));
+  for (const [name, content] of built) {
+    if (OUTSIDE.test(name) || (name.endsWith(".css") && !name.includes("/"))) continue;
+    imports[`assur/${name}`] = name.endsWith(".wasm") ? packed(content) : dataAddress(name, content);
+  }
+  page.setImportMap(imports);
+  return page.text();
+}
+
+/**
+ * The engine is most of the page, and three times as small packed: the page unpacks it by its media type.
+ * @param {Buffer} content
+ */
+function packed(content) {
+  return `data:application/gzip;base64,${gzipSync(content, { level: 9 }).toString("base64")}`;
+}

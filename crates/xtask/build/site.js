@@ -1,0 +1,52 @@
+// The built page, as it is served: scripts bundled, style sheets joined, words of all languages in their tables, beside the engine in `pkg`.
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { bundle as bundleStyles } from "lightningcss";
+import { list } from "./files.js";
+import { words } from "./folders.js";
+import { notes } from "./notes.js";
+import { Page, fill } from "./page.js";
+import { bundle } from "./scripts.js";
+
+const PAGE = "index.html";
+
+/** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
+const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
+
+/**
+ * @param {{ root: string, engine: string, more?: string, version: string }} options of the repository, of the engine's `pkg`, of
+ * a folder with more lessons and kinds
+ * @returns {Promise<import("./files.js").Files>} the files of the site but those of `pkg`
+ */
+export async function site({ root, engine, more, version }) {
+  const sources = list(path.join(root, "www"));
+  if (more) for (const [name, file] of list(more)) sources.set(name, file);
+
+  /** @type {import("./files.js").Files} */
+  const files = new Map();
+  const put = (/** @type {string} */ name, /** @type {string | Uint8Array} */ content) => files.set(name, Buffer.from(content));
+  for (const [name, file] of list(path.join(root, "lang"))) {
+    put(`lang/${name}`, JSON.stringify(words(sources, file, path.basename(name, ".json"))));
+  }
+  for (const [name, page] of notes(root)) put(name, page);
+  const scripts = await bundle(new Map([...sources, ["pkg/assur_web.js", path.join(engine, "assur_web.js")]]));
+  for (const [name, script] of scripts) put(name, script);
+  for (const [name, file] of sources) {
+    if (SOURCE.test(name)) continue;
+    put(name, name.endsWith(".css") ? bundleStyles({ filename: file, minify: true }).code : readFileSync(file));
+  }
+  put(PAGE, new Page(filled(root, files, version), "site").text());
+  return files;
+}
+
+/**
+ * @param {string} root of the repository
+ * @param {import("./files.js").Files} built with the tables of words
+ * @param {string} version
+ * @returns {string} `index.html` for all outputs, with its words
+ */
+export function filled(root, built, version) {
+  const names = [...built.keys()].filter((name) => name.startsWith("lang/"));
+  const tables = names.map((name) => /** @type {const} */ ([path.basename(name, ".json"), JSON.parse(String(built.get(name)))]));
+  return fill(readFileSync(path.join(root, "www", PAGE), "utf8"), new Map(tables), version);
+}

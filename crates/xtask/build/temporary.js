@@ -1,0 +1,21 @@
+// A folder for one test.
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { write } from "./files.js";
+
+/** The root of the repository. */
+export const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
+
+/**
+ * @param {import("node:test").TestContext} test that ends the folder
+ * @param {Record<string, string>} [files] by their paths in it
+ * @returns {string} the folder
+ */
+export function temporary(test, files = {}) {
+  const folder = mkdtempSync(path.join(tmpdir(), "assur-build-"));
+  test.after(() => rmSync(folder, { recursive: true }));
+  write(folder, new Map(Object.entries(files)));
+  return folder;
+}

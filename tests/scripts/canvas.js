@@ -1,0 +1,68 @@
+// What drawings and plots ask of a canvas, without pixels: texts are kept with their places, and measured by their letters.
+
+/** Pixels of a letter, by those of the font. */
+const LETTER = 0.5;
+
+globalThis.Path2D ??= class Path2D {
+  moveTo() {}
+  lineTo() {}
+  arc() {}
+  closePath() {}
+};
+
+export class Context {
+  /** @type {{ text: string, x: number, y: number, width: number, font: string, colour: string, align: string }[]} */
+  texts = [];
+  /** Colours in which something was filled or stroked. */
+  painted = new Set();
+  font = "10px sans-serif";
+  fillStyle = "#000000";
+  strokeStyle = "#000000";
+  textAlign = "start";
+  textBaseline = "alphabetic";
+  globalAlpha = 1;
+  lineWidth = 1;
+  lineJoin = "miter";
+  lineCap = "butt";
+
+  setTransform() {}
+  setLineDash() {}
+  beginPath() {}
+  closePath() {}
+  moveTo() {}
+  lineTo() {}
+  arc() {}
+  clearRect() {}
+  strokeText() {}
+
+  fill() {
+    this.painted.add(this.fillStyle);
+  }
+
+  stroke() {
+    this.painted.add(this.strokeStyle);
+  }
+
+  fillRect() {
+    this.fill();
+  }
+
+  measureText(text) {
+    const [, size] = /([\d.]+)px/.exec(this.font);
+    return { width: [...text].length * LETTER * Number(size), fontBoundingBoxAscent: 0.9 * Number(size) };
+  }
+
+  fillText(text, x, y) {
+    if (text !== "") this.texts.push({ text, x, y, width: this.measureText(text).width, font: this.font, colour: this.fillStyle, align: this.textAlign });
+  }
+}
+
+/**
+ * Colours and sizes, as a style sheet would have them: each role has a colour of its own.
+ * @param {readonly string[]} roles
+ */
+export function themeOf(roles) {
+  const colours = Object.fromEntries(roles.map((role, i) => [role, `#${(0x101010 + i * 0x070b0d).toString(16)}`]));
+  const palette = roles.map((role) => [1, 3, 5].map((at) => Number.parseInt(colours[role].slice(at, at + 2), 16)));
+  return { colours, inks: colours, palette, ground: "#ffffff", font: "sans-serif", scale: 1, weight: 1, revision: 1 };
+}

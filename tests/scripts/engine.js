@@ -1,0 +1,26 @@
+// The engine of the built page, in Node.
+import { readFileSync } from "node:fs";
+import { Engine } from "assur/engine.js";
+import { initSync } from "assur/pkg/assur_web.js";
+import { initialState } from "assur/state/state.js";
+
+export const WASM = new URL(import.meta.resolve("assur/pkg/assur_web_bg.wasm"));
+
+let begun = false;
+
+/** @returns {Engine} a new one; all have one module of wasm */
+export function newEngine() {
+  if (!begun) initSync({ module: readFileSync(WASM) });
+  begun = true;
+  return new Engine();
+}
+
+/**
+ * @param {Engine} engine
+ * @param {string} id of a mechanism of the catalogue
+ * @param {object} [view]
+ */
+export function stateOf(engine, id, view = {}) {
+  const { kind, document } = engine.preset(id);
+  return initialState(kind, document, { playing: false, ...view });
+}

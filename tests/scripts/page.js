@@ -1,0 +1,33 @@
+// A page that nothing is drawn on: state, model and history with the engine, as app/page.js puts them together.
+import "assur/tests/window.js";
+import { choose } from "assur/state/change.js";
+import { Drafts } from "assur/state/drafts.js";
+import { History } from "assur/state/history.js";
+import { Model } from "assur/state/model.js";
+import { Store } from "assur/state/store.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+import { wordsOf } from "assur/tests/words.js";
+
+export class Page {
+  engine = newEngine();
+  drafts = new Drafts(() => {});
+  mechanism = { fit() {} };
+  words = wordsOf("en");
+
+  /** @param {string} id of the mechanism of the catalogue that is open */
+  constructor(id, view = {}) {
+    this.store = new Store(stateOf(this.engine, id, view));
+    this.history = new History(this.store, this.drafts);
+    this.model = new Model(this.engine, this.drafts, this.store.get());
+  }
+
+  choose(kind, document, edits = [], look = () => ({})) {
+    choose(kind, document, edits, look, this);
+  }
+
+  /** @returns what is shown now */
+  now() {
+    this.model.follow(this.store.get());
+    return this.model.snapshot(this.store.get(), this.words.measured(this.engine.lengths), true);
+  }
+}

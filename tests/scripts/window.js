@@ -1,0 +1,21 @@
+// What little of a browser's window scripts ask for when nothing is shown: events, and what a slider is told by.
+import { setMaxListeners } from "node:events";
+
+const view = new EventTarget();
+setMaxListeners(0, view);
+
+globalThis.addEventListener = view.addEventListener.bind(view);
+globalThis.HTMLInputElement = class HTMLInputElement {
+  type = "text";
+};
+
+/**
+ * @param {string} type of an event
+ * @param {object} [more] that the event has, as its target
+ */
+export function happen(type, more = {}) {
+  const event = new Event(type, { cancelable: true });
+  for (const [name, value] of Object.entries({ target: null, ...more })) Object.defineProperty(event, name, { value });
+  view.dispatchEvent(event);
+  return event;
+}

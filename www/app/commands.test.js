@@ -1,0 +1,125 @@
+// What keys and buttons do to the state, without a page around it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import "assur/tests/window.js";
+import { placed } from "assur/state/player.js";
+import { withDocument, withView } from "assur/state/state.js";
+import { Page } from "assur/tests/page.js";
+
+globalThis.document = { getElementById: () => Object.assign(new HTMLInputElement(), { addEventListener() {} }) };
+const { commands } = await import("assur/app/commands.js");
+const { SPEEDS } = await import("assur/controls/transport.js");
+
+/** @param {string} id */
+function begin(id, view = {}) {
+  const page = new Page(id, view);
+  page.drive = (place) => page.store.update((state) => placed(state, place, page.model));
+  page.step = (count) => page.drive(page.model.coordinate.of(page.store.get()) + count * page.model.coordinate.step);
+  const all = commands(page);
+  return { page, all, view: () => page.store.get().view };
+}
+
+test("small and large steps, the ends of the axis", () => {
+  const { all, view } = begin("mixer-a", { phi_deg: 75, playing: true });
+  const after = (...names) => {
+    for (const name of names) all[name]();
+    return view().phi_deg;
+  };
+  assert.deepEqual([after("start"), view().playing], [0, false]);
+  assert.equal(after("forward", "forward", "back"), 1);
+  assert.equal(after("forward10", "forward10", "back10"), 11);
+  assert.equal(after("back10", "back10"), 351);
+  assert.equal(after("end"), 360);
+});
+
+test("a slide steps by its way and stops at its ends", () => {
+  const { page, all } = begin("mixer-a");
+  page.choose("linkage", JSON.parse(readFileSync(new URL("../../tests/data/linkages/driven-slide.json", import.meta.url), "utf8")));
+  assert.equal(page.now().summary.moves, "length");
+  all.end();
+  const { end } = page.model.coordinate.axis(0);
+  all.forward();
+  assert.equal(page.store.get().view.s, end);
+});
+
+test("speeds are gone through one by one, and leave real time", () => {
+  const { page, all, view } = begin("mixer-a");
+  const found = [];
+  for (let i = 0; i <= SPEEDS.length; i++) {
+    found.push(view().speed);
+    all.faster();
+  }
+  assert.deepEqual([...new Set(found)], SPEEDS.filter((speed) => speed >= 1));
+  for (let i = 0; i <= SPEEDS.length; i++) all.slower();
+  assert.equal(view().speed, SPEEDS[0]);
+  page.store.update((state) => withView(state, { true_time: true }));
+  all.faster();
+  assert.equal(view().true_time, false);
+});
+
+test("play and reverse are their own opposites, and make no step of undo", () => {
+  const { page, all, view } = begin("mixer-a");
+  const before = page.store.get();
+  for (const name of ["play", "reverse", "projector"]) {
+    all[name]();
+    assert.notDeepEqual(view(), before.view);
+    all[name]();
+    assert.deepEqual(view(), before.view);
+  }
+  for (const name of ["play", "reverse", "forward", "end", "faster"]) all[name]();
+  assert.equal(page.history.canUndo, false);
+});
+
+test("another assembly is a step of undo; what has none stays as it is", () => {
+  const { page, all } = begin("mixer-a", { phi_deg: 75 });
+  const rocker = () => page.now().readouts["rocker.angle"];
+  const first = rocker();
+  all.assembly2();
+  const second = rocker();
+  assert.ok(second < 0 && first > 0);
+  all.assembly1();
+  assert.equal(rocker(), first);
+  all.undo();
+  assert.equal(rocker(), second);
+  all.undo();
+  assert.equal(rocker(), first);
+  assert.equal(page.history.canUndo, false);
+  all.redo();
+  assert.equal(rocker(), second);
+  const slide = begin("mobility-1a");
+  const { document } = slide.page.store.get();
+  slide.all.assembly2();
+  assert.equal(slide.page.store.get().document, document);
+});
+
+test("reset is the mechanism as it stands in the catalogue, in one step, and drops what was typed", () => {
+  const { page, all } = begin("mixer-c");
+  const { document } = page.store.get();
+  page.history.step(() => page.store.update((state) => withDocument(state, { l1: 0.3 })));
+  page.drafts.keep("l4");
+  all.reset();
+  assert.deepEqual([page.store.get().document, page.drafts.fields()], [document, []]);
+  all.undo();
+  assert.equal(page.store.get().document.l1, 0.3);
+  all.undo();
+  assert.deepEqual([page.store.get().document, page.history.canUndo], [document, false]);
+});
+
+test("reset of a mechanism goes back to that of its own origin, of one that has none nowhere", () => {
+  const { page, all } = begin("mixer-b");
+  const { kind, document } = page.engine.preset("jansen");
+  page.choose(kind, { ...document, title: "Leg" });
+  all.reset();
+  assert.deepEqual(page.store.get().document, document);
+  const { origin, ...own } = document;
+  page.choose(kind, own);
+  all.reset();
+  assert.deepEqual(page.store.get().document, own);
+  assert.equal(origin, "jansen");
+  // The mixer that was there last is remembered.
+  const mixer = page.engine.preset("mixer-b");
+  page.choose(mixer.kind, { ...mixer.document, l1: 0.31 });
+  all.reset();
+  assert.deepEqual(page.store.get().document, mixer.document);
+});

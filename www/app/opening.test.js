@@ -1,0 +1,181 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test, { beforeEach } from "node:test";
+import { lineOf } from "assur/app/notices.js";
+import { open, takeAddress, takeFile } from "assur/app/opening.js";
+import { toAddress, toFile } from "assur/state/codec.js";
+import { initialState, withDocument, withFurther, withView } from "assur/state/state.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+import { readoutsOf, snapshotOf } from "assur/tests/shown.js";
+import { wordsOf } from "assur/tests/words.js";
+
+const engine = newEngine();
+const habits = { calm: false, lang: "en" };
+const HOME = "https://assur.test/";
+const LINKS = readFileSync(new URL("../../tests/links.txt", import.meta.url), "utf8").split("\n").filter((line) => line !== "" && !line.startsWith("# "));
+
+/** What the browser keeps, and the address that it shows. */
+const kept = new Map();
+globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) };
+
+const begin = (address = HOME, how = habits) => {
+  globalThis.location = { href: address };
+  return open(engine, how);
+};
+
+beforeEach(() => kept.clear());
+
+for (const [number, line] of LINKS.entries()) {
+  test(`link ${number + 1} of tests/links.txt opens and shows what it showed`, async () => {
+    const [hash, values] = line.split("\t");
+    const { state, failure } = await takeAddress(HOME + hash, engine, habits);
+    assert.equal(failure, null);
+    const shown = readoutsOf(snapshotOf(engine, state));
+    for (const pair of values.split(" ")) {
+      const [, id, value] = /^out-(.+)=(.+)$/.exec(pair);
+      assert.ok(Math.abs(shown[id] - Number(value)) <= 1e-9 * Math.max(1, Math.abs(Number(value))), `${pair}: ${shown[id]}`);
+    }
+  });
+}
+
+test("tests/links.txt has links of both versions", () => {
+  assert.ok(LINKS.length >= 10 && LINKS.some((line) => line.startsWith("#1&")) && LINKS.some((line) => line.startsWith("#2&")));
+});
+
+test("every mechanism of the catalogue opens by its name, as it stands there", async () => {
+  for (const { id, kind, document } of engine.catalogue) {
+    const { state } = await takeAddress(`${HOME}#${id}`, engine, habits);
+    assert.deepEqual([state.kind, state.document, state.view.lang], [kind, engine.read(initialState(kind, document, {})).document, "en"], id);
+    assert.equal(engine.presetOf(state)?.id, id);
+    assert.equal(engine.fileName(state), id);
+  }
+});
+
+test("a page opens with its address, else with what was kept, else with the first of the catalogue", async () => {
+  const jansen = withView(stateOf(engine, "jansen", { phi_deg: 33 }), { lang: "uk" });
+  kept.set("assur.state", toFile(jansen));
+  assert.equal((await begin(`${HOME}#whitworth`)).state.document.origin, "whitworth");
+  const again = (await begin()).state;
+  assert.deepEqual([again.document.origin, again.view.phi_deg, again.view.lang], ["jansen", 33, "uk"]);
+  kept.clear();
+  const { state, failures } = await begin();
+  const [first] = engine.catalogue;
+  assert.deepEqual([state.kind, state.document, state.view.playing, failures], [first.kind, first.document, true, []]);
+});
+
+test("nothing moves unasked where the reader wants it calm", async () => {
+  const calm = { calm: true, lang: "kk" };
+  assert.equal((await begin(HOME, calm)).state.view.playing, false);
+  assert.equal((await takeAddress(`${HOME}#jansen`, engine, calm)).state.view.playing, false);
+  assert.equal((await begin(HOME, calm)).state.view.lang, "kk");
+});
+
+test("a language that the page does not have gives way to the reader's", async () => {
+  for (const [lang, found] of [["fr", "ru"], ["kk", "kk"], ["", "ru"], ["EN", "ru"]]) {
+    const { state } = await takeAddress(`${HOME}#jansen&v.lang=${lang}`, engine, { calm: false, lang: "ru" });
+    assert.equal(state.view.lang, found, lang);
+  }
+});
+
+test("what was kept and cannot be read is put aside and said", async () => {
+  kept.set("assur.state", "{\"format\":1,\"lesson\":\"<b>\"}");
+  const { state, failures } = await begin();
+  assert.equal(state.kind, engine.catalogue[0].kind);
+  assert.equal(kept.get("assur.state.unread"), "{\"format\":1,\"lesson\":\"<b>\"}");
+  assert.deepEqual(failures.map(({ kind }) => kind), ["kept"]);
+  assert.match(lineOf(failures[0], wordsOf("en")), /lesson/);
+});
+
+test("an address that cannot be read is said, and what was kept is shown", async () => {
+  kept.set("assur.state", toFile(stateOf(engine, "jansen")));
+  const { state, failures } = await begin(`${HOME}#janssen`);
+  assert.equal(state.document.origin, "jansen");
+  assert.deepEqual(failures, [{ kind: "address", problems: [{ code: "not_settings" }] }]);
+  assert.equal(kept.has("assur.state.unread"), false);
+});
+
+test("in a frame of another page nothing that was kept is read", async () => {
+  kept.set("assur.state", toFile(stateOf(engine, "jansen")));
+  assert.equal((await begin(HOME, { ...habits, embedding: {} })).state.kind, engine.catalogue[0].kind);
+});
+
+test("where the browser keeps nothing the page opens all the same", async (t) => {
+  const forbidden = () => {
+    throw new DOMException("", "SecurityError");
+  };
+  t.mock.method(localStorage, "getItem", forbidden);
+  t.mock.method(localStorage, "setItem", forbidden);
+  assert.equal((await begin()).state.kind, engine.catalogue[0].kind);
+});
+
+test("a picture that was kept comes back behind the very same drawing, and behind no other", async () => {
+  const image = `data:image/png;base64,${"A".repeat(200)}`;
+  const picture = { image, at: [0, 0], width: 10, turn_deg: 0, opacity: 0.5 };
+  const state = engine.read(withFurther(stateOf(engine, "jansen"), { picture }));
+  const sign = `${image.length} ${image.slice(-48)}`;
+  kept.set("assur.state", JSON.stringify({ ...state, picture: { ...state.picture, image: sign } }));
+  kept.set("assur.image", image);
+  assert.equal((await begin(`${HOME}#jansen`)).state.picture?.image, image);
+  assert.equal((await begin()).state.picture?.image, image);
+  assert.equal((await begin(`${HOME}#whitworth`)).state.picture, undefined);
+  // Another image than the one that was meant.
+  kept.set("assur.image", image.replace("A", "B").slice(1));
+  assert.equal((await begin()).state.picture, undefined);
+});
+
+test("a file is opened as it was saved, whatever is in it", async () => {
+  const state = withView(withDocument(stateOf(engine, "mixer-a", { phi_deg: 123.25, traces: false, speed: 0.5 }), { l2: 0.9, mesh: "internal", assembly: 2 }), { lang: "ru" });
+  const text = toFile(state);
+  assert.ok(text.includes("\n    \"l2\": 0.9,\n"), text);
+  const opened = await takeFile(text, "mixer.assur.json", engine, habits);
+  assert.equal(opened.failure, null);
+  assert.deepEqual(opened.state, state);
+});
+
+test("a broken file is said by its name, with what is wrong in it", async () => {
+  const text = toFile(stateOf(engine, "mixer-a"));
+  const words = wordsOf("en");
+  for (const [broken, part] of [
+    [text.replace("0.85,", "\"<img src=x>\","), "document.l2"],
+    [text.replace("\"l1\": 0.37", "\"l1\": -1"), "l₁"],
+    [text.replace("\"l1\": 0.37", "\"l1\": 0.37, \"l1\": 0.38"), "l1"],
+    [text.slice(0, text.length / 2), "Assur"],
+    ["[".repeat(90_000), "Assur"],
+    ["", "Assur"],
+  ]) {
+    assert.notEqual(broken, text);
+    const { state, failure } = await takeFile(broken, "<i>broken.assur.json", engine, habits);
+    assert.equal(state, null);
+    const said = lineOf(failure, words);
+    assert.ok(said.includes(part) && said.includes("<i>broken.assur.json"), said);
+  }
+});
+
+test("a link that was damaged by hand or by a program is a sentence", async () => {
+  const words = wordsOf("en");
+  const good = toAddress(stateOf(engine, "mixer-a", { phi_deg: 75, lang: "en" }), null);
+  assert.equal((await takeAddress(`${HOME}#${good}`, engine, habits)).failure, null);
+  const markup = "%3Cimg%20src=x%20onerror=%22window.hurt=1%22%3E";
+  const all = Array.from({ length: 15 }, (_, i) => good.slice(0, Math.floor(((i + 1) * (good.length - 40)) / 16)));
+  for (const pair of good.split("&").slice(1)) {
+    const [key] = pair.split("=");
+    // Any text may name a language.
+    for (const bad of [`${key}=${key === "v.lang" ? "{}" : markup}`, `${key}=[[null]]`, key]) all.push(good.replace(pair, bad));
+  }
+  for (const [from, to] of [
+    ["d.l1=0.37", "d.l1=1e999"], ["d.l1=0.37", "d.__proto__={\"l1\":0.37}"], ["d.l1=0.37", "d.constructor=0.37"], ["d.l1=0.37", "__proto__={\"l1\":0.37}"],
+    ["d.l1=0.37", "d.l1=%E0%A4%A"], ["d.l4=0.85", "d.l4=2"], ["v.phi_deg=75", "v.phi_deg=1e300"], ["v.speed=1", "v.speed=1e300"], ["2&", "7&"],
+  ]) {
+    assert.ok(good.includes(from), from);
+    all.push(good.replace(from, to));
+  }
+  all.push(`${good}&d.l1=${"9".repeat(110_000)}`, `${good}&d.x=${"[".repeat(20_000)}${"]".repeat(20_000)}`);
+  all.push("__proto__", "constructor&v.speed=1", "janssen", "jansen&v.speed=1e300", "jansen&v.phi_deg=[[null]]", "jansen&d.title=Leg", "%E0%A4%A");
+  assert.ok(all.length >= 60);
+  for (const hash of all) {
+    const { state, failure } = await takeAddress(`${HOME}#${hash}`, engine, habits);
+    assert.equal(state, null, hash.slice(0, 900));
+    const said = lineOf(failure, words);
+    assert.ok(said.length > 30 && !said.includes("{"), said);
+  }
+});

@@ -1,0 +1,101 @@
+// All motions, with the worker that finds them.
+import assert from "node:assert/strict";
+import test, { afterEach } from "node:test";
+import { Motions } from "assur/assemblies/motions.js";
+import { alone, withDocument } from "assur/state/state.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
+
+const engine = newEngine();
+const [rocker, class4] = ["crank-rocker", "class4-dwell"].map((id) => alone(stateOf(engine, id)));
+
+globalThis.Worker = Worker;
+globalThis.fetch = fetchFile;
+afterEach(endWorkers);
+
+/** All motions, and a promise of the next time that something was found. */
+function begin() {
+  const waiting = [];
+  const motions = new Motions(() => waiting.splice(0).forEach((done) => done()));
+  const until = async (holds) => {
+    while (!holds()) await new Promise((done) => waiting.push(done));
+  };
+  return { motions, until };
+}
+
+test("the map of a linkage is found, and where its assemblies belong", async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  assert.deepEqual([motions.map, motions.current, motions.lost], [null, false, false]);
+  await until(() => motions.current);
+  assert.deepEqual([motions.map.whole, motions.map.branches.length, motions.map.circuits], [true, 2, 2]);
+  motions.at(1, 0);
+  await until(() => motions.belonging);
+  assert.equal(motions.belonging.branches.length, 2);
+  // Of its own branch nothing is passed, to another circuit nothing leads.
+  assert.deepEqual(motions.belonging.reached, [[], null]);
+});
+
+test("where assemblies belong is asked only once the map is there, and once for each place", async () => {
+  const { motions, until } = begin();
+  motions.at(1, 0);
+  motions.of(1, rocker);
+  motions.at(1, 0);
+  assert.equal(motions.belonging, null);
+  await until(() => motions.current);
+  motions.at(1, 0);
+  await until(() => motions.belonging);
+  const { belonging } = motions;
+  motions.at(1, 0);
+  assert.equal(motions.belonging, belonging);
+  motions.at(2, 1);
+  assert.equal(motions.belonging, null);
+  await until(() => motions.belonging);
+  assert.deepEqual(motions.belonging.reached, [null, []]);
+});
+
+test("of linkages that follow each other quickly the newest is found in the end, by one worker", async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  for (let revision = 2; revision < 9; revision++) motions.of(revision, withDocument(rocker, { title: String(revision) }));
+  motions.of(9, class4);
+  await until(() => motions.current);
+  assert.ok(motions.map.branches.length > 2, String(motions.map.branches.length));
+  assert.equal(Worker.running.size, 1);
+});
+
+test("the same linkage is asked for once", async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  await until(() => motions.current);
+  const { map } = motions;
+  motions.of(1, rocker);
+  assert.equal(motions.map, map);
+  assert.equal(motions.current, true);
+});
+
+test("a linkage that the engine refuses has no map, and the next one has", async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  await until(() => motions.current);
+  motions.of(2, withDocument(rocker, { links: [] }));
+  await until(() => motions.lost);
+  assert.deepEqual([motions.map, motions.current], [null, false]);
+  motions.of(3, class4);
+  await until(() => motions.current);
+  assert.equal(motions.lost, false);
+});
+
+test("where the engine does not arrive the map is lost, and the next linkage gets another worker", async (t) => {
+  const { motions, until } = begin();
+  const down = t.mock.method(globalThis, "fetch", async () => {
+    throw new TypeError("no net");
+  });
+  motions.of(1, rocker);
+  await until(() => motions.lost);
+  assert.equal(Worker.running.size, 0);
+  down.mock.restore();
+  motions.of(2, rocker);
+  await until(() => motions.current);
+  assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
+});

@@ -1,0 +1,119 @@
+// Problems of the engine as sentences.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { fieldName, sentence } from "assur/controls/problems.js";
+import { attempt } from "assur/core/problem.js";
+import { called } from "assur/core/names.js";
+import { parseNumber } from "assur/core/numbers.js";
+import { Words } from "assur/core/words.js";
+import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { Page } from "assur/tests/page.js";
+import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
+
+const [en, ru] = ["en", "ru"].map((lang) => wordsOf(lang));
+
+/** What the page says of a document that is changed. */
+function said(id, change, words = en) {
+  const page = new Page(id, { phi_deg: 75 });
+  page.store.update((state) => change(state));
+  const { problems, state, coordinate } = page.now();
+  return problems.map((problem) => sentence(problem, words, state.document, (place) => coordinate.onto(place))).join(" ");
+}
+
+test("a length that cannot be is named, with by how much, in the unit of lengths", () => {
+  const long = (state) => withDocument(state, { l4: 2 });
+  assert.match(said("mixer-a", long), /(l₄|frame).*0\.23/);
+  assert.match(said("mixer-a", (state) => withDocument(state, { l1: 3, unit: "cm" }), en.measured("cm")), /0\.75 cm/);
+  assert.match(said("mixer-a", long, ru), /0,23/);
+});
+
+test("an angle in a sentence is on the scale of its field", () => {
+  for (const [typed, expected] of [[-165.5, "194.5°"], [170, "170°"], [555.25, "195.25°"]]) {
+    const page = new Page("mixer-a", { phi_deg: 10 });
+    for (const lengths of [{ l1: 0.8 }, { l2: 0.4 }]) {
+      page.store.update((state) => withDocument(state, lengths));
+      page.now();
+    }
+    page.store.update((state) => withView(state, { phi_deg: typed }));
+    const { problems, state, coordinate } = page.now();
+    assert.ok(problems.length > 0);
+    const text = problems.map((problem) => sentence(problem, en, state.document, (place) => coordinate.onto(place))).join(" ");
+    assert.ok(text.includes(expected), `${typed}: ${text}`);
+  }
+});
+
+test("fields are called by what they are of: a link, a point, the number of an entry", () => {
+  const { document } = new Page("jansen").store.get();
+  const first = document.links[0].name;
+  assert.ok(fieldName("links[0].length", en, document).includes(called(first, en)));
+  assert.ok(fieldName("points[2].x", en, document).includes(document.points[2].name));
+  for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
+    for (const field of ["l1", "z4", "module", "wheels[1].z", "wheels[0].centre_line_deg", "omega", "links[3].length", "points[0].y"]) {
+      const name = fieldName(field, words, document);
+      assert.ok(name.length > 1 && !/field\.|[{}]|undefined/.test(name), `${words.lang} ${field}: ${name}`);
+    }
+  }
+  // Of a document that has no such link the number stands there.
+  assert.ok(fieldName("links[7].length", en, undefined).includes("7"));
+});
+
+test("links in a problem are called in the reader's language, lists one after the other", () => {
+  const words = new Words("ru", new Map([...tableOf("ru"), ["problem.apart", "{links}; {shaft}"]]));
+  assert.equal(sentence({ code: "apart", links: ["crank", "rocker"], shaft: "coupler" }, words), `${called("crank", ru)}, ${called("rocker", ru)}; ${called("coupler", ru)}`);
+});
+
+test("a code that nobody knows is said by its name", () => {
+  assert.ok(sentence({ code: "something_new" }, en).includes("something_new"));
+});
+
+test("every refusal of a changed mechanism is a whole sentence in every language", () => {
+  const changes = [
+    (state) => withDocument(state, { l1: 0 }), (state) => withDocument(state, { z4: 1.5 }), (state) => withDocument(state, { module: -1 }), (state) => withDocument(state, { mesh: "internal", wheels: [{ z: 36, centre_line_deg: 0 }] }),
+    (state) => withDocument(state, { wheels: [] }), (state) => withDocument(state, { tracers: [{ link: "nobody", x: 0, y: 0 }] }), (state) => withView(state, { plot: "nothing" }), (state) => withView(state, { omega: 2e4, axes: "physical" }),
+    (state) => withView(state, { omega: 0, true_time: true }), (state) => withDocument(state, { l1: 0, l4: 9, z4: 0 }),
+  ];
+  for (const lang of LANGUAGES) {
+    for (const change of changes) {
+      const text = said("mixer-a", change, wordsOf(lang));
+      assert.ok(text.length > 15 && !/[{}]|undefined|NaN|problem\.|field\./.test(text), `${lang}: ${text}`);
+    }
+  }
+});
+
+test("concentric wheels and several faults at once are all said", () => {
+  const page = new Page("mixer-a", { phi_deg: 75 });
+  const update = (change) => {
+    page.store.update((state) => withDocument(state, change));
+    return page.now().problems;
+  };
+  const wheels = (z) => [{ z, centre_line_deg: -40 }];
+  const concentric = update({ mesh: "internal", wheels: wheels(36) });
+  assert.equal(concentric.length, 1);
+  const both = update({ l1: 0 });
+  assert.ok(both.length >= 2 && both.some(({ field }) => field === "l1"), JSON.stringify(both));
+  update({ l1: 0.37 });
+  assert.deepEqual(update({ wheels: wheels(18) }), []);
+});
+
+test("what is wrong with a lesson is said by its place and its step", () => {
+  const page = new Page("jansen");
+  const { kind, document } = page.store.get();
+  const good = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document }, question: { text: "?", number: { quantity: "F.y", within: 0.1 } } }] };
+  for (const [change, part] of [
+    [(lesson) => (lesson.title = 7), "lesson.title"], [(lesson) => (lesson.steps = "all"), "lesson.steps"], [(lesson) => (lesson.steps = []), "Steps of the lesson"],
+    [(lesson) => (lesson.steps[0].text = { html: "<b>" }), "lesson.steps[0].text"], [(lesson) => (lesson.steps[0].question.number.within = -1), "In step 1 of the lesson"],
+    [(lesson) => (lesson.steps[0].shows.document.links = []), "In step 1 of the lesson"],
+  ]) {
+    const lesson = structuredClone(good);
+    change(lesson);
+    const { problems } = attempt(() => page.engine.read(withFurther(page.store.get(), { lesson })));
+    const text = problems.map((problem) => sentence(problem, en)).join(" ");
+    assert.ok(text.includes(part), text);
+  }
+});
+
+test("numbers of a sentence have the sign of the language", () => {
+  const text = said("mixer-a", (state) => withDocument(state, { l4: 2 }), wordsOf("uk"));
+  const [number] = /\d+,\d+/.exec(text);
+  assert.ok(Math.abs(parseNumber(number) - 0.23) < 1e-9, text);
+});

@@ -1,0 +1,97 @@
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Words } from "assur/core/words.js";
+import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
+
+/** The forms of a noun beside a number, as grammars of the languages have them. */
+const FORMS = {
+  en: (n) => (n === 1 ? "one" : "other"),
+  kk: (n) => (n === 1 ? "one" : "other"),
+  ru: slavic,
+  uk: slavic,
+};
+
+/** @param {number} n */
+function slavic(n) {
+  const [ones, tens] = [n % 10, n % 100];
+  if (ones === 1 && tens !== 11) return "one";
+  return ones >= 2 && ones <= 4 && (tens < 12 || tens > 14) ? "few" : "many";
+}
+
+for (const lang of LANGUAGES) {
+  test(`every noun beside a number from 0 to 200 has the form of its language (${lang})`, () => {
+    const table = tableOf(lang);
+    const words = new Words(lang, table);
+    const keys = [...table.keys()].filter((key) => key.endsWith(".other") && table.has(`${key.slice(0, -6)}.one`)).map((key) => key.slice(0, -6));
+    assert.ok(keys.length >= 3, String(keys));
+    for (const key of keys) {
+      for (let n = 0; n <= 200; n++) {
+        const form = `${key}.${FORMS[lang](n)}`;
+        assert.ok(table.has(form), form);
+        const said = words.counted(key, n);
+        assert.equal(said, words.text(form, { count: String(n) }));
+        // A form that says “one” in words is of 1 alone.
+        if (!said.includes(String(n))) assert.equal(n, 1, `${form}: ${said}`);
+      }
+    }
+  });
+
+  test(`lengths have the unit of their document (${lang})`, () => {
+    const words = wordsOf(lang);
+    assert.equal(words.length("1"), "1");
+    assert.equal(words.unit, "");
+    for (const unit of ["mm", "cm", "m"]) {
+      const measured = words.measured(unit);
+      assert.notEqual(measured.unit, `unit.${unit}`);
+      assert.equal(measured.length("1"), `1 ${measured.unit}`);
+      assert.equal(measured.measured(unit), measured);
+      assert.equal(measured.measured("none").unit, "");
+    }
+  });
+}
+
+const table = new Map([["plain", "{a} and {b}"], ["unit.mm", "mm"], ["axis", "length, {unit}"], ["n.other", "{count} of {of}"]]);
+const words = new Words("en", table);
+
+test("places are filled in once, and those that nobody fills stay", () => {
+  assert.equal(words.text("plain", { a: "{b}", b: "2" }), "{b} and 2");
+  assert.equal(words.text("plain", { a: "1" }), "1 and {b}");
+  assert.equal(words.text("plain", { a: "$&", b: "$1" }), "$& and $1");
+  assert.equal(words.text("plain", { a: "1", toString: "2" }), "1 and {b}");
+  assert.equal(new Words("en", new Map([["odd", "{toString} {constructor}"]])).text("odd"), "{toString} {constructor}");
+});
+
+test("a text that is missing is its key", () => {
+  assert.equal(words.text("nowhere.to.be.found"), "nowhere.to.be.found");
+  assert.ok(!words.has("nowhere.to.be.found"));
+});
+
+test("what has no unit is followed by none", () => {
+  assert.equal(words.text("axis"), "length");
+  assert.equal(words.measured("mm").text("axis"), "length, mm");
+  assert.equal(words.text("axis", { unit: "°" }), "length, °");
+});
+
+test("a form that a table lacks is the usual one", () => {
+  assert.equal(words.counted("n", 1, { of: "x" }), "1 of x");
+  const russian = tableOf("ru");
+  assert.equal(new Words("ru", russian).counted("wheels.teeth", 25), "25 зубьев");
+  russian.delete("wheels.teeth.many");
+  assert.equal(new Words("ru", russian).counted("wheels.teeth", 25), "25 зуба");
+});
+
+test("tables are put one over the other, each is fetched once, and one that failed is asked for again", async (t) => {
+  let down = true;
+  const asked = [];
+  t.mock.method(globalThis, "fetch", async (url) => {
+    asked.push(String(url).split("/").slice(-2).join("/"));
+    if (down && String(url).includes("own")) return new Response("", { status: 503 });
+    return Response.json(String(url).includes("own") ? { a: "own" } : { a: "page", b: "page" });
+  });
+  await assert.rejects(Words.load("en", ["lang/*", "own/*"]), /503/);
+  down = false;
+  const loaded = await Words.load("en", ["lang/*", "own/*"]);
+  assert.deepEqual([loaded.text("a"), loaded.text("b")], ["own", "page"]);
+  await Words.load("en", ["lang/*", "own/*"]);
+  assert.deepEqual(asked.toSorted(), ["lang/en.json", "own/en.json", "own/en.json"]);
+});

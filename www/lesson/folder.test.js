@@ -1,0 +1,140 @@
+// Every step of every lesson of ours: what it shows opens without a problem, and its answers are judged and said in every language.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
+import test from "node:test";
+import { Words } from "assur/core/words.js";
+import { FolderLesson, judged } from "assur/lesson/folder.js";
+import { Page } from "assur/tests/page.js";
+import { LANGUAGES, tableOf } from "assur/tests/words.js";
+
+const LESSONS = new URL("../lessons/", import.meta.url);
+const read = (path) => JSON.parse(readFileSync(new URL(path, LESSONS), "utf8"));
+
+/** What is right, by lesson and step; of a step whose buttons have names by those, null where nothing is right yet. */
+const ANSWERS = {
+  assemblies: {
+    dyad: 2, triad: { triad: "six", dyad: "two" }, ten: { arc: 10, zero: 6 }, fold: 4.470599879364521,
+    circuits: { rockers: "joined", crank: "whole", by_rocker: "pairs" }, reach: { dwell: "none", near: "some" },
+  },
+  "class4-dwell": { structure: 10, groups: "iv", driver: "ii", dwell: 184.28873866906022, regulator: 121.89581982954131, equations: 13, derivatives: 43.2908195920987 },
+  differential: {
+    parts: { single: 2, three: 2 }, sum: { driven: 39.523809523809526, alike: 30 }, hold: { ring: -20 / 43, sun: -20 / 43, carrier: -20 / 43, tied: -20 / 43 },
+    willis: { ground: -2.15, carrier: -2.15, sun: -2.15, ring: -2.15 }, ratios: "13", gaps: { mend: null, contact: 20 }, load: { brief: 18.9, light: 18.9 },
+    uses: { mixer: -440 / 7, fan: -440 / 7, brushes: -440 / 7 },
+  },
+  mixer: { machine: 4, ratio: -2, limits: 217.14984852048906, swing: 43.952267602890025, speed: 194.09849720787557, transmission: { a: "on_frame", b: "on_frame" } },
+  mobility: {
+    arm: { spherical: 7, revolute: 7 }, four_bar: 1, redundant: { parallel: 3, tilted: 2 }, contours: { class4: 2, six_bar: 2 }, spatial: 2,
+    referee: { parallelogram: "low", roller: "right", sarrus: "low", bennett: "low", rssr: "right", hooke: "low" }, mending: 1, practice: 7,
+  },
+  synthesis: {
+    directions: 13, one: 11.757365098410215, family: { example: 9.17984271500209, load: 11.110427982770345 }, printed: 0.24737918474644968,
+    three: "input", many: 2, theorem: "none", motion: 51.77099968117479,
+  },
+};
+
+/**
+ * A lesson as the panel is told of it, in every language.
+ * @param {string} id
+ * @param {Page} page
+ */
+async function told(id, page) {
+  const { LESSON } = await import(`assur/lessons/${id}/lesson.js`);
+  const presets = existsSync(new URL(`${id}/presets.json`, LESSONS)) ? read(`${id}/presets.json`) : {};
+  const lesson = new FolderLesson(id, LESSON, presets, page);
+  const languages = LANGUAGES.map((lang) => new Words(lang, new Map([...tableOf(lang), ...Object.entries(read(`${id}/words.${lang}.json`))])));
+  return { LESSON, languages: languages.map((words) => ({ words, steps: lesson.tell(words) })) };
+}
+
+/** @param {string} text that a reader is to see */
+function checkSaid(text) {
+  assert.ok(text.length > 5 && !/[{}]|undefined|NaN/.test(text), text);
+}
+
+test("every lesson has its answers here", () => {
+  assert.deepEqual(readdirSync(LESSONS), Object.keys(ANSWERS).sort());
+});
+
+for (const [id, answers] of Object.entries(ANSWERS)) {
+  test(`steps of the lesson ${id} open without a problem and have their answers`, async () => {
+    const page = new Page("mixer-a");
+    const { LESSON, languages } = await told(id, page);
+    assert.deepEqual(LESSON.steps.map((step) => step.id), Object.keys(answers));
+    for (const [number, step] of LESSON.steps.entries()) {
+      for (const [button, { name = "" }] of step.shows.entries()) {
+        const what = `${id} ${step.id} ${name}`;
+        const before = page.store.get();
+        languages[0].steps[number].shows[button].open();
+        const now = page.now();
+        assert.deepEqual([now.problems, now.stale], [[], false], what);
+        const right = name === "" ? answers[step.id] : answers[step.id][name];
+        check(step, right, now, languages.map(({ words, steps }) => ({ words, question: steps[number].question })), what);
+        // What it shows is one step of undo, unless it was open already.
+        if (page.store.get().document === before.document) continue;
+        page.history.undo();
+        assert.deepEqual([page.store.get().kind, page.store.get().document], [before.kind, before.document], what);
+        page.history.redo();
+      }
+    }
+  });
+
+  test(`the lesson ${id} says everything in every language`, async () => {
+    const { LESSON, languages } = await told(id, new Page("mixer-a"));
+    for (const { words, steps } of languages) {
+      for (const [number, { title, text, formula, shows, question }] of steps.entries()) {
+        for (const said of [text, question.text, question.hint()]) checkSaid(said);
+        assert.ok(title.length > 2 && !title.includes("."), title);
+        assert.ok(shows.every((show) => show.text.length > 1 && !show.text.includes("show.")));
+        assert.deepEqual(question.options?.map(({ value }) => value), LESSON.steps[number].question.choices);
+        assert.ok(question.options?.every((option) => !option.text.includes("choice.")) ?? true);
+        // A number in a formula has the decimal sign of the language.
+        if (words.lang !== "en") assert.doesNotMatch(formula, /\d\.\d/);
+      }
+    }
+  });
+}
+
+/**
+ * @param {object} step
+ * @param {number | string | null} right
+ * @param {import("assur/state/model.js").AnySnapshot} now
+ * @param {{ words: Words, question: import("assur/lesson/panel.js").Question }[]} languages
+ * @param {string} what
+ */
+function check({ question: asked }, right, now, languages, what) {
+  for (const { words, question } of languages) {
+    if (right === null) {
+      // It is right once the reader has mended what is shown.
+      for (const given of ["1", "20"]) assert.equal(question.judge(given, now), "not_yet", what);
+      continue;
+    }
+    if (typeof right === "string") {
+      for (const choice of asked.choices) assert.equal(question.judge(choice, now), choice === right ? "right" : "not_yet", `${what} ${choice}`);
+      assert.equal(question.judge("", now), "unanswered");
+    } else {
+      const { within } = asked;
+      // As a reader of the language writes it, and as near as the question asks.
+      assert.equal(question.judge(words.numbers.exact(right), now), "right", what);
+      for (const sign of [-1, 1]) {
+        if (within > 0) assert.equal(question.judge(words.numbers.exact(right + 0.99 * sign * within), now), "right", what);
+        assert.equal(question.judge(words.numbers.exact(right + sign * (within > 0 ? 1.01 * within : 1)), now), "not_yet", what);
+      }
+      assert.equal(question.judge("", now), "unread");
+    }
+    assert.equal(question.judge(String(right), { ...now, stale: true }), "stale");
+    checkSaid(question.right(now));
+  }
+}
+
+test("a question about another kind of document than is open has no answer", async () => {
+  const page = new Page("mixer-a");
+  const { languages: [{ steps }] } = await told("mobility", page);
+  assert.equal(steps[0].question.judge("7", page.now()), "none");
+});
+
+test("a number is judged by its distance, round ones by that on the circle", () => {
+  for (const [given, exact, within, round, verdict] of [
+    ["10", 10, 0, false, "right"], ["10.01", 10, 0, false, "not_yet"], ["359", 1, 2, true, "right"], ["-359", 1, 0, true, "right"], ["359", 1, 2, false, "not_yet"],
+    ["", 1, 2, false, "unread"], ["x", 1, 2, false, "unread"], ["1,5", 1.5, 0, false, "right"], ["180", -180, 0.1, true, "right"],
+  ]) assert.equal(judged(given, exact, within, round), verdict, `${given} ${exact}`);
+});

@@ -1,0 +1,41 @@
+// The verdict on an answer to a lecturer's lesson, and the digest by which the lesson itself is known.
+import { parseNumber } from "assur/core/numbers.js";
+import { attempt } from "assur/core/problem.js";
+import { digest } from "assur/lesson/chance.js";
+import { judged } from "assur/lesson/folder.js";
+import { isRound } from "assur/lesson/quantity.js";
+import { answerOf } from "assur/lesson/tasks.js";
+
+/** @typedef {import("assur/state/state.js").Written} Written */
+
+/** What a step that is reached has in a code. */
+export const REACHED = "1";
+
+/**
+ * @param {Written} lesson
+ * @param {import("assur/engine.js").Engine} engine
+ * @returns {string} by which it is told from others, however it was written down
+ */
+export function digestOf(lesson, engine) {
+  return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
+}
+
+/**
+ * @param {Written} lesson
+ * @param {number} index of a step with a question
+ * @param {string} given
+ * @param {string} name of who gave it
+ * @param {import("assur/engine.js").Engine} engine
+ * @returns {import("assur/lesson/panel.js").Verdict}
+ */
+export function verdictOn(lesson, index, given, name, engine) {
+  const { number, choice } = lesson.steps[index].question ?? {};
+  if (choice) {
+    if (given === "") return "unanswered";
+    return given === String(choice.answer) ? "right" : "not_yet";
+  }
+  if (!number) return given === REACHED ? "right" : "not_yet";
+  if (parseNumber(given) === null) return "unread";
+  const exact = answerOf(lesson, index, name, engine);
+  return exact === null ? "none" : judged(given, exact, number.within, isRound(number.quantity ?? ""));
+}

@@ -1,0 +1,181 @@
+// The plots: what is written in them, where, and what a pointer at them means. Curves are drawn by the engine on a canvas without pixels.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Context, themeOf } from "assur/tests/canvas.js";
+import { axisName, described, drawAgainstCursor, drawAgainstText, inputAt } from "assur/plots/against.js";
+import { drawMarks, overlap } from "assur/plots/marks.js";
+import { across, angleAt, down, shows } from "assur/plots/panel.js";
+import { drawChartText } from "assur/plots/text.js";
+import { power, unitOf, written as writtenOn } from "assur/plots/units.js";
+import { written } from "assur/plots/values.js";
+import { withDocument, withView } from "assur/state/state.js";
+import { often } from "assur/tests/random.js";
+import { Page } from "assur/tests/page.js";
+import { wordsOf } from "assur/tests/words.js";
+
+const SIZE = { width: 620, height: 640 };
+const en = wordsOf("en");
+
+/**
+ * @param {string} id
+ * @param {object} [view]
+ */
+function begin(id, view = {}) {
+  const page = new Page(id, { phi_deg: 62, ...view });
+  const theme = themeOf(page.engine.roles);
+  const draw = (change = (state) => state, lang = "en") => {
+    page.store.update(change);
+    page.words = wordsOf(lang);
+    const snapshot = page.now();
+    const context = new Context();
+    const { palette, scale } = theme;
+    const { panels, against } = page.engine.chart(context, { ...SIZE, palette, scale, ratio: 1, whole: false, only: snapshot.state.view.only, around: snapshot.input });
+    const titles = drawChartText(context, panels, snapshot, theme);
+    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    if (against) drawAgainstText(context, against, snapshot, theme);
+    return { panels, against, titles, labels, snapshot, texts: context.texts.map(({ text }) => text), written: context.texts };
+  };
+  return { page, theme, draw };
+}
+
+const has = (texts, part) => assert.ok(texts.some((text) => text.includes(part)), `${part}: ${texts}`);
+
+test("zeros are labelled with their angle, extrema with value and angle; one label serves a common zero", () => {
+  const { draw } = begin("mixer-a");
+  const { texts } = draw();
+  const count = (wanted) => texts.filter((text) => text === wanted).length;
+  for (const wanted of ["23.1°", "217.1°", "99.7°", "340.1°", "60.3° at 23.1°", "148.2° at 217.1°", "0.673 at 99.7°", "−1.094 at 340.1°"]) assert.equal(count(wanted), 1, `${wanted}: ${texts}`);
+  const point = draw((state) => withView(state, { plot: "C1" })).texts;
+  for (const wanted of ["90.0°", "270.0°", "180.0°"]) assert.ok(point.filter((text) => text === wanted).length >= 2, `${wanted}: ${point}`);
+});
+
+test("no label of a plot is over another, over a title or outside the plot", () => {
+  const { draw, page } = begin("mixer-a");
+  for (const { id } of page.engine.catalogue.filter(({ kind }, i) => kind !== "scheme" && (i < 8 || i % 4 === 0))) {
+    const { draw: of } = begin(id, { phi_deg: 0 });
+    for (const axes of id.startsWith("mixer") ? ["analogues", "physical"] : ["analogues"]) {
+      const { panels, labels, titles } = of((state) => withView(state, { axes }));
+      for (const [i, boxes] of labels.entries()) {
+        const { left, top, width, height } = panels[i];
+        for (const [k, box] of boxes.entries()) {
+          assert.ok(!overlap(box, titles[i]), `${id} ${k}`);
+          for (const other of boxes.slice(0, k)) assert.ok(!overlap(box, other), `${id} ${JSON.stringify([box, other])}`);
+          assert.ok(box.left >= left && box.right <= left + width + 1e-6 && box.top >= top - 13 && box.bottom <= top + height + 3 + 1e-6, `${id} ${JSON.stringify(box)}`);
+        }
+      }
+    }
+  }
+  assert.ok(draw().labels.flat().length > 8);
+});
+
+test("a curve that does not change says so, in the reader's words and numbers", () => {
+  const { draw } = begin("peaucellier");
+  const titles = (all) => [...new Set(all.texts.filter((text) => text.startsWith("x") || text.startsWith("ẋ") || text.startsWith("ẍ")))].sort();
+  assert.deepEqual(titles(draw()), ["x = 4.583 throughout", "x′ = 0 throughout", "x″ = 0 throughout"].sort());
+  const physical = draw((state) => withView(state, { axes: "physical" }), "ru").texts;
+  for (const title of ["x = 4,583 всюду", "ẋ = 0 всюду", "ẍ = 0 всюду"]) assert.ok(physical.includes(title), `${title}: ${physical}`);
+});
+
+test("plots are titled with their quantities and units: analogues by the angle, rates by time", () => {
+  const { draw } = begin("jansen", { plot: "F" });
+  has(draw((state) => withDocument(state, { unit: "mm" })).texts, "coordinates, mm");
+  const { texts } = draw((state) => withView(state, { axes: "physical" }));
+  for (const unit of ["velocity, mm/s", "acceleration, mm/s²"]) has(texts, unit);
+  const mixer = begin("mixer-a", { axes: "physical" }).draw().texts;
+  for (const title of ["φ₃", "ω₃", "ω₅", "ε₃", "ε₅"]) assert.ok(mixer.includes(title), `${title}: ${mixer}`);
+  has(mixer, "rad/s²");
+});
+
+test("the dots of differences are named where they lie, over the second derivative alone", () => {
+  const { draw } = begin("mixer-a");
+  assert.ok(!draw().texts.some((text) => text.includes("differences of")));
+  const { texts } = draw((state) => withView(state, { differenced: true }));
+  has(texts, "differences of φ′");
+  assert.equal(texts.filter((text) => text.includes("differences")).length, 1);
+});
+
+test("one plot alone has all of the room", () => {
+  const { draw } = begin("mixer-a");
+  const three = draw().panels;
+  assert.deepEqual(three.map(({ order }) => order), [0, 1, 2]);
+  const [one, ...none] = draw((state) => withView(state, { only: "first" })).panels;
+  assert.deepEqual([none.length, one.order], [0, 1]);
+  assert.ok(one.height > 2 * three[1].height);
+});
+
+test("a place of a plot is found again: input across, value down", () => {
+  const [panel] = begin("mixer-a").draw().panels;
+  often(300, (dice) => {
+    const input = dice.between(panel.x0, panel.x1);
+    assert.ok(Math.abs(angleAt(panel, across(panel, input)) - input) < 1e-9);
+  });
+  assert.deepEqual([angleAt(panel, -1e4), angleAt(panel, 1e4)], [panel.x0, panel.x1]);
+  assert.equal(down(panel, panel.y1), panel.top);
+  assert.deepEqual([shows(panel, panel.y0), shows(panel, panel.y1 + 1)], [true, false]);
+});
+
+test("numbers of an axis have four digits of what it spans, and powers of ten where they are long", () => {
+  const panel = (y0, y1, kind = "length", order = 0) => ({ y0, y1, kind, order, physical: false });
+  for (const [y0, y1, value, text, exponent] of [[0, 1, 0.123456, "0.1235", 0], [0, 100, 12.3456, "12.35", 0], [-5000, 5000, 1234.5, "1235", 0], [0, 2e6, 1234567, "1.235", 6], [0, 5e-4, 1.23456e-4, "123.5", -6]]) {
+    assert.equal(power(panel(y0, y1)), exponent, `${y0} ${y1}`);
+    assert.equal(writtenOn(panel(y0, y1), value, en.numbers), text);
+  }
+  assert.equal(writtenOn(panel(0, 7, "angle"), Math.PI, en.numbers), "180.0°");
+  assert.equal(writtenOn(panel(0, 7, "angle"), Math.PI, en.numbers, true), "180°");
+  const coordinate = { moves: "angle" };
+  assert.equal(unitOf(panel(0, 2e6), coordinate, en.measured("mm")), "10⁶ mm");
+  assert.equal(unitOf(panel(0, 1, "angle", 1), coordinate, en), "1");
+  assert.equal(unitOf({ ...panel(0, 1, "angle", 2), physical: true }, coordinate, en), "rad/s²");
+  assert.equal(unitOf(panel(0, 1, "length", 2), coordinate, en.measured("m")), "m");
+  assert.equal(unitOf(panel(0, 1, "length", 1), { moves: "length" }, en.measured("m")), "1");
+});
+
+test("values that stand alone have three decimals, large ones fewer", () => {
+  const say = (...of) => written(...of, en).text;
+  assert.deepEqual([say(Math.PI, "angle", 0), say(1, "angle", 1), say(1234.567, "x", 0), say(1.5e7, "y", 2), say(0.1, "distance", 0)], ["180.000°", "1.000", "1234.6", "15000000", "0.100"]);
+  assert.equal(written(Math.PI, "corner", 0, en).value, 180);
+});
+
+test("any two quantities are plotted against each other, by axes with names and units", () => {
+  const { draw } = begin("mixer-a", { against: { x: "C.dx", y: "rocker.ddangle" } });
+  const { texts, against } = draw();
+  has(texts, "↑ φ₃″, 1/rad");
+  assert.ok(texts.some((text) => text.startsWith("x′ C")), String(texts));
+  assert.ok(against.curve.flat().every(Number.isFinite) && against.curve.flat().length > 300);
+  const input = draw((state) => withView(state, { against: { x: "input", y: "rocker.angle" } }));
+  for (const title of ["↑ φ₃, °", "φ₁, ° →"]) assert.ok(input.texts.includes(title), `${title}: ${input.texts}`);
+  assert.ok(described(input.against, input.snapshot).startsWith("φ₃ over φ₁."), described(input.against, input.snapshot));
+  const train = begin("train-gears", { against: { x: "carrier.angle", y: "carrier.dangle" } }).draw();
+  has(train.texts, "↑ ω₃, rad/s");
+  assert.ok(train.texts.includes("φ₃, ° →"), String(train.texts));
+});
+
+test("a press on a curve is the input of its place, next to the motion where it passes twice", () => {
+  const { draw } = begin("jansen", { against: { x: "F.x", y: "F.y" } });
+  const { against, snapshot } = draw();
+  const points = against.curve.flatMap((run) => Array.from({ length: run.length / 3 }, (_, i) => run.slice(3 * i, 3 * i + 3)));
+  often(200, (dice) => {
+    const [x, y, input] = dice.one(points);
+    assert.ok(Math.abs(inputAt(against, x, y, 10, input) - input) < 0.2, `${input}`);
+  });
+  assert.equal(inputAt(against, against.left - 30, against.top, 10, 0), null);
+  // Paths have one scale on both axes.
+  const { x, y, width, height } = against;
+  assert.ok(Math.abs(width / (x.to - x.from) / (height / (y.to - y.from)) - 1) < 1e-6);
+  assert.equal(axisName(x, against, snapshot), "x F");
+});
+
+test("the cursor on a curve has both numbers of its place, and hides what a lesson asks for", () => {
+  const { draw, page, theme } = begin("mixer-a", { against: { x: "C.dx", y: "rocker.ddangle" } });
+  const { against, snapshot } = draw();
+  const tag = (withheld) => {
+    const context = Object.assign(new Context(), { roundRect() {}, save() {}, restore() {} });
+    drawAgainstCursor(context, against, snapshot.plotted, { ...snapshot, withheld }, theme, { tagged: true });
+    return context.texts.map(({ text }) => text).find((text) => text.includes("; "));
+  };
+  const numbers = tag(new Set()).split("; ").map((text) => Number(text.replace("−", "-")));
+  const { readouts } = page.now();
+  assert.ok(Math.abs(numbers[0] - readouts["C.x′"]) < 6e-4 && Math.abs(numbers[1] - readouts["rocker.angle″"]) < 6e-4, String(numbers));
+  assert.match(tag(new Set(["ddrocker"])), /; \?$/);
+  assert.match(tag(new Set(["dC.x"])), /^\?; /);
+});

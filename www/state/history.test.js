@@ -1,0 +1,205 @@
+import assert from "node:assert/strict";
+import test from "node:test";
+import { happen } from "assur/tests/window.js";
+import { often } from "assur/tests/random.js";
+import { Drafts } from "assur/state/drafts.js";
+import { History } from "assur/state/history.js";
+import { Store } from "assur/state/store.js";
+import { UNDONE, furtherOf, initialState, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+
+/** A page without a page: a store, its drafts and its history. */
+function begin() {
+  const store = new Store(initialState("mixer", { l1: 0, l2: 0 }, { phi_deg: 0 }));
+  const drafts = new Drafts(() => {});
+  const history = new History(store, drafts);
+  const set = (change) => store.update((state) => withDocument(state, change));
+  return { store, drafts, history, set };
+}
+
+/** What undo brings back of a state, to compare with. */
+function undone(state) {
+  return JSON.stringify([state.kind, state.document, furtherOf(state), UNDONE.map((name) => state.view[name])]);
+}
+
+const slider = () => Object.assign(new HTMLInputElement(), { type: "range" });
+
+test("a step is what changes until an event ends it: a typed number is one", () => {
+  for (const end of ["change", "focusout", "click", "pointerdown"]) {
+    const { store, history, set } = begin();
+    for (const l1 of [0.9, 0.91, 0.912]) set({ l1 });
+    happen(end);
+    set({ l2: 1 });
+    history.undo();
+    assert.deepEqual(store.get().document, { l1: 0.912, l2: 0 }, end);
+    history.undo();
+    assert.deepEqual(store.get().document, { l1: 0, l2: 0 }, end);
+    assert.equal(history.canUndo, false);
+  }
+});
+
+test("a slider that is dragged is one step, also where the focus leaves another field after the press", () => {
+  const { store, history, set } = begin();
+  const target = slider();
+  set({ l2: 5 });
+  happen("change");
+  happen("pointerdown", { target });
+  set({ l1: 1 });
+  happen("focusout", { target: new HTMLInputElement() });
+  set({ l1: 2 });
+  happen("pointerup", { target });
+  set({ l1: 3 });
+  history.undo();
+  assert.deepEqual(store.get().document, { l1: 0, l2: 5 });
+  history.undo();
+  assert.equal(history.canUndo, false);
+});
+
+test("a slider that is moved by keys is one step until the focus leaves it", () => {
+  const { store, history, set } = begin();
+  const target = slider();
+  for (const l1 of [1, 2, 3]) {
+    happen("keydown", { target });
+    set({ l1 });
+    happen("change", { target });
+  }
+  happen("focusout", { target });
+  set({ l1: 4 });
+  history.undo();
+  assert.equal(store.get().document.l1, 3);
+  history.undo();
+  assert.equal(store.get().document.l1, 0);
+});
+
+test("keys after a drag are a step of their own", () => {
+  const { store, history, set } = begin();
+  const target = slider();
+  happen("pointerdown", { target });
+  set({ l1: 1 });
+  happen("pointerup", { target });
+  happen("keydown", { target });
+  set({ l1: 2 });
+  history.undo();
+  assert.equal(store.get().document.l1, 1);
+});
+
+test("where the driver stands, playing, speed and language make no step and are not undone", () => {
+  const { store, history, set } = begin();
+  store.update((state) => withView(state, { phi_deg: 40, playing: true, speed: 2, lang: "ru", direction: -1, plot: "C", axes: "physical" }));
+  assert.equal(history.canUndo, false);
+  set({ l1: 1 });
+  happen("change");
+  store.update((state) => withView(state, { phi_deg: 50, lang: "kk" }));
+  history.undo();
+  const { document, view } = store.get();
+  assert.deepEqual([document.l1, view.phi_deg, view.lang, view.speed], [0, 50, "kk", 2]);
+});
+
+test("what is laid over the drawing, a lesson, a picture and what is compared are undone", () => {
+  const { store, history } = begin();
+  const changes = [
+    (state) => withView(state, { traces: false }),
+    (state) => withView(state, { measures: ["A-B.distance"] }),
+    (state) => withView(state, { against: { x: "input", y: "C.y" } }),
+    (state) => withFurther(state, { lesson: { title: "", steps: [] } }),
+    (state) => withFurther(state, { compared: { kind: "mixer", document: { l1: 9, l2: 9 } } }),
+    (state) => withFurther(state, { picture: { image: "x" } }),
+    (state) => withMechanism(state, "linkage", { points: [] }),
+  ];
+  const states = [store.get()];
+  for (const change of changes) {
+    history.step(() => store.update(change));
+    states.push(store.get());
+  }
+  for (const state of states.slice(0, -1).reverse()) {
+    history.undo();
+    assert.equal(undone(store.get()), undone(state));
+  }
+  for (const state of states.slice(1)) {
+    history.redo();
+    assert.equal(undone(store.get()), undone(state));
+  }
+});
+
+test("another future takes the place of what was undone", () => {
+  const { store, history, set } = begin();
+  history.step(() => set({ l1: 1 }));
+  history.undo();
+  assert.deepEqual([history.canUndo, history.canRedo], [false, true]);
+  history.step(() => set({ l1: 2 }));
+  assert.deepEqual([history.canUndo, history.canRedo], [true, false]);
+  history.redo();
+  assert.equal(store.get().document.l1, 2);
+});
+
+test("a step of its own ends what was being typed and drops what was not taken", () => {
+  const { store, drafts, history, set } = begin();
+  set({ l1: 1 });
+  drafts.keep("l2");
+  history.step(() => set({ l1: 2 }));
+  set({ l1: 3 });
+  assert.deepEqual(drafts.fields(), []);
+  for (const l1 of [2, 1, 0]) {
+    history.undo();
+    assert.equal(store.get().document.l1, l1);
+  }
+});
+
+test("what joins a step is undone with it", () => {
+  const { store, history, set } = begin();
+  history.step(() => set({ l1: 1 }));
+  history.join();
+  set({ l2: 1 });
+  history.undo();
+  assert.deepEqual(store.get().document, { l1: 0, l2: 0 });
+});
+
+test("undo drops what was typed into the fields that it brings back", () => {
+  const { drafts, history, set } = begin();
+  history.step(() => set({ l1: 1 }));
+  for (const field of ["l1", "l2", "input"]) drafts.keep(field);
+  history.undo();
+  assert.deepEqual(drafts.fields(), ["input"]);
+});
+
+test("undo and redo where there is nothing change nothing", () => {
+  const { store, history } = begin();
+  const before = store.get();
+  history.undo();
+  history.redo();
+  assert.equal(store.get(), before);
+});
+
+test("random edits: undone one by one they are the states before, redone the states after", () => {
+  often(60, (dice) => {
+    const { store, history } = begin();
+    const lessons = [undefined, ...["one", "two"].map((title) => ({ title, steps: [] }))];
+    const edits = [
+      (state) => withDocument(state, { l1: dice.below(4) }),
+      (state) => withDocument(state, { l2: dice.below(4) }),
+      (state) => withView(state, { traces: !state.view.traces }),
+      (state) => withView(state, { phi_deg: dice.below(360) }),
+      (state) => withView(state, { measures: [`${dice.below(3)}-B.distance`] }),
+      (state) => withFurther(state, { lesson: dice.one(lessons) }),
+    ];
+    // A model of what a history is: all moments, and which one is shown.
+    const moments = [undone(store.get())];
+    let at = 0;
+    for (let step = 0; step < 80; step++) {
+      const choice = dice.below(10);
+      if (choice < 2) {
+        history.undo();
+        at = Math.max(at - 1, 0);
+      } else if (choice < 4) {
+        history.redo();
+        at = Math.min(at + 1, moments.length - 1);
+      } else {
+        history.step(() => store.update(dice.one(edits)));
+        const now = undone(store.get());
+        // What changes nothing is no step, and leaves what can be redone.
+        if (now !== moments[at]) moments.splice(++at, Infinity, now);
+      }
+      assert.equal(undone(store.get()), moments[at]);
+      assert.deepEqual([history.canUndo, history.canRedo], [at > 0, at < moments.length - 1]);
+    }
+  });
+});
