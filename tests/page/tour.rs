@@ -70,7 +70,10 @@ async fn nothing_is_covered_or_cut_at_a_few_stops() {
     let mut found = Vec::new();
     for (at, stop) in STOPS.iter().step_by(4).enumerate() {
         let lang = LANGUAGES[at % LANGUAGES.len()];
-        let screens = [SCREENS[at % SCREENS.len()], SCREENS[(at + 3) % SCREENS.len()]];
+        let screens = [
+            SCREENS[at % SCREENS.len()],
+            SCREENS[(at + 3) % SCREENS.len()],
+        ];
         found.extend(wrong(stop, &[lang], &screens).await);
     }
     assert!(found.is_empty(), "{found:#?}");

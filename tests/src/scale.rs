@@ -1,4 +1,4 @@
-//! How much the tests with random input look at.
+//! How much the tests with random input look at, and from which seed on.
 
 use std::env;
 use std::ops::Mul;
@@ -11,4 +11,14 @@ pub fn scaled<T: From<u16> + Mul<Output = T>>(quick: T) -> T {
     let scale = env::var("ASSUR_SCALE").map_or(1, |text| text.parse().unwrap_or(0));
     assert!(scale > 0, "ASSUR_SCALE is a whole number of at least 1");
     quick * T::from(scale)
+}
+
+/// The seed to begin with: `ASSUR_SEED`, which is 0 if it is not set.
+///
+/// # Panics
+/// Where `ASSUR_SEED` is no whole number.
+pub fn seed() -> u64 {
+    let seed = env::var("ASSUR_SEED").map_or(Ok(0), |text| text.parse());
+    assert!(seed.is_ok(), "ASSUR_SEED is a whole number");
+    seed.unwrap_or_default()
 }

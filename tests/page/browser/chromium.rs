@@ -68,7 +68,11 @@ impl Chromium {
     }
 
     /// Opens a window with a storage of its own, and returns its name.
-    pub(super) async fn window(&self, driver: &WebDriver, downloads: &Path) -> Result<String, String> {
+    pub(super) async fn window(
+        &self,
+        driver: &WebDriver,
+        downloads: &Path,
+    ) -> Result<String, String> {
         let mut tools = self.tools()?;
         let kept = json!({ "disposeOnDetach": false });
         let context = tools.command("Target.createBrowserContext", &kept)?;
@@ -78,7 +82,8 @@ impl Chromium {
         let window = tools.command("Target.createTarget", &window)?;
         switch(driver, &window["targetId"]).await?;
         // Through the driver, because what is set by a line of our own ends with it.
-        let place = json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
+        let place =
+            json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
         let tools = driver.cdp();
         let set = tools.send_raw("Browser.setDownloadBehavior", place).await;
         set.map_err(|error| error.to_string())?;

@@ -143,7 +143,8 @@ impl Firefox {
     /// Has a script run before those of any page of the window.
     pub(super) async fn before(&self, script: &str) {
         let window = locked(&self.window).clone();
-        let script = json!({ "functionDeclaration": format!("() => {{ {script} }}"), "contexts": [window] });
+        let script =
+            json!({ "functionDeclaration": format!("() => {{ {script} }}"), "contexts": [window] });
         self.ask("script.addPreloadScript", script).await.unwrap();
     }
 
