@@ -1,5 +1,6 @@
 //! Screens, hands and eyes of other readers: what the browser can be told to be.
 
+use assur_tests::exhaustive;
 use serde_json::{Value, json};
 
 use crate::browser::{Page, firefox};
@@ -79,3 +80,10 @@ impl Page {
 
 /// The languages of the page.
 pub(crate) const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
+
+/// The languages that a test looks at: all with `--all`, else one, which differs from test to test.
+pub(crate) fn languages(turn: usize) -> impl Iterator<Item = &'static str> {
+    let all = LANGUAGES.iter().enumerate();
+    all.filter(move |(at, _)| exhaustive() || *at == turn)
+        .map(|(_, lang)| *lang)
+}

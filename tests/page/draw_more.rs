@@ -1,6 +1,7 @@
 //! Edits of a drawing: dragged, joined, copied, undone; what cannot be done is said and loses nothing.
 
 use assur_file::{Document, DraftDocument, LinkageDocument, State};
+use assur_tests::scaled;
 use serde_json::{Map, Value};
 use thirtyfour::Key;
 
@@ -331,7 +332,7 @@ fn addressed(hash: &str) -> State {
 const CHANCE: &str = include_str!("chance.js");
 
 #[tokio::test]
-async fn a_thousand_edits_are_undone_and_redone() {
+async fn edits_by_chance_are_undone_and_redone() {
     let page = Page::open().await;
     let _sheet = Sheet::new(&page).await;
     page.ask(CHANCE).await;
@@ -340,7 +341,7 @@ async fn a_thousand_edits_are_undone_and_redone() {
         page.ask_later(&script, vec![]).await
     };
     // A script may not take longer than a person waits.
-    for _ in 0..55 {
+    for _ in 0..scaled(6) {
         assert_eq!(asked("edit(20)").await, 20);
     }
     let last = page.ask("return window.chance.address()").await;
@@ -352,7 +353,7 @@ async fn a_thousand_edits_are_undone_and_redone() {
             break;
         }
     }
-    assert!(addresses.len() >= 1000, "{} steps", addresses.len());
+    assert!(addresses.len() >= scaled(100), "{} steps", addresses.len());
     // The last step back is the mechanism that was there before the sheet, which has a short address.
     let drawn = &addresses[..addresses.len() - 1];
     for address in drawn {

@@ -11,7 +11,7 @@ use thirtyfour::prelude::*;
 
 use crate::access::{AXE, check};
 use crate::browser::{Page, setting};
-use crate::device::LANGUAGES;
+use crate::device::languages;
 use crate::layout::defects;
 
 /// A document of the lesson's own.
@@ -314,7 +314,7 @@ async fn what_cannot_be_is_said() {
         let faded = page.attribute("mechanism", "data-faded").await;
         assert_eq!(faded.as_deref(), Some("true"), "{degrees:?}");
         assert!(!listed(&page).await.is_empty() && !handles(&page).await.is_empty());
-        for lang in LANGUAGES {
+        for lang in languages(3) {
             page.speak(lang).await;
             let text = page.text("problem").await;
             assert!(text.len() > 20 && !text.contains('{'), "{lang}: {text}");
@@ -416,7 +416,7 @@ async fn on_a_phone_and_opened_again() {
 async fn in_every_language() {
     let page = open(&preset("three")).await;
     let mut texts = BTreeSet::new();
-    for lang in LANGUAGES {
+    for lang in languages(0) {
         page.speak(lang).await;
         let text = page
             .ask("return [...document.querySelectorAll('[data-of=synthesis]')].map((one) => one.innerText).join(' ')")

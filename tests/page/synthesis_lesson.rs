@@ -4,7 +4,7 @@
 use serde_json::json;
 
 use crate::browser::{Page, setting};
-use crate::device::LANGUAGES;
+use crate::device::languages;
 use crate::layout::defects;
 use crate::synthesis::there;
 
@@ -68,7 +68,7 @@ async fn steps_have_room() {
     lesson(&page).await;
     page.screen((360, 640), 1.0).await;
     let mut found = Vec::new();
-    for lang in LANGUAGES {
+    for lang in languages(1) {
         page.speak(lang).await;
         for step in 1..=8 {
             page.click(&shows(&page).await[0]).await;

@@ -3,7 +3,7 @@
 pub mod files;
 mod scale;
 
-pub use scale::{scaled, seed};
+pub use scale::{exhaustive, scaled, seed};
 
 use std::f64::consts::{PI, TAU};
 

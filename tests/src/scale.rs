@@ -8,9 +8,21 @@ use std::ops::Mul;
 /// # Panics
 /// Where `ASSUR_SCALE` is no whole number of at least 1.
 pub fn scaled<T: From<u16> + Mul<Output = T>>(quick: T) -> T {
+    quick * T::from(scale())
+}
+
+/// Whether the run has more than the quick counts: then lists are gone through whole.
+///
+/// # Panics
+/// Where `ASSUR_SCALE` is no whole number of at least 1.
+pub fn exhaustive() -> bool {
+    scale() > 1
+}
+
+fn scale() -> u16 {
     let scale = env::var("ASSUR_SCALE").map_or(1, |text| text.parse().unwrap_or(0));
     assert!(scale > 0, "ASSUR_SCALE is a whole number of at least 1");
-    quick * T::from(scale)
+    scale
 }
 
 /// The seed to begin with: `ASSUR_SEED`, which is 0 if it is not set.
