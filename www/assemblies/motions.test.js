@@ -9,6 +9,9 @@ import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 const engine = newEngine();
 const [rocker, class4] = ["crank-rocker", "class4-dwell"].map((id) => alone(stateOf(engine, id)));
 
+/** A worker that never answers is a failure; in milliseconds. */
+const PATIENCE = Object.freeze({ timeout: 60_000 });
+
 globalThis.Worker = Worker;
 globalThis.fetch = fetchFile;
 afterEach(endWorkers);
@@ -23,7 +26,7 @@ function begin() {
   return { motions, until };
 }
 
-test("the map of a linkage is found, and where its assemblies belong", async () => {
+test("the map of a linkage is found, and where its assemblies belong", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.of(1, rocker);
   assert.deepEqual([motions.map, motions.current, motions.lost], [null, false, false]);
@@ -36,7 +39,7 @@ test("the map of a linkage is found, and where its assemblies belong", async () 
   assert.deepEqual(motions.belonging.reached, [[], null]);
 });
 
-test("where assemblies belong is asked only once the map is there, and once for each place", async () => {
+test("where assemblies belong is asked only once the map is there, and once for each place", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.at(1, 0);
   motions.of(1, rocker);
@@ -54,7 +57,7 @@ test("where assemblies belong is asked only once the map is there, and once for 
   assert.deepEqual(motions.belonging.reached, [null, []]);
 });
 
-test("of linkages that follow each other quickly the newest is found in the end, by one worker", async () => {
+test("of linkages that follow each other quickly the newest is found in the end, by one worker", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.of(1, rocker);
   for (let revision = 2; revision < 9; revision++) motions.of(revision, withDocument(rocker, { title: String(revision) }));
@@ -64,7 +67,7 @@ test("of linkages that follow each other quickly the newest is found in the end,
   assert.equal(Worker.running.size, 1);
 });
 
-test("the same linkage is asked for once", async () => {
+test("the same linkage is asked for once", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.of(1, rocker);
   await until(() => motions.current);
@@ -74,7 +77,7 @@ test("the same linkage is asked for once", async () => {
   assert.equal(motions.current, true);
 });
 
-test("a linkage that the engine refuses has no map, and the next one has", async () => {
+test("a linkage that the engine refuses has no map, and the next one has", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.of(1, rocker);
   await until(() => motions.current);
@@ -86,7 +89,7 @@ test("a linkage that the engine refuses has no map, and the next one has", async
   assert.equal(motions.lost, false);
 });
 
-test("where the engine does not arrive the map is lost, and the next linkage gets another worker", async (t) => {
+test("where the engine does not arrive the map is lost, and the next linkage gets another worker", PATIENCE, async (t) => {
   const { motions, until } = begin();
   const down = t.mock.method(globalThis, "fetch", async () => {
     throw new TypeError("no net");

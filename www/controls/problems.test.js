@@ -42,6 +42,13 @@ test("an angle in a sentence is on the scale of its field", () => {
   }
 });
 
+test("an angle is said as the scale of readers has it", () => {
+  const problem = { code: "no_pose", phi: (-165.5 / 180) * Math.PI };
+  const words = new Words("en", new Map([["problem.no_pose", "at {phi}"]]));
+  assert.equal(sentence(problem, words, undefined, (place) => place + 360), "at 194.5°");
+  assert.equal(sentence(problem, words), "at −165.5°");
+});
+
 test("fields are called by what they are of: a link, a point, the number of an entry", () => {
   const { document } = new Page("jansen").store.get();
   const first = document.links[0].name;

@@ -4,6 +4,9 @@ import test, { afterEach } from "node:test";
 import { Dice } from "assur/tests/random.js";
 import { Worker, endWorkers } from "assur/tests/worker.js";
 
+/** A worker that never answers is a failure; in milliseconds. */
+const PATIENCE = Object.freeze({ timeout: 60_000 });
+
 afterEach(endWorkers);
 
 /**
@@ -129,7 +132,7 @@ function square(width, height, ground, colour, left, top, side) {
   return pixels;
 }
 
-test("pictures of few colours come back to the pixel, for ever and with their delay", async () => {
+test("pictures of few colours come back to the pixel, for ever and with their delay", PATIENCE, async () => {
   const pictures = [0, 3, 6, 9].map((left) => square(24, 16, [255, 255, 255], [0, 114, 178], left, 4, 5));
   const { file, asked } = await write(24, 16, 7, pictures);
   const { width, height, frames, delays, loops } = decoded(file);
@@ -137,18 +140,18 @@ test("pictures of few colours come back to the pixel, for ever and with their de
   for (const [i, { pixels }] of frames.entries()) assert.deepEqual(pixels, pictures[i]);
 });
 
-test("of a picture only what is another than before is written", async () => {
+test("of a picture only what is another than before is written", PATIENCE, async () => {
   const pictures = [[0, 0], [1, 0], [1, 0]].map(([left, top]) => square(40, 30, [255, 255, 255], [213, 94, 0], left, top, 4));
   const { frames } = decoded((await write(40, 30, 2, pictures)).file);
   assert.deepEqual(frames.map(({ area }) => area), [1200, 5 * 4, 1]);
   assert.deepEqual(frames[2].pixels, pictures[2]);
 });
 
-test("a delay of more than a byte is written whole", async () => {
+test("a delay of more than a byte is written whole", PATIENCE, async () => {
   assert.deepEqual(decoded((await write(2, 2, 1000, [square(2, 2, [0, 0, 0], [0, 0, 0], 0, 0, 0)])).file).delays, [1000]);
 });
 
-test("pictures of noise, of any size, come back: the table of codes is begun anew when it is full", async () => {
+test("pictures of noise, of any size, come back: the table of codes is begun anew when it is full", PATIENCE, async () => {
   const sizes = [[1, 1], [2, 100], [97, 89], [160, 120]];
   for (const [run, [width, height]] of sizes.entries()) {
     const dice = new Dice(run);
@@ -164,7 +167,7 @@ test("pictures of noise, of any size, come back: the table of codes is begun ane
   }
 });
 
-test("of more colours than a table has, the rare ones become the nearest", async () => {
+test("of more colours than a table has, the rare ones become the nearest", PATIENCE, async () => {
   const frequent = Array.from({ length: 255 }, (_, i) => [(i % 16) * 16, Math.floor(i / 16) * 16, 0]);
   // Each stands twice, one that is rare once.
   const all = [...frequent, ...frequent, [16, 32, 16], [250, 15, 40]];

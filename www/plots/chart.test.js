@@ -158,6 +158,9 @@ test("a press on a curve is the input of its place, next to the motion where it 
     const [x, y, input] = dice.one(points);
     assert.ok(Math.abs(inputAt(against, x, y, 10, input) - input) < 0.2, `${input}`);
   });
+  // Where the curve passes once it is that pass, wherever the motion is.
+  const [x0, y0, top] = points.reduce((best, point) => (point[1] < best[1] ? point : best));
+  for (const away of [1, 2, 3]) assert.ok(Math.abs(inputAt(against, x0, y0, 10, top + away) - top) < 0.5, String(away));
   assert.equal(inputAt(against, against.left - 30, against.top, 10, 0), null);
   // Paths have one scale on both axes.
   const { x, y, width, height } = against;
