@@ -200,7 +200,7 @@ async fn the_map_is_a_way_to_go() {
             )
             .await;
         let [x, y] = [0, 1].map(|k| other[k].as_f64().unwrap());
-        let chain = page.driver.action_chain();
+        let chain = page.hand();
         let chain = chain.move_to(x.round() as i64, y.round() as i64).click();
         chain.perform().await.unwrap();
         page.settle().await;

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use std::{env, fs};
 
 use serde_json::{Value, json};
+use thirtyfour::action_chain::ActionChain;
 use thirtyfour::prelude::*;
 
 use crate::picture::Picture;
@@ -20,6 +21,9 @@ mod pool;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Time that the pointer takes from one place to the next: a frame.
+const MOVE: Duration = Duration::from_millis(16);
 
 /// The page, open and ready, in a window of its own.
 pub(crate) struct Page {
@@ -251,16 +255,22 @@ impl Page {
         self.settle().await;
     }
 
+    /// A hand on mouse and keys, to be told its actions one after the other.
+    pub(crate) fn hand(&self) -> ActionChain {
+        let none = Some(Duration::ZERO);
+        self.driver.action_chain_with_delay(none, Some(MOVE))
+    }
+
     /// Types where the focus is.
     pub(crate) async fn keys(&self, keys: impl Into<TypingData>) {
-        let typing = self.driver.action_chain().send_keys(keys);
+        let typing = self.hand().send_keys(keys);
         typing.perform().await.unwrap();
         self.settle().await;
     }
 
     /// Presses a key while others are held.
     pub(crate) async fn chord(&self, held: &[Key], key: impl Into<char>) {
-        let mut chain = self.driver.action_chain();
+        let mut chain = self.hand();
         for held in held {
             chain = chain.key_down(held.value());
         }

@@ -11,8 +11,7 @@ impl Page {
         let area = element.rect().await.unwrap();
         let y = area.y + area.height / 2.0;
         let x = |share: f64| (area.x + share * area.width).round() as i64;
-        self.driver
-            .action_chain()
+        self.hand()
             .move_to(x(from), y as i64)
             .click_and_hold()
             .move_to(x(0.5 * (from + to)), y as i64)
@@ -28,14 +27,14 @@ impl Page {
     pub(crate) async fn hover(&self, id: &str, (x, y): (f64, f64)) {
         let area = self.element(id).await.rect().await.unwrap();
         let at = ((area.x + x).round() as i64, (area.y + y).round() as i64);
-        let chain = self.driver.action_chain();
+        let chain = self.hand();
         chain.move_to(at.0, at.1).perform().await.unwrap();
         self.settle().await;
     }
 
     pub(crate) async fn double_click(&self, id: &str, place: (f64, f64)) {
         self.hover(id, place).await;
-        let chain = self.driver.action_chain();
+        let chain = self.hand();
         chain.double_click().perform().await.unwrap();
         self.settle().await;
     }
@@ -45,7 +44,7 @@ impl Page {
         let area = self.element(id).await.rect().await.unwrap();
         let at = |(x, y): (f64, f64)| ((area.x + x).round() as i64, (area.y + y).round() as i64);
         let (x, y) = at(places[0]);
-        let mut chain = self.driver.action_chain().move_to(x, y).click_and_hold();
+        let mut chain = self.hand().move_to(x, y).click_and_hold();
         for place in &places[1..] {
             let (x, y) = at(*place);
             chain = chain.move_to(x, y);

@@ -52,7 +52,9 @@ struct Program {
 
 const CHROME: Program = Program {
     variable: "CHROME",
+    // The shell has the same engine without the parts of a window, and starts sooner.
     names: &[
+        "chromium-headless-shell",
         "chromium",
         "chromium-browser",
         "google-chrome",
@@ -122,7 +124,7 @@ pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Brows
             workspace,
             "Chromium and its driver",
             || Ok(CHROME.find()?.zip(CHROMEDRIVER.find()?)),
-            &["chromium", "chromium-driver", FONTS],
+            &["chromium-headless-shell", "chromium-driver", FONTS],
         )?,
         Kind::Firefox => (
             in_place(

@@ -1,6 +1,7 @@
 //! Every test, in one run: what a change is judged by.
 
 use std::fs;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::thread;
@@ -253,6 +254,7 @@ fn capabilities(workspace: &Workspace, browser: &Browser) -> Result<PathBuf> {
 fn node_tests(workspace: &Workspace, extent: Extent) -> Result<Command> {
     let mut node = workspace.command("node");
     node.args(["--import", "./tests/scripts/register.mjs", "--test"]);
+    node.arg(format!("--test-concurrency={}", processors()));
     for folder in ["www", "crates/xtask/build"] {
         for test in files(&workspace.root().join(folder))? {
             node.arg(test);
@@ -298,6 +300,8 @@ fn page_tests(
     let with_more = Server::start(workspace, 0, &more)?.keep();
     let mut test = extended(page_test(workspace, "page", &url, browser), extent);
     test.env("ASSUR_MORE_URL", with_more);
+    // A test waits for its browser now and then.
+    test.arg(format!("--test-threads={}", processors() + 1));
     test.args(words);
     Ok(test)
 }
@@ -324,6 +328,10 @@ fn extended(mut cargo: Command, extent: Extent) -> Command {
         cargo.arg("--include-ignored").env("ASSUR_SCALE", ALL_SCALE);
     }
     cargo
+}
+
+fn processors() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
 }
 
 fn found(workspace: &Workspace, kind: Kind) -> Result<Browser> {

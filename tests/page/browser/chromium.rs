@@ -3,6 +3,7 @@
 use std::fs;
 use std::net::TcpStream;
 use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use serde_json::{Value, json};
 use thirtyfour::prelude::*;
@@ -16,8 +17,8 @@ use super::{PATIENCE, setting, switch};
 pub(super) const DRIVER: (&str, &[&str], &str) =
     ("CHROMEDRIVER", &["--port=0"], "successfully on port ");
 
-/// The size of a window of which the page has 1280 by 800.
-const WINDOW: (u32, u32) = (1280, 943);
+/// The size of a page.
+const PAGE: (u32, u32) = (1280, 800);
 
 /// A browser without a window.
 pub(super) fn wanted(profile: Profile) -> ChromeCapabilities {
@@ -52,6 +53,8 @@ pub(super) fn wanted(profile: Profile) -> ChromeCapabilities {
 pub(super) struct Chromium {
     address: String,
     path: String,
+    /// The height that a window has beside its page; it differs between builds of Chromium.
+    frame: AtomicU32,
 }
 
 impl Chromium {
@@ -64,6 +67,7 @@ impl Chromium {
         Self {
             address: format!("127.0.0.1:{port}"),
             path: path.trim().to_owned(),
+            frame: AtomicU32::new(0),
         }
     }
 
@@ -77,10 +81,20 @@ impl Chromium {
         let kept = json!({ "disposeOnDetach": false });
         let context = tools.command("Target.createBrowserContext", &kept)?;
         let context = context["browserContextId"].clone();
-        let (width, height) = WINDOW;
-        let window = json!({ "url": "about:blank", "browserContextId": context, "width": width, "height": height });
+        let (width, height) = PAGE;
+        let outer = height + self.frame.load(Ordering::Relaxed);
+        let window = json!({ "url": "about:blank", "browserContextId": context, "width": width, "height": outer });
         let window = tools.command("Target.createTarget", &window)?;
         switch(driver, &window["targetId"]).await?;
+        let inner = driver.execute("return innerHeight", Vec::new()).await;
+        let inner: u32 = inner
+            .and_then(|inner| inner.convert())
+            .map_err(|error| error.to_string())?;
+        if inner != height {
+            self.frame.store(outer - inner, Ordering::Relaxed);
+            let grown = driver.set_window_rect(0, 0, width, height + outer - inner);
+            grown.await.map_err(|error| error.to_string())?;
+        }
         // Through the driver, because what is set by a line of our own ends with it.
         let place =
             json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
