@@ -102,6 +102,12 @@ fn without_page(workspace: &Workspace, ready: &SetUp, extent: Extent, tally: &mu
         let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
         run_step(doc.env("RUSTDOCFLAGS", "-D warnings"), "documentation")
     });
+    tally.check("compilation of the tests", || {
+        // Also the page tests, which run later, while both processors have work.
+        let targets = ["--tests", "--test", "page", "--no-run"];
+        let mut cargo = workspace.cargo(["test", "--workspace"]);
+        run_step(cargo.args(targets), "compilation of the tests")
+    });
     for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
         let mut cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast"]);
         cargo.arg(targets);
@@ -253,7 +259,8 @@ fn capabilities(workspace: &Workspace, browser: &Browser) -> Result<PathBuf> {
 /// The tests of the scripts in `www` and of those that build the page.
 fn node_tests(workspace: &Workspace, extent: Extent) -> Result<Command> {
     let mut node = workspace.command("node");
-    node.args(["--import", "./tests/scripts/register.mjs", "--test"]);
+    node.args(["--import", "./tests/scripts/register.mjs"]);
+    node.args(["--test", "--test-reporter=spec"]);
     node.arg(format!("--test-concurrency={}", processors()));
     for folder in ["www", "crates/xtask/build"] {
         for test in files(&workspace.root().join(folder))? {
