@@ -5,6 +5,9 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 
+/// The words of a command that a sentence has room for.
+const MOST_WORDS: usize = 15;
+
 /// One line about a step: what it is, and whether it is done already or being done.
 pub(crate) fn announce(what: &str, state: &str) {
     println!("==> {what}: {state}");
@@ -59,7 +62,7 @@ pub(crate) fn not_started(command: &Command, what: &str, error: std::io::Error) 
     }
 }
 
-/// The command as one would type it, for people; quoting is left out.
+/// The command as one would type it, for people; quoting is left out, and what follows the first words.
 pub(crate) fn spelled(command: &Command) -> String {
     let program = std::path::Path::new(command.get_program());
     let mut words = vec![
@@ -69,6 +72,10 @@ pub(crate) fn spelled(command: &Command) -> String {
             .to_string_lossy(),
     ];
     words.extend(command.get_args().map(|word| word.to_string_lossy()));
+    if words.len() > MOST_WORDS {
+        words.truncate(MOST_WORDS);
+        words.push("…".into());
+    }
     words.join(" ")
 }
 
