@@ -27,13 +27,10 @@ const WASM_CRATE: (&str, &str) = ("assur-web", "crates/assur-web");
 /// Factor on the counts of random input in a run of everything.
 const ALL_SCALE: &str = "10";
 
-/// Factor on the counts of random input in `soak`.
-const SOAK_SCALE: &str = "1000";
-
-/// What `soak` runs: what it is called, its package, and words of its tests.
-const SOAKED: [(&str, &str, &str); 2] = [
-    ("drawings", "assur-tests", "any_drawing::"),
-    ("damaged files", "assur-cli", "damaged"),
+/// The tests of `soak`: a name, words of the tests, and the factor on their counts.
+const SOAKED: [(&str, &str, u32); 2] = [
+    ("200,000 drawings", "any_drawing::", 200),
+    ("100,000 damaged files", "damaged::", 20),
 ];
 
 /// The part of all tests that is run.
@@ -147,11 +144,10 @@ fn with_page(
 /// Runs the tests of random input at counts for which a run has no time, from a seed.
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
-    for (name, package, test) in SOAKED {
-        let mut cargo = workspace.cargo(["test", "--release", "--package", package]);
-        cargo.args(["--", "--include-ignored", "--nocapture", test]);
+    for (name, test, scale) in SOAKED {
+        let mut cargo = workspace.cargo(["test", "--workspace", "--tests", "--", test]);
         cargo
-            .env("ASSUR_SCALE", SOAK_SCALE)
+            .env("ASSUR_SCALE", scale.to_string())
             .env("ASSUR_SEED", seed.to_string());
         tally.tests(name, Ok(cargo));
     }
