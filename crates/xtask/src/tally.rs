@@ -226,7 +226,7 @@ mod tests {
             (
                 "console.log('ℹ pass 7'); process.exit(3)",
                 7,
-                1,
+                0,
                 "exit code 3",
             ),
             (
