@@ -108,10 +108,15 @@ fn without_page(workspace: &Workspace, ready: &SetUp, extent: Extent, tally: &mu
         run_step(doc.env("RUSTDOCFLAGS", "-D warnings"), "documentation")
     });
     tally.check("compilation of the tests", || {
-        // Also the page tests, which run later, while both processors have work.
-        let targets = ["--tests", "--test", "page", "--no-run"];
-        let mut cargo = workspace.cargo(["test", "--workspace"]);
-        run_step(cargo.args(targets), "compilation of the tests")
+        // Also the page tests, which run later, while both processors have work. Beside `--tests` cargo would ignore
+        // their name.
+        let mut cargo = workspace.cargo(["test", "--workspace", "--no-run", "--lib", "--bins"]);
+        cargo.args(
+            ["native", "integration", "border", "page"]
+                .iter()
+                .flat_map(|name| ["--test", name]),
+        );
+        run_step(&mut cargo, "compilation of the tests")
     });
     for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
         let mut cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast"]);
