@@ -108,7 +108,7 @@ impl Page {
         }
     }
 
-    /// The second line to the browser where it is Firefox.
+    /// The second connection to the browser, if it is Firefox.
     pub(crate) fn firefox(&self) -> Option<&Firefox> {
         match &self.window.browser().own {
             Own::Firefox(firefox) => Some(firefox),
@@ -255,7 +255,7 @@ impl Page {
         self.settle().await;
     }
 
-    /// A hand on mouse and keys, to be told its actions one after the other.
+    /// A chain of actions by mouse and keys.
     pub(crate) fn hand(&self) -> ActionChain {
         let none = Some(Duration::ZERO);
         self.driver.action_chain_with_delay(none, Some(MOVE))

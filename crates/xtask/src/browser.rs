@@ -43,7 +43,7 @@ impl Browser {
     }
 }
 
-/// One of the programs: the variable that names it, the names and the places it goes by.
+/// One of the programs: the variable that names it, its names, and places that are not on PATH.
 struct Program {
     variable: &'static str,
     names: &'static [&'static str],
@@ -58,60 +58,34 @@ const CHROME: Program = Program {
         "chromium",
         "chromium-browser",
         "google-chrome",
-        "google-chrome-stable",
         "chrome",
     ],
     places: &[
-        "/usr/bin/chromium",
-        "/usr/bin/chromium-browser",
-        "/usr/bin/google-chrome",
-        "/usr/lib/chromium/chromium",
-        "/usr/lib64/chromium-browser/chromium-browser",
-        "/opt/google/chrome/chrome",
-        "/snap/bin/chromium",
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
         "/Applications/Chromium.app/Contents/MacOS/Chromium",
         r"C:\Program Files\Google\Chrome\Application\chrome.exe",
-        r"C:\Program Files (x86)\Google\Chrome\Application\chrome.exe",
-        r"C:\Program Files\Chromium\Application\chrome.exe",
     ],
 };
 
 const CHROMEDRIVER: Program = Program {
     variable: "CHROMEDRIVER",
     names: &["chromedriver", "chromium.chromedriver"],
-    places: &[
-        "/usr/bin/chromedriver",
-        "/usr/lib/chromium/chromedriver",
-        "/usr/lib/chromium-browser/chromedriver",
-        "/usr/local/bin/chromedriver",
-        "/opt/homebrew/bin/chromedriver",
-        "/snap/bin/chromium.chromedriver",
-        r"C:\Program Files\chromedriver\chromedriver.exe",
-        r"C:\Program Files\Google\Chrome\Application\chromedriver.exe",
-    ],
+    places: &["/usr/lib/chromium-browser/chromedriver"],
 };
 
 const FIREFOX: Program = Program {
     variable: "FIREFOX",
-    names: &["firefox", "firefox-esr"],
+    names: &["firefox-esr", "firefox"],
     places: &[
-        "/usr/bin/firefox-esr",
-        "/usr/bin/firefox",
-        "/snap/bin/firefox",
         "/Applications/Firefox.app/Contents/MacOS/firefox",
         r"C:\Program Files\Mozilla Firefox\firefox.exe",
-        r"C:\Program Files (x86)\Mozilla Firefox\firefox.exe",
     ],
 };
 
 const GECKODRIVER: Program = Program {
     variable: "GECKODRIVER",
     names: &["geckodriver"],
-    places: &[
-        "/usr/local/bin/geckodriver",
-        "/opt/homebrew/bin/geckodriver",
-    ],
+    places: &[],
 };
 
 /// Finds a browser and its driver or, where the system's packages can be installed, installs what
@@ -181,7 +155,7 @@ fn in_place<T>(
 }
 
 impl Program {
-    /// The variable wins, then PATH, then the usual places. A variable that points nowhere is an
+    /// The variable wins, then PATH, then the other places. A variable that points nowhere is an
     /// error: silently testing another browser would mislead.
     fn find(&self) -> Result<Option<PathBuf>> {
         if let Some(named) = env::var_os(self.variable).filter(|value| !value.is_empty()) {

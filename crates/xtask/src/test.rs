@@ -5,7 +5,7 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::thread;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Error, Result, anyhow};
 use serde_json::Value;
@@ -27,13 +27,10 @@ const WASM_CRATE: (&str, &str) = ("assur-web", "crates/assur-web");
 /// Factor on the counts of random input in a run of everything.
 const ALL_SCALE: &str = "10";
 
-/// Factor on the counts of random input in `soak`.
-const SOAK_SCALE: &str = "1000";
-
-/// What `soak` runs: what it is called, its package, and words of its tests.
-const SOAKED: [(&str, &str, &str); 2] = [
-    ("drawings", "assur-tests", "any_drawing::"),
-    ("damaged files", "assur-cli", "damaged"),
+/// The tests of `soak`: a name, words of the tests, and the factor on their counts.
+const SOAKED: [(&str, &str, u32); 2] = [
+    ("200,000 drawings", "any_drawing::", 200),
+    ("100,000 damaged files", "damaged::", 20),
 ];
 
 /// The part of all tests that is run.
@@ -45,14 +42,20 @@ pub(crate) enum Extent {
     All,
 }
 
-/// The outcome of the set-up, part by part.
+/// The parts that the first steps need, each or the reason why it is missing.
 struct SetUp {
     components: Result<()>,
     target: Result<()>,
+    browser: Result<Browser>,
+}
+
+/// The tools of the page and the page, each or the reason why it is missing.
+struct Built {
     bindgen: Result<PathBuf>,
     pack: Result<PathBuf>,
     packages: Result<()>,
-    browser: Result<Browser>,
+    page: Result<()>,
+    took: Duration,
 }
 
 /// Runs every step even if an earlier one failed. A step that needs what failed counts as failed.
@@ -61,20 +64,22 @@ pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
     let firefox = (extent == Extent::All).then(|| found(workspace, Kind::Firefox));
     let mut tally = Tally::default();
 
-    // The optimiser of the page uses one processor for minutes: the steps that need no page use the other.
-    let (page, took) = thread::scope(|scope| {
-        let page = scope.spawn(|| {
-            let began = Instant::now();
-            (ready.page(workspace), began.elapsed())
-        });
+    // Tools and page leave one processor idle for minutes: the steps that need neither use it.
+    let built = thread::scope(|scope| {
+        let built = scope.spawn(|| Built::new(workspace, &ready));
         without_page(workspace, &ready, extent, &mut tally);
-        page.join()
-            .unwrap_or_else(|_| (Err(anyhow!("building stopped")), Instant::now().elapsed()))
+        built.join()
     });
-    tally.step("page", &page, took);
-    with_page(workspace, &ready, &page, extent, &mut tally);
+    let built = built.map_err(|_| anyhow!("the build of the page stopped"))?;
+    let page = &built.page;
+    tally.step("page", page, built.took);
+    tally.tests(
+        "wasm tests in the browser",
+        built.wasm_tests(workspace, &ready),
+    );
+    with_page(workspace, &ready, &built, extent, &mut tally);
     if let Some(firefox) = firefox {
-        let tests = page_tests(workspace, &firefox, &page, extent, &[]);
+        let tests = page_tests(workspace, &firefox, page, extent, &[]);
         tally.tests("page tests in Firefox", tests);
     }
     ended(&tally)
@@ -113,19 +118,19 @@ fn without_page(workspace: &Workspace, ready: &SetUp, extent: Extent, tally: &mu
         cargo.arg(targets);
         tally.tests(name, Ok(extended(cargo, extent)));
     }
-    tally.tests("wasm tests in the browser", ready.wasm_tests(workspace));
 }
 
 /// The steps that need the built page, in Chromium or in Node.
 fn with_page(
     workspace: &Workspace,
     ready: &SetUp,
-    page: &Result<()>,
+    built: &Built,
     extent: Extent,
     tally: &mut Tally,
 ) {
+    let page = &built.page;
     tally.check("types of the scripts", || {
-        needed(&ready.packages)?;
+        needed(&built.packages)?;
         // The build writes the types of the border.
         needed(page)?;
         for project in [".", "crates/xtask/build"] {
@@ -147,11 +152,10 @@ fn with_page(
 /// Runs the tests of random input at counts for which a run has no time, from a seed.
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
-    for (name, package, test) in SOAKED {
-        let mut cargo = workspace.cargo(["test", "--release", "--package", package]);
-        cargo.args(["--", "--include-ignored", "--nocapture", test]);
+    for (name, test, scale) in SOAKED {
+        let mut cargo = workspace.cargo(["test", "--workspace", "--tests", "--", test]);
         cargo
-            .env("ASSUR_SCALE", SOAK_SCALE)
+            .env("ASSUR_SCALE", scale.to_string())
             .env("ASSUR_SEED", seed.to_string());
         tally.tests(name, Ok(cargo));
     }
@@ -191,25 +195,35 @@ impl SetUp {
         Self {
             components: reported("rustfmt and clippy", tools::components(workspace)),
             target: reported("wasm target", tools::wasm_target(workspace)),
-            bindgen: reported("wasm-bindgen", tools::wasm_bindgen(workspace)),
-            pack: reported("wasm-pack", tools::wasm_pack(workspace)),
-            packages: reported("packages of npm", tools::packages(workspace)),
             browser: found(workspace, Kind::Chromium),
         }
     }
+}
 
-    /// Builds the page and all that is made of it.
-    fn page(&self, workspace: &Workspace) -> Result<()> {
-        needed(&self.target)?;
-        needed(&self.packages)?;
-        site::build(workspace, needed(&self.bindgen)?)?;
-        site::give_away(workspace)
+impl Built {
+    fn new(workspace: &Workspace, ready: &SetUp) -> Self {
+        let bindgen = reported("wasm-bindgen", tools::wasm_bindgen(workspace));
+        let packages = reported("packages of npm", tools::packages(workspace));
+        let began = Instant::now();
+        let page = needed(&ready.target)
+            .and(needed(&packages))
+            .and(needed(&bindgen))
+            .and_then(|bindgen| site::build(workspace, bindgen))
+            .and_then(|()| site::give_away(workspace));
+        let took = began.elapsed();
+        Self {
+            bindgen,
+            pack: reported("wasm-pack", tools::wasm_pack(workspace)),
+            packages,
+            page,
+            took,
+        }
     }
 
-    fn wasm_tests(&self, workspace: &Workspace) -> Result<Command> {
-        needed(&self.target)?;
+    fn wasm_tests(&self, workspace: &Workspace, ready: &SetUp) -> Result<Command> {
+        needed(&ready.target)?;
         let (bindgen, pack) = (needed(&self.bindgen)?, needed(&self.pack)?);
-        wasm_tests(workspace, bindgen, pack, needed(&self.browser)?)
+        wasm_tests(workspace, bindgen, pack, needed(&ready.browser)?)
     }
 }
 

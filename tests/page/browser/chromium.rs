@@ -1,4 +1,4 @@
-//! Chromium: what it is started with, and its own tools for windows of separate storage.
+//! Chromium: its options, and windows with a storage of their own through its developer tools.
 
 use std::fs;
 use std::net::TcpStream;
@@ -49,7 +49,7 @@ pub(super) fn wanted(profile: Profile) -> ChromeCapabilities {
     wanted
 }
 
-/// Where a browser listens to commands that no window may give.
+/// The address of the developer tools for commands that a window may not give.
 pub(super) struct Chromium {
     address: String,
     path: String,
@@ -58,7 +58,7 @@ pub(super) struct Chromium {
 }
 
 impl Chromium {
-    /// Reads what the browser has written beside its profile.
+    /// Reads the address that the browser has written into its profile.
     pub(super) fn of(driver: &WebDriver) -> Self {
         let chrome = driver.handle().capabilities().get("chrome").unwrap();
         let place = Path::new(chrome["userDataDir"].as_str().unwrap()).join("DevToolsActivePort");
@@ -95,13 +95,13 @@ impl Chromium {
             let grown = driver.set_window_rect(0, 0, width, height + outer - inner);
             grown.await.map_err(|error| error.to_string())?;
         }
-        // Through the driver, because what is set by a line of our own ends with it.
+        // Through the driver: set through the developer tools it would end with that connection.
         let place =
             json!({ "behavior": "allow", "browserContextId": context, "downloadPath": downloads });
         let tools = driver.cdp();
         let set = tools.send_raw("Browser.setDownloadBehavior", place).await;
         set.map_err(|error| error.to_string())?;
-        // What was said in the window before is not of this one.
+        // Messages of the window before do not belong to this one.
         let said = driver.browser_log().await;
         said.map_err(|error| error.to_string())?;
         Ok(context.as_str().unwrap_or_default().to_owned())

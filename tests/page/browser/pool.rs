@@ -19,17 +19,17 @@ use super::chromium::Chromium;
 use super::firefox::Firefox;
 use super::{chromium, firefox, in_firefox, setting};
 
-/// How long a driver is given to end its browser.
+/// Time that a driver is given to end its browser.
 const FAREWELL: Duration = Duration::from_secs(20);
 
 /// Browsers that may wait for a test; those of rare profiles are ended first.
 const WAITING: usize = 4;
 
-/// What is the same for every page of a browser, because it is set where the browser starts.
+/// The settings that a browser takes when it starts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Profile {
     pub(crate) lang: &'static str,
-    /// Whether pages open at rest: the reader has asked the system for less motion.
+    /// Pages open at rest: the reader has asked the system for reduced motion.
     pub(crate) calm: bool,
 }
 
@@ -41,13 +41,13 @@ pub(crate) struct Browser {
     pub(super) own: Own,
 }
 
-/// What only one of the two browsers has.
+/// The parts that differ between the two browsers.
 pub(super) enum Own {
     Chromium(Chromium),
     Firefox(Firefox),
 }
 
-/// A window of a test with nothing of other tests in it; its browser is taken back when it is dropped.
+/// A window of one test, with a storage of its own. Its browser goes to the next test when it is dropped.
 pub(crate) struct Window {
     browser: Option<Browser>,
     context: String,
@@ -65,7 +65,7 @@ static WAITING_BROWSERS: Mutex<Vec<Browser>> = Mutex::new(Vec::new());
 /// All browsers that run, by the port of their driver.
 static SESSIONS: Mutex<BTreeMap<u16, Session>> = Mutex::new(BTreeMap::new());
 
-/// Lines to the browsers outlive the runtime of a test, so they have one of their own.
+/// Runtime of the connections to browsers, which outlive the runtime of a test.
 static RUNTIME: LazyLock<Runtime> = LazyLock::new(|| {
     let mut builder = Builder::new_multi_thread();
     builder.worker_threads(1).enable_all().build().unwrap()
@@ -75,7 +75,7 @@ pub(super) fn locked<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs something on the runtime that outlives the tests.
+/// Runs work on the runtime that outlives the tests.
 async fn lasting<T: Send + 'static>(work: impl Future<Output = T> + Send + 'static) -> T {
     RUNTIME.spawn(work).await.unwrap()
 }
@@ -186,7 +186,7 @@ impl Browser {
     }
 }
 
-/// A session of a driver, and the second line to its browser.
+/// A session of a driver, and the second connection to its browser.
 async fn connected(port: u16, profile: Profile) -> (WebDriver, Own) {
     let address = format!("http://127.0.0.1:{port}");
     let wanted: Capabilities = if in_firefox() {
@@ -194,7 +194,7 @@ async fn connected(port: u16, profile: Profile) -> (WebDriver, Own) {
     } else {
         chromium::wanted(profile).into()
     };
-    // A connection kept open would belong to the runtime of one test.
+    // An open connection would belong to the runtime of one test.
     let client = reqwest::Client::builder().pool_max_idle_per_host(0);
     let driver = WebDriver::builder(address, wanted)
         .client(client.build().unwrap())
