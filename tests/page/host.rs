@@ -20,7 +20,7 @@ pub(crate) struct Host {
 
 impl Host {
     pub(crate) fn start(root: &Path, below: &str) -> Self {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/xtask/build/serve.js");
+        let script = assur_tests::files::root().join("crates/xtask/build/serve.js");
         let mut node = Command::new("node");
         node.arg(script).arg(root).args(["--below", below]);
         node.stdin(Stdio::piped()).stdout(Stdio::piped());

@@ -453,11 +453,8 @@ async fn in_every_language() {
             .map(|one| one.as_str().unwrap())
             .collect();
         rules.sort_unstable();
-        let words = std::fs::read_to_string(format!(
-            "{}/../lang/{lang}.json",
-            env!("CARGO_MANIFEST_DIR")
-        ));
-        let words: serde_json::Value = serde_json::from_str(&words.unwrap()).unwrap();
+        let words = assur_tests::files::source(&format!("lang/{lang}.json"));
+        let words: serde_json::Value = serde_json::from_str(&words).unwrap();
         let mut forms: Vec<&str> = words
             .as_object()
             .unwrap()
