@@ -67,9 +67,11 @@ impl<'a> Named<'a> {
         let bars = (0..sketch.bars.len()).filter(|bar| named.stays(*bar));
         let bars: Vec<usize> = bars.collect();
         let slides = sketch.slides.iter().filter(|slide| named.moves(slide));
-        let ends: Vec<usize> = slides.flat_map(|slide| slide.line).collect();
-        let on_bars = bars.iter().flat_map(|bar| sketch.bars[*bar].joints.clone());
-        for joint in on_bars.chain(ends) {
+        // Also the joint that slides: its bar may be one with the frame.
+        let of_slides = slides.flat_map(|slide| [slide.joint, slide.line[0], slide.line[1]]);
+        let of_slides: Vec<usize> = of_slides.collect();
+        let of_bars = bars.iter().flat_map(|bar| sketch.bars[*bar].joints.clone());
+        for joint in of_bars.chain(of_slides) {
             named.used[joint] = true;
         }
         let mut taken = Names::default();
