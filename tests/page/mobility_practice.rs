@@ -12,16 +12,29 @@ async fn task(page: &Page) -> Option<u32> {
     rest.split('&').next()?.parse().ok()
 }
 
-/// A task tells nothing of what it asks; each answer is checked by what the engine counts, what needs all contours
-/// open only then; another task is another mechanism.
+/// The first task at or after a number that has closed contours, or none.
+fn numbered(from: u32, closed: bool) -> (u32, Scheme) {
+    let mut schemes = (from..).map(|number| (number, Scheme::new(&generated(number)).unwrap()));
+    let found = schemes.find(|(_, scheme)| scheme.sections(&[]).is_err() == closed);
+    found.unwrap()
+}
+
+/// Sets a new task, whose number the page draws by chance.
+async fn set(page: &Page, number: u32) {
+    let drawn = (f64::from(number) + 0.5) / 100_000.0;
+    page.ask(&format!("Math.random = () => {drawn}")).await;
+    page.click("practice-new").await;
+    page.until("a task", async || task(page).await == Some(number))
+        .await;
+}
+
+/// A task shows none of its answers; each answer is checked against the engine's count, and those that need all
+/// contours open only then; the next task is another mechanism.
 #[tokio::test]
 async fn tasks_are_set_and_checked() {
     let page = open(&document("mobility-2a")).await;
-    page.click("practice-new").await;
-    page.until("a task", async || task(&page).await.is_some())
-        .await;
-    let number = task(&page).await.unwrap();
-    let scheme = Scheme::new(&generated(number)).unwrap();
+    let (number, scheme) = numbered(34_000, true);
+    set(&page, number).await;
     assert_eq!(page.count("#out-scheme-w").await, 1);
     assert!(!page.text("status").await.contains('='));
     for section in ["scheme-formulas", "scheme-geometry"] {
@@ -61,12 +74,22 @@ async fn tasks_are_set_and_checked() {
     }
     let done = page.text("practice-said").await;
     assert!(done.contains("All correct"), "{done}");
+
+    // An open chain needs no cut: its answers are judged at once.
+    let (number, scheme) = numbered(number, false);
+    set(&page, number).await;
+    assert_eq!(page.written("practice-w").await, "");
+    let open = scheme.sections(&[]).unwrap().open;
+    for (value, expected) in [(open + 1, "wrong"), (open, "right")] {
+        page.write("practice-open", &value.to_string()).await;
+        assert_eq!(verdict("practice-open").await.as_deref(), Some(expected));
+    }
+    // The same number drawn again would be the same mechanism.
     page.click("practice-new").await;
     page.until("another task", async || {
-        task(&page).await.is_some_and(|other| other != number)
+        task(&page).await == Some(number + 1)
     })
     .await;
-    assert_eq!(page.written("practice-w").await, "");
     page.click("practice-end").await;
     let other = page.value("out-scheme-w").await;
     assert!(other.is_finite());
