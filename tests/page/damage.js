@@ -1,4 +1,4 @@
-// Gives inputs to the page one after the other, as addresses or as files, and tells what came of each.
+// Gives inputs to the page one after the other, as addresses or as files, and returns the outcome of each.
 const [kind, inputs, done] = arguments;
 const byId = (id) => document.getElementById(id);
 const frame = () => new Promise(requestAnimationFrame);

@@ -1,4 +1,4 @@
-// What little of a browser's window scripts ask for when nothing is shown: events, and what a slider is told by.
+// The part of a browser's window that scripts need without a page: events and the classes of controls.
 import { setMaxListeners } from "node:events";
 
 const view = new EventTarget();

@@ -11,7 +11,7 @@ pub fn scaled<T: From<u16> + Mul<Output = T>>(quick: T) -> T {
     quick * T::from(scale())
 }
 
-/// Whether the run has more than the quick counts: then lists are gone through whole.
+/// True if the counts are above those of the quick run: then a test goes through whole lists.
 ///
 /// # Panics
 /// Where `ASSUR_SCALE` is no whole number of at least 1.

@@ -1,4 +1,4 @@
-// The table of keys: what each does, where they are left to the element with the focus, and what the help and screen readers are told.
+// The table of keys: the command of each key, the elements that keep a key for themselves, and the entries in the help.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { happen } from "assur/tests/window.js";

@@ -107,7 +107,7 @@ test("a drawing becomes a linkage when it moves, and a drawing again when it doe
   const { crank } = fourBar(page);
   step(page, { edit: "drive", link: crank });
   assert.equal(page.store.get().kind, "draft");
-  // A bar that hangs on nothing was in its way.
+  // A loose bar was in its way.
   step(page, { edit: "remove", points: loose.points, links: [loose.name] });
   assert.equal(page.store.get().kind, "linkage");
   const { summary, problems } = page.now();

@@ -34,7 +34,7 @@ const ANSWERS = {
 };
 
 /**
- * A lesson as the panel is told of it, in every language.
+ * A lesson as the panel receives it, in every language.
  * @param {string} id
  * @param {Page} page
  */

@@ -28,7 +28,7 @@ test("a state of every mechanism of the catalogue comes back from its address, l
     const short = toAddress(state, { id, usual });
     assert.ok(short.startsWith(`${id}&`) && short.length < 200, short);
     assert.deepEqual(engine.read(fromAddress(through(short), preset)), engine.read(state), id);
-    // What is usual is left out.
+    // Default settings are left out.
     assert.equal(toAddress(initialState(kind, document, { lang: "en" }), { id, usual }), id);
   }
 });

@@ -1,5 +1,5 @@
-// The search for a dwell, beside the page: one mechanism after the other is judged, and each is told. After a better one it waits
-// until the page has shown it; it is stopped from outside.
+// The search for a dwell, in a worker: it judges mechanism after mechanism and reports each. After a better one it waits until the
+// page has shown it. The page stops it.
 import load, { Design } from "assur/pkg/assur_web.js";
 
 /** Goes on with the search. */
