@@ -10,13 +10,16 @@
 
 #[path = "page/browser.rs"]
 mod browser;
+#[path = "page/host.rs"]
+mod host;
 #[path = "page/picture.rs"]
 mod picture;
 
 use std::env;
 use std::time::{Duration, Instant};
 
-use browser::{Page, setting};
+use browser::Page;
+use host::home;
 use serde_json::json;
 
 /// Put into the page before its own scripts: each is read once, however often it
@@ -91,12 +94,8 @@ async fn have(page: &Page, what: &str) -> Vec<f64> {
 #[tokio::test]
 async fn page_speed() {
     let page = Page::playing().await;
-    page.tool(
-        "Page.addScriptToEvaluateOnNewDocument",
-        json!({ "source": BENCH }),
-    )
-    .await;
-    page.anew(&setting("ASSUR_URL")).await;
+    page.before(BENCH).await;
+    page.anew(home()).await;
     let ready = "arguments[0]([performance.getEntriesByName('ready')[0].startTime])";
     let first = page.numbers(ready).await;
     print("first drawn frame after navigation, ms", first[0]);
@@ -119,11 +118,11 @@ async fn page_speed() {
         page.tool("Performance.disable", json!({})).await;
         page.tool("Performance.enable", json!({ "timeDomain": clock }))
             .await;
-        let before = page.metric("TaskDuration").await;
+        let before = metric(&page, "TaskDuration").await;
         let start = Instant::now();
         have(&page, &format!("frames({FRAMES})")).await;
         let passed = start.elapsed().as_secs_f64();
-        let spent = page.metric("TaskDuration").await - before;
+        let spent = metric(&page, "TaskDuration").await - before;
         print(name, spent / FRAMES * 1e3);
         if clock == "timeTicks" {
             print("frames a second, all overlays", FRAMES / passed);
@@ -131,11 +130,11 @@ async fn page_speed() {
     }
 
     page.click("play").await;
-    let before = page.metric("TaskDuration").await;
+    let before = metric(&page, "TaskDuration").await;
     let start = Instant::now();
     let mut steps = have(&page, &format!("drag({STEPS})")).await;
     let passed = start.elapsed().as_secs_f64();
-    let spent = page.metric("TaskDuration").await - before;
+    let spent = metric(&page, "TaskDuration").await - before;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     print(
@@ -157,6 +156,13 @@ async fn page_speed() {
     page.close().await;
 }
 
+/// A figure of the browser's own bookkeeping.
+async fn metric(page: &Page, name: &str) -> f64 {
+    let metrics = page.driver.cdp().performance().get_metrics().await.unwrap();
+    let metric = metrics.iter().find(|metric| metric.name == name);
+    metric.unwrap().value
+}
+
 /// What the page holds while it is played and dragged.
 async fn memory(page: &Page) {
     const LOOKS: u32 = 10;
@@ -173,7 +179,7 @@ async fn memory(page: &Page) {
         page.tool("HeapProfiler.collectGarbage", json!({})).await;
         let wasm = "arguments[0]([bench.memory.buffer.byteLength])";
         held.push([
-            page.metric("JSHeapUsedSize").await,
+            metric(page, "JSHeapUsedSize").await,
             page.numbers(wasm).await[0],
         ]);
     }

@@ -5,9 +5,10 @@ use assur::mixer::Case;
 use assur::{Assembly, FourBar};
 use serde_json::json;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::device::languages;
 use crate::gallery::open;
+use crate::host::home;
 
 pub(crate) const AXE: &str = include_str!("vendor/axe.min.js");
 
@@ -95,7 +96,7 @@ async fn axe_finds_nothing() {
         assert_ne!(page.text("problem").await, "");
         check(&page, &format!("{lang} problems")).await;
         page.click("preset-a").await;
-        let address = format!("{}#9&broken", setting("ASSUR_URL"));
+        let address = format!("{}#9&broken", home());
         page.goto(&address).await;
         assert_ne!(page.text("notice").await, "");
         check(&page, &format!("{lang} notice")).await;
@@ -327,7 +328,7 @@ async fn reduced_motion_is_honoured() {
     let page = Page::open().await;
     page.prefer("prefers-reduced-motion", "reduce").await;
     page.ask("localStorage.clear()").await;
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     let playing = page.attribute("play", "data-playing").await;
     assert_eq!(playing.as_deref(), Some("false"));
     let still = page.picture("mechanism").await;

@@ -5,9 +5,10 @@ use assur::mechanism::Quantity;
 use assur_file::presets;
 
 use crate::access::named_and_fits;
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
+use crate::host::home;
 use crate::plots::texts;
 
 /// The colour of what has y as its ordinate.
@@ -150,7 +151,7 @@ async fn what_is_gone_is_not_plotted() {
     assert_eq!(page.written("plot").await, "angles");
     assert!(!page.element("against").await.is_displayed().await.unwrap());
     let pair = "%7B%22x%22:%22Q.x%22,%22y%22:%22F.y%22%7D";
-    let url = format!("{}#jansen&v.against={pair}", setting("ASSUR_URL"));
+    let url = format!("{}#jansen&v.against={pair}", home());
     page.goto(&url).await;
     page.until("a sentence", async || {
         (page.text("notice").await).contains("Plot of two quantities: there is no such choice.")

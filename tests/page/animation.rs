@@ -3,16 +3,14 @@
 use roxmltree::{Document, Node};
 use serde_json::json;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::export::open_dialog;
+use crate::host::home;
 use crate::picture::Picture;
 
 /// A mechanism at rest at 30° with the dialog open, small and quick animations chosen.
 async fn open(name: &str, moments: usize) -> Page {
-    let url = format!(
-        "{}#{name}&v.playing=false&v.phi_deg=30",
-        setting("ASSUR_URL")
-    );
+    let url = format!("{}#{name}&v.playing=false&v.phi_deg=30", home());
     let page = Page::open_at(&url, "en-US").await;
     open_dialog(&page).await;
     page.choose("export-width", "320").await;

@@ -8,19 +8,25 @@ use serde_json::{Value, json};
 use thirtyfour::action_chain::ActionChain;
 use thirtyfour::prelude::*;
 
+use crate::host::home;
 use crate::picture::Picture;
-use firefox::Firefox;
-use pool::{Own, Profile, Window};
+use line::Line;
+use pool::{Profile, Window};
 
 #[path = "browser/chromium.rs"]
 mod chromium;
 #[path = "browser/firefox.rs"]
 pub(crate) mod firefox;
+#[path = "browser/line.rs"]
+mod line;
 #[path = "browser/pool.rs"]
 mod pool;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Time between two looks at what is waited for.
+const LOOK: Duration = Duration::from_millis(20);
 
 /// Time that the pointer takes from one place to the next: a frame.
 const MOVE: Duration = Duration::from_millis(16);
@@ -49,22 +55,15 @@ pub(crate) fn setting(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
 }
 
-/// Goes on in another window.
-async fn switch(driver: &WebDriver, window: &Value) -> Result<(), String> {
-    let window = window.as_str().ok_or("a window without a name")?.to_owned();
-    let switched = driver.switch_to_window(window.into()).await;
-    switched.map_err(|error| error.to_string())
-}
-
 impl Page {
     /// The served page in English, at rest.
     pub(crate) async fn open() -> Self {
-        Self::open_at(&setting("ASSUR_URL"), "en-US").await
+        Self::open_at(home(), "en-US").await
     }
 
     /// The served page in English, of a reader who has not asked for less motion: it opens playing.
     pub(crate) async fn playing() -> Self {
-        Self::playing_at(&setting("ASSUR_URL"), "en-US").await
+        Self::playing_at(home(), "en-US").await
     }
 
     /// A page at an address, at rest, in a browser that speaks a language, of someone who has been there.
@@ -108,24 +107,13 @@ impl Page {
         }
     }
 
-    /// The second connection to the browser, if it is Firefox.
-    pub(crate) fn firefox(&self) -> Option<&Firefox> {
-        match &self.window.browser().own {
-            Own::Firefox(firefox) => Some(firefox),
-            Own::Chromium(_) => None,
-        }
+    pub(crate) fn line(&self) -> &Line {
+        &self.window.browser().line
     }
 
     /// Has a script run before those of any page that is opened from now on.
     pub(crate) async fn before(&self, script: &str) {
-        match self.firefox() {
-            Some(firefox) => firefox.before(script).await,
-            None => {
-                let script = json!({ "source": script });
-                self.tool("Page.addScriptToEvaluateOnNewDocument", script)
-                    .await;
-            }
-        }
+        self.line().before(script).await;
     }
 
     /// Waits until the page has been drawn.
@@ -160,7 +148,7 @@ impl Page {
     }
 
     pub(crate) async fn reload(&self) {
-        if self.firefox().is_some() {
+        if in_firefox() {
             // Its driver would pass over what is kept for days without a network.
             self.ask("document.documentElement.dataset.ready = 'left'; location.reload()")
                 .await;
@@ -193,10 +181,20 @@ impl Page {
         tools.send_raw(command, with).await.unwrap()
     }
 
-    /// What an asynchronous script of the test hands over.
-    pub(crate) async fn wait_for(&self, script: &str) -> Value {
-        let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
+    /// What a script of the test gives to its last argument, a function, in its time.
+    pub(crate) async fn ask_later(&self, script: &str, arguments: Vec<Value>) -> Value {
+        let answer = self.driver.execute_async(script, arguments).await.unwrap();
         answer.json().clone()
+    }
+
+    /// The same without arguments.
+    pub(crate) async fn wait_for(&self, script: &str) -> Value {
+        self.ask_later(script, Vec::new()).await
+    }
+
+    /// The same where it is numbers.
+    pub(crate) async fn numbers(&self, script: &str) -> Vec<f64> {
+        serde_json::from_value(self.wait_for(script).await).unwrap()
     }
 
     /// A folder of this page's own, where the browser puts what it saves.
@@ -225,8 +223,7 @@ impl Page {
             document.body.append(picture);
             picture.onload = () => arguments[1](true);
             picture.src = URL.createObjectURL(new Blob([arguments[0]], { type: 'image/svg+xml' }));";
-        let shown = self.driver.execute_async(script, vec![svg.into()]);
-        shown.await.unwrap();
+        self.ask_later(script, vec![svg.into()]).await;
     }
 
     /// Hands on the page, where the client has no words for them: a sequence of actions for each.
@@ -239,13 +236,6 @@ impl Page {
     pub(crate) async fn focused(&self) -> Option<String> {
         let element = self.driver.active_element().await.unwrap();
         element.id().await.unwrap()
-    }
-
-    /// What a script of the test gives to its last argument, a function, in its time.
-    #[allow(dead_code, reason = "page_speed has no such script")]
-    pub(crate) async fn ask_later(&self, script: &str, arguments: Vec<Value>) -> Value {
-        let answer = self.driver.execute_async(script, arguments).await.unwrap();
-        answer.json().clone()
     }
 
     /// Gives a file to the page as if it had been chosen.
@@ -295,11 +285,13 @@ impl Page {
 
     /// What has been said on the console since this was asked last.
     pub(crate) async fn said(&self) -> Vec<String> {
-        if let Some(firefox) = self.firefox() {
-            return firefox.said();
+        let mut said = self.line().said();
+        if !in_firefox() {
+            // Also what the network and the policy say, which the line does not bring.
+            let log = self.driver.browser_log().await.unwrap();
+            said.extend(log.iter().map(|entry| format!("{entry:?}")));
         }
-        let said = self.driver.browser_log().await.unwrap();
-        said.iter().map(|entry| format!("{entry:?}")).collect()
+        said
     }
 
     /// Waits until something holds.
@@ -307,15 +299,20 @@ impl Page {
         let start = Instant::now();
         while !holds().await {
             assert!(start.elapsed() < PATIENCE, "waited in vain for {what}");
-            tokio::time::sleep(Duration::from_millis(20)).await;
+            tokio::time::sleep(LOOK).await;
         }
     }
 
+    /// An element, which is awaited: parts of the page are built when they are first shown.
     pub(crate) async fn element(&self, id: &str) -> WebElement {
-        self.driver
-            .find(By::Id(id))
-            .await
-            .unwrap_or_else(|_| panic!("no element {id}"))
+        let start = Instant::now();
+        loop {
+            match self.driver.find(By::Id(id)).await {
+                Ok(element) => return element,
+                Err(_) => assert!(start.elapsed() < PATIENCE, "no element {id}"),
+            }
+            tokio::time::sleep(LOOK).await;
+        }
     }
 
     pub(crate) async fn click(&self, id: &str) {
@@ -341,14 +338,9 @@ impl Page {
 
     /// Chooses an entry of a list.
     pub(crate) async fn choose(&self, id: &str, value: &str) {
-        let option = format!("#{id} option[value='{value}']");
-        self.driver
-            .find(By::Css(option))
-            .await
-            .unwrap()
-            .click()
-            .await
-            .unwrap();
+        let option = By::Css(format!("#{id} option[value='{value}']"));
+        let option = self.driver.find(option).await.unwrap();
+        option.click().await.unwrap();
         self.settle().await;
     }
 
@@ -356,7 +348,7 @@ impl Page {
     pub(crate) async fn settle(&self) {
         let frames = "const done = arguments[0];
             requestAnimationFrame(() => requestAnimationFrame(() => done(true)));";
-        self.driver.execute_async(frames, Vec::new()).await.unwrap();
+        self.wait_for(frames).await;
     }
 
     /// The number behind a read-out.
@@ -382,47 +374,19 @@ impl Page {
 
     /// What a text field holds.
     pub(crate) async fn written(&self, id: &str) -> String {
-        self.element(id)
-            .await
-            .prop("value")
-            .await
-            .unwrap()
-            .unwrap_or_default()
+        let value = self.element(id).await.prop("value").await;
+        value.unwrap().unwrap_or_default()
     }
 
     pub(crate) async fn lang(&self) -> Option<String> {
-        self.driver
-            .find(By::Css("html"))
-            .await
-            .unwrap()
-            .attr("lang")
-            .await
-            .unwrap()
+        let html = self.driver.find(By::Css("html")).await.unwrap();
+        html.attr("lang").await.unwrap()
     }
 
     /// Addresses of everything that was loaded.
     pub(crate) async fn loaded(&self) -> Vec<String> {
         let script = "return performance.getEntriesByType('resource').map(entry => entry.name)";
-        let names = self.driver.execute(script, Vec::new()).await.unwrap();
-        names.convert().unwrap()
-    }
-
-    /// The numbers that a script works out in the page and hands on when it is done.
-    pub(crate) async fn numbers(&self, script: &str) -> Vec<f64> {
-        let answer = self.driver.execute_async(script, Vec::new()).await.unwrap();
-        answer.convert().unwrap()
-    }
-
-    /// A figure of the browser's own bookkeeping, by its name.
-    #[allow(dead_code, reason = "asked for by page_speed only")]
-    pub(crate) async fn metric(&self, name: &str) -> f64 {
-        let performance = self.driver.cdp();
-        let metrics = performance.performance().get_metrics().await.unwrap();
-        metrics
-            .iter()
-            .find(|metric| metric.name == name)
-            .unwrap()
-            .value
+        serde_json::from_value(self.ask(script).await).unwrap()
     }
 
     /// A picture of an element as it is on the screen.

@@ -4,9 +4,10 @@ use assur_tests::angle_between;
 use serde_json::json;
 
 use crate::access::named_and_fits;
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::open;
+use crate::host::home;
 
 /// The numbers of a row: value and two derivatives of the rocker, of what stands in it.
 async fn row(page: &Page, of: &str) -> [f64; 3] {
@@ -170,7 +171,7 @@ async fn what_a_cannot_do_is_said() {
             "In mechanism A of the comparison:",
         ),
     ] {
-        let url = format!("{}#jansen&compared={compared}", setting("ASSUR_URL"));
+        let url = format!("{}#jansen&compared={compared}", home());
         page.goto(&url).await;
         page.until(sentence, async || {
             page.text("notice").await.contains(sentence)

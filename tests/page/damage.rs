@@ -3,7 +3,8 @@
 
 use serde_json::{Value, json};
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 /// What is on the screen. The damaged ones come of another state, so that none taken
 /// for sound goes unseen.
@@ -13,8 +14,7 @@ const SHOWN: &str = "1&lesson=mixer&d.l1=0.37&d.l2=0.85&d.l3=0.55&d.l4=0.85&d.z4
 /// was drawn before.
 const ALIKE: usize = 20;
 
-/// Gives one after the other to the page, as an address or as a file, and tells what
-/// came of each.
+/// Gives inputs to the page one after the other, as addresses or as files, and returns the outcome of each.
 const GIVE: &str = include_str!("damage.js");
 
 /// A state of other dimensions, as an address with one part of it in the place of another.
@@ -127,7 +127,7 @@ async fn refuses(page: &Page, kind: &str, inputs: &[String], name: &str) {
 
 #[tokio::test]
 async fn damaged_addresses_are_sentences() {
-    let home = setting("ASSUR_URL");
+    let home = home();
     let page = Page::open_at(&format!("{home}#{SHOWN}"), "en-US").await;
     refuses(&page, "address", &addresses(), "The link").await;
     page.close().await;
@@ -147,7 +147,7 @@ async fn damaged_addresses_are_sentences() {
 
 #[tokio::test]
 async fn damaged_files_are_sentences() {
-    let page = Page::open_at(&format!("{}#{SHOWN}", setting("ASSUR_URL")), "en-US").await;
+    let page = Page::open_at(&format!("{}#{SHOWN}", home()), "en-US").await;
     let name = "<img src=x onerror=window.hurt=1>.json";
     refuses(&page, "file", &files(), name).await;
     page.close().await;

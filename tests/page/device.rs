@@ -3,7 +3,7 @@
 use assur_tests::exhaustive;
 use serde_json::{Value, json};
 
-use crate::browser::{Page, firefox};
+use crate::browser::{Page, firefox, in_firefox};
 
 impl Page {
     /// What a person has asked of the system: `prefers-color-scheme`, `dark`.
@@ -14,7 +14,7 @@ impl Page {
 
     /// The medium that the page is shown on, the screen where nothing is said, and what a person has asked of the system.
     pub(crate) async fn show_on(&self, medium: &str, asked: &[(&str, &str)]) {
-        if self.firefox().is_none() {
+        if !in_firefox() {
             let features = asked
                 .iter()
                 .map(|(name, value)| json!({ "name": name, "value": value }));
@@ -36,30 +36,22 @@ impl Page {
                 other => panic!("nobody has asked Firefox for {other} yet"),
             };
         }
-        firefox::within(&self.driver, &script).await;
+        firefox::within(&self.driver, &script).await.unwrap();
     }
 
     /// A screen of a size in pixels of the reader, with so many device pixels to each.
-    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
-        match self.firefox() {
-            Some(firefox) => firefox.screen((width, height), ratio).await,
-            None => {
-                let screen = json!({ "width": width, "height": height,
-                    "deviceScaleFactor": ratio, "mobile": false });
-                self.tool("Emulation.setDeviceMetricsOverride", screen)
-                    .await;
-            }
-        }
+    pub(crate) async fn screen(&self, size: (u32, u32), ratio: f64) {
+        self.line().screen(size, ratio).await.unwrap();
         self.settle().await;
         self.settle().await;
     }
 
     /// A screen that is touched instead of a mouse.
     pub(crate) async fn touched(&self) {
-        if self.firefox().is_some() {
+        if in_firefox() {
             let coarse = "for (const which of ['primary', 'all']) Services.prefs.setIntPref(`ui.${which}PointerCapabilities`, 1);
                 gBrowser.selectedBrowser.browsingContext.touchEventsOverride = 'enabled';";
-            firefox::within(&self.driver, coarse).await;
+            firefox::within(&self.driver, coarse).await.unwrap();
         } else {
             let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
             self.tool("Emulation.setTouchEmulationEnabled", touch).await;

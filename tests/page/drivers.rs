@@ -6,6 +6,7 @@ use assur_file::{Document, LinkageDocument};
 use serde_json::Value;
 
 use crate::browser::Page;
+use crate::host::home;
 
 /// A five-bar with a crank at each end.
 fn five_bar() -> Draft {
@@ -49,11 +50,7 @@ fn address() -> String {
 
 #[tokio::test]
 async fn a_second_crank_has_a_rate() {
-    let page = Page::open_at(
-        &format!("{}{}", crate::browser::setting("ASSUR_URL"), address()),
-        "en-US",
-    )
-    .await;
+    let page = Page::open_at(&format!("{}{}", home(), address()), "en-US").await;
     page.until("the five-bar", async || {
         page.count("#out-linkage-w").await > 0 && page.text("out-linkage-w").await == "2"
     })

@@ -4,8 +4,8 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::browser::{Page, setting};
-use crate::host::{Host, folder};
+use crate::browser::Page;
+use crate::host::{Host, folder, home};
 
 /// Which parts of the page are seen.
 async fn seen(page: &Page) -> serde_json::Value {
@@ -17,7 +17,7 @@ async fn seen(page: &Page) -> serde_json::Value {
 }
 
 async fn at(parameters: &str) -> Page {
-    let url = format!("{}?{parameters}", setting("ASSUR_URL"));
+    let url = format!("{}?{parameters}", home());
     Page::playing_at(&url, "en-US").await
 }
 

@@ -6,6 +6,7 @@ use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::gallery::{document, open};
+use crate::host::home;
 
 async fn unfold(page: &Page) {
     let heading = page.driver.find(By::Css("#equations > summary")).await;
@@ -145,7 +146,7 @@ async fn unfold_of(page: &Page, name: &str) {
 #[tokio::test]
 async fn misprints_are_a_click_away() {
     for (url, lang, title) in [
-        (setting("ASSUR_URL"), "en-US", "Misprints in the paper"),
+        (home().to_owned(), "en-US", "Misprints in the paper"),
         (
             format!("file://{}", setting("ASSUR_BUNDLE")),
             "kk-KZ",

@@ -5,13 +5,14 @@ use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
 use crate::access::{AXE, check};
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::device::languages;
+use crate::host::home;
 use crate::layout::{SIZES, defects};
 
 /// The page as a first visitor has it.
 async fn first() -> Page {
-    Page::visit(&setting("ASSUR_URL"), "en-US").await
+    Page::visit(home(), "en-US").await
 }
 
 async fn open(page: &Page) {
@@ -76,7 +77,7 @@ async fn a_first_visitor_is_told_what_this_is() {
     page.click("welcome-close").await;
     assert!(!visible(&page, "welcome").await);
     assert_eq!(page.focused().await.as_deref(), Some("gallery"));
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     assert!(!visible(&page, "welcome").await);
     page.close().await;
 

@@ -10,7 +10,8 @@ use assur_file::{LinkageDocument, from_catalogue, gallery};
 use assur_tests::exhaustive;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 /// Of some the structural formula as they are driven.
 const FORMULAS: [(&str, &str); 2] = [
@@ -305,7 +306,7 @@ async fn a_linkage_is_in_its_link_and_a_damaged_one_is_said() {
     let link = page.address().await;
     let broken = link.replace("%22crank%22", "%22crunk%22");
     assert_ne!(broken, link);
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     page.anew(&broken).await;
     assert!(
         page.text("notice-text")

@@ -7,7 +7,8 @@ use assur_file::{Document, GearTrainDocument, ObserverDocument, ShaftDocument};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 /// Numbers of the page and of the engine are the same but for how they were written.
 const SAME: f64 = 1e-9;
@@ -37,7 +38,7 @@ pub(crate) fn link(document: &GearTrainDocument, time: f64) -> String {
     let view = format!(
         "&v.phi_deg=0&v.t={time}&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en"
     );
-    format!("{}#2&kind=gear-train{fields}{view}", setting("ASSUR_URL"))
+    format!("{}#2&kind=gear-train{fields}{view}", home())
 }
 
 /// The page with a document, and all that is of its kind.

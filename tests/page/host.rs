@@ -3,9 +3,23 @@
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, Stdio};
-use std::sync::Mutex;
+use std::sync::{LazyLock, Mutex};
 
 use crate::browser::setting;
+
+/// The address of the page as `cargo xtask serve` serves it.
+pub(crate) fn home() -> &'static str {
+    static HOME: LazyLock<Host> =
+        LazyLock::new(|| Host::start(setting("ASSUR_SITE").as_ref(), "/"));
+    &HOME.url
+}
+
+/// The address of the page with one more folder of lessons and kinds.
+pub(crate) fn more() -> &'static str {
+    static MORE: LazyLock<Host> =
+        LazyLock::new(|| Host::start(setting("ASSUR_MORE").as_ref(), "/"));
+    &MORE.url
+}
 
 /// The folder for a host.
 pub(crate) fn folder() -> PathBuf {

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 /// A label as it was written: its text, its middle and its width.
 type Written = (String, f64, f64, f64);
@@ -13,7 +14,7 @@ const HEIGHT: f64 = 15.0;
 /// Everything over the first mixer, and from now on its labels are kept, drawing by drawing.
 async fn watched() -> Page {
     let all = "v.vectors=true&v.loop_vectors=true&v.transmission=true&v.playing=false";
-    let page = Page::open_at(&format!("{}#mixer-a&{all}", setting("ASSUR_URL")), "en-US").await;
+    let page = Page::open_at(&format!("{}#mixer-a&{all}", home()), "en-US").await;
     page.settle().await;
     page.ask(
         "const kind = CanvasRenderingContext2D.prototype;

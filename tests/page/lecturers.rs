@@ -5,13 +5,11 @@ use std::fs;
 use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 pub(crate) async fn at_jansen() -> Page {
-    let url = format!(
-        "{}#jansen&v.playing=false&v.phi_deg=30",
-        setting("ASSUR_URL")
-    );
+    let url = format!("{}#jansen&v.playing=false&v.phi_deg=30", home());
     Page::open_at(&url, "en-US").await
 }
 

@@ -8,6 +8,7 @@ use assur_tests::{angle_between, assert_near};
 use thirtyfour::prelude::*;
 
 use crate::browser::Page;
+use crate::host::home;
 
 /// The engine's own pose at an angle.
 fn pose(lengths: [f64; 4], assembly: Assembly, degrees: f64) -> Pose<3> {
@@ -217,7 +218,7 @@ async fn partial_turn_swings_between_its_limits() {
 
 #[tokio::test]
 async fn speaks_russian_and_writes_the_comma() {
-    let page = Page::open_at(&crate::browser::setting("ASSUR_URL"), "ru").await;
+    let page = Page::open_at(home(), "ru").await;
     assert_eq!(page.lang().await.as_deref(), Some("ru"));
     page.stop_at("75,5").await;
     assert_eq!(page.value("out-input").await, 75.5);

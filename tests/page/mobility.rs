@@ -8,8 +8,9 @@ use assur_file::{Document, KindDocument, SchemeDocument};
 use serde_json::{Value, json};
 
 use crate::access::{AXE, check};
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::device::languages;
+use crate::host::home;
 use crate::layout::defects;
 
 /// A document of the lesson or of the catalogue.
@@ -49,7 +50,7 @@ fn link(document: &SchemeDocument) -> String {
     });
     let fields: String = fields.collect();
     let view = "&v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
-    format!("{}#2&kind=scheme{fields}{view}", setting("ASSUR_URL"))
+    format!("{}#2&kind=scheme{fields}{view}", home())
 }
 
 /// The page with a document, and all that is of its kind.

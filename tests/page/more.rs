@@ -1,7 +1,8 @@
 //! The page built with one folder more: a lesson about what does not move is there by its
 //! folder alone, `tests/data/page`, and works.
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::more;
 
 async fn visible(page: &Page, id: &str) -> bool {
     page.count(&format!("#{id}")).await > 0 && page.element(id).await.is_displayed().await.unwrap()
@@ -15,7 +16,7 @@ async fn answer(page: &Page, text: &str) -> Option<String> {
 
 #[tokio::test]
 async fn a_lesson_without_motion() {
-    let page = Page::open_at(&setting("ASSUR_MORE_URL"), "en-US").await;
+    let page = Page::open_at(more(), "en-US").await;
     page.stop_at("62").await;
     page.until("the address", async || {
         page.address().await.contains("v.playing=false")

@@ -3,8 +3,9 @@
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::gallery::open;
+use crate::host::home;
 use crate::plots::texts;
 
 /// Which derivatives of the rocker's angle have a plot.
@@ -142,7 +143,7 @@ async fn how_well_dyads_transmit_is_plotted() {
         assert!(seen.iter().any(|text| text == wanted), "{wanted}: {seen:?}");
     }
     // Of a dyad within a longer linkage its own.
-    let url = format!("{}#watt-2&v.playing=false", setting("ASSUR_URL"));
+    let url = format!("{}#watt-2&v.playing=false", home());
     page.anew(&url).await;
     let offered = page.count("#plot option[value$='.transmission']").await;
     assert_eq!(offered, 2);

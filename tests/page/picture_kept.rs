@@ -5,8 +5,9 @@ use std::fs;
 use serde_json::{Value, json};
 use thirtyfour::Key;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::draw::Sheet;
+use crate::host::home;
 use crate::picture_behind::{FROM, SCAN, TO, file, taken};
 
 /// Where the two spots of the scan are seen.
@@ -124,7 +125,7 @@ async fn a_picture_is_kept_saved_and_undone_but_in_no_link() {
     );
 
     // Another mechanism has none; the file brings it back, elsewhere as well.
-    page.anew(&format!("{}#jansen", setting("ASSUR_URL"))).await;
+    page.anew(&format!("{}#jansen", home())).await;
     page.ask("localStorage.clear()").await;
     page.click("draw").await;
     page.until("the tools", async || {

@@ -5,8 +5,9 @@ use std::fs;
 use serde_json::{Value, json};
 use thirtyfour::common::print::PrintParameters;
 
-use crate::browser::{Page, lacking, setting};
+use crate::browser::{Page, lacking};
 use crate::gallery;
+use crate::host::home;
 use crate::lecturers::{fill, open_tab, press, there};
 
 /// The worksheet as it is when the browser prints, of a reader who likes dark pages.
@@ -31,7 +32,7 @@ async fn texts(page: &Page, selector: &str) -> Vec<String> {
 
 #[tokio::test]
 async fn a_mechanism_is_printed_with_its_numbers_and_its_address() {
-    let page = Page::open_at(&format!("{}#jansen", setting("ASSUR_URL")), "en-US").await;
+    let page = Page::open_at(&format!("{}#jansen", home()), "en-US").await;
     page.stop_at("30").await;
     printed(&page).await;
     assert_eq!(texts(&page, "#worksheet h1").await, ["Jansen leg linkage"]);
@@ -148,7 +149,7 @@ async fn pages(page: &Page) -> Option<usize> {
 
 #[tokio::test]
 async fn the_sheets_of_a_class_are_whole() {
-    let page = Page::open_at(&format!("{}#jansen", setting("ASSUR_URL")), "en-US").await;
+    let page = Page::open_at(&format!("{}#jansen", home()), "en-US").await;
     page.until("what prints", async || {
         page.ask("return performance.getEntriesByName('printable').length")
             .await

@@ -11,8 +11,9 @@ use assur_file::State;
 use assur_tests::scaled;
 use serde_json::{Value, json};
 
-use crate::browser::{Page, lacking, setting};
+use crate::browser::{Page, lacking};
 use crate::dice::Dice;
+use crate::host::home;
 
 /// The centres of all that can be used and is seen, with what it is.
 const WITHIN_REACH: &str = "
@@ -370,7 +371,7 @@ async fn wander(address: &str, presses: &[&str]) {
     }
     let given = env::var("ASSUR_SEED").ok();
     let seed = given.map_or(20_261_122, |seed| seed.parse().unwrap());
-    let page = Page::playing_at(&format!("{}{address}", setting("ASSUR_URL")), "en-US").await;
+    let page = Page::playing_at(&format!("{}{address}", home()), "en-US").await;
     for press in presses {
         page.click(press).await;
         page.settle().await;

@@ -5,8 +5,9 @@ use std::fs;
 
 use assur_tests::assert_near;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::gallery;
+use crate::host::home;
 
 /// Links that were given out, and what each must show: they open for ever.
 const LINKS: &str = include_str!("../links.txt");
@@ -83,18 +84,18 @@ async fn what_was_kept_comes_back() {
     let page = Page::open().await;
     change(&page).await;
     let rocker = page.value("out-rocker").await;
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     check_changed(&page, rocker).await;
 
     // What cannot be shown is not kept: the last good mechanism is.
     page.write("field-l4", "9").await;
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     check_changed(&page, rocker).await;
 
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     page.ask("localStorage.setItem('assur.state', '{\"format\":1,\"lesson\":\"<b>\"}')")
         .await;
-    page.anew(&setting("ASSUR_URL")).await;
+    page.anew(home()).await;
     let said = page.text("notice-text").await;
     assert!(said.contains("lesson"), "{said}");
     assert_eq!(page.count("#notice b").await, 0);
@@ -108,7 +109,7 @@ async fn what_was_kept_comes_back() {
 /// A browser that loads the page anew has taken the address before the page can write the last change into it.
 #[tokio::test]
 async fn what_was_changed_a_moment_ago_is_there_anew() {
-    let mixer = format!("{}#mixer-b", setting("ASSUR_URL"));
+    let mixer = format!("{}#mixer-b", home());
     let page = Page::open_at(&mixer, "en-US").await;
     let usual = page.written("field-l2").await;
     page.write("field-l2", "0.93").await;
@@ -180,7 +181,7 @@ async fn old_links_open() {
     let [first, newest] = [links.next(), links.next_back()];
     for line in first.into_iter().chain(newest) {
         let (hash, shown) = line.split_once('\t').unwrap();
-        page.anew(&format!("{}{hash}", setting("ASSUR_URL"))).await;
+        page.anew(&format!("{}{hash}", home())).await;
         assert_eq!(page.text("notice-text").await, "", "{hash}");
         for pair in shown.split_whitespace() {
             let (id, value) = pair.split_once('=').unwrap();

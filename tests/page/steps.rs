@@ -5,7 +5,8 @@ use assur::mixer::{Case, Mixer};
 use serde_json::json;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 
 fn mixer(case: Case) -> Mixer {
     Mixer::new(&case.dimensions()).unwrap()
@@ -388,7 +389,7 @@ async fn a_link_opens_the_step() {
 /// rules have them.
 #[tokio::test]
 async fn in_every_language() {
-    let page = Page::open_at(&setting("ASSUR_URL"), "ru").await;
+    let page = Page::open_at(home(), "ru").await;
     page.stop_at("75").await;
     open(&page).await;
     assert_eq!(answer(&page, "4").await, "right");

@@ -10,8 +10,9 @@ use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
 use crate::access::{AXE, check};
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::device::languages;
+use crate::host::home;
 use crate::layout::defects;
 
 /// A document of the lesson's own.
@@ -40,7 +41,7 @@ fn link(document: &Value) -> String {
     });
     let fields: String = fields.collect();
     let view = "&v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
-    format!("{}#2&kind=synthesis{fields}{view}", setting("ASSUR_URL"))
+    format!("{}#2&kind=synthesis{fields}{view}", home())
 }
 
 /// The page with a document, and all that is of its kind.

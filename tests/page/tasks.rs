@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
+use crate::host::home;
 use crate::lecturers::{answer, at_jansen, begin, open_file, open_tab, press, there, varied};
 
 async fn hidden(page: &Page, id: &str) -> bool {
@@ -67,7 +68,7 @@ async fn the_page_hides_what_a_lesson_asks_for() {
 /// What is told of a whole motion, by quantities, is hidden where it stands.
 #[tokio::test]
 async fn what_is_told_of_a_motion_is_hidden_too() {
-    let url = format!("{}#crank-rocker&v.playing=false", setting("ASSUR_URL"));
+    let url = format!("{}#crank-rocker&v.playing=false", home());
     let page = Page::open_at(&url, "en-US").await;
     begin(&page).await;
     page.choose("write-sort", "number").await;
@@ -183,7 +184,7 @@ async fn a_mixer_has_wheels_of_ones_own() {
 /// The form offers every number that stands beside the drawing, and refuses what is none of its values.
 #[tokio::test]
 async fn the_form_offers_all_numbers() {
-    let url = format!("{}#mixer-a&v.playing=false", setting("ASSUR_URL"));
+    let url = format!("{}#mixer-a&v.playing=false", home());
     let page = Page::open_at(&url, "en-US").await;
     begin(&page).await;
     let offered = "return [...document.querySelectorAll('#write-vary option')].map(({ value, text }) => [value, text])";

@@ -6,8 +6,9 @@
 use serde_json::{Value, json};
 
 use crate::access::{AXE, violations};
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::device::LANGUAGES;
+use crate::host::home;
 use crate::layout::defects;
 
 /// The lessons, with the steps to look at, a third of the gallery, and what is laid beside it.
@@ -85,7 +86,7 @@ type Screen = ((u32, u32), bool, bool);
 /// The defects of a stop in some languages on some screens.
 async fn wrong(stop: &str, languages: &[&str], screens: &[Screen]) -> Vec<(String, Value)> {
     let mut found = Vec::new();
-    let url = format!("{}#{stop}&v.playing=false", setting("ASSUR_URL"));
+    let url = format!("{}#{stop}&v.playing=false", home());
     let page = Page::open_at(&url, "en-US").await;
     page.ask(AXE).await;
     for lang in languages {

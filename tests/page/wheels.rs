@@ -8,8 +8,9 @@ use assur::mixer::{Case, Dimensions, Mixer};
 use assur_tests::assert_near;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::hands::View;
+use crate::host::home;
 
 const WHEEL6: [u8; 3] = [0xB2, 0x6A, 0x00];
 
@@ -179,7 +180,7 @@ async fn wheels_travel_by_link() {
     let older = "#1&lesson=mixer&d.l1=0.37&d.l2=0.85&d.l3=0.55&d.l4=0.85&d.z4=36&d.z5=24\
         &d.mesh=external&d.module=0.0165&d.centre_line_deg=10&d.assembly=1&v.phi_deg=75\
         &v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
-    page.anew(&format!("{}{older}", setting("ASSUR_URL"))).await;
+    page.anew(&format!("{}{older}", home())).await;
     assert_eq!(page.text("notice-text").await, "");
     check(&page, &[(24.0, 10.0)]).await;
     page.close().await;

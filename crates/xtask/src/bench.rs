@@ -7,22 +7,16 @@ use std::io::Write as _;
 
 use anyhow::{Context, Result};
 
-use crate::browser::{self, Kind};
-use crate::server::Server;
+use crate::browser::{Browser, Kind};
 use crate::site;
 use crate::step::{announce, output};
 use crate::test::{page_test, wasm_tests};
-use crate::tools;
 use crate::workspace::Workspace;
 
 /// Prints the figures of the engine, natively and in the browser, of the page and
 /// of its download; the page is played and dragged for some minutes.
 pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
-    let (bindgen, pack) = (
-        tools::wasm_bindgen(workspace)?,
-        tools::wasm_pack(workspace)?,
-    );
-    let browser = browser::find_or_install(workspace, Kind::Chromium)?;
+    let browser = Browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
     site::give_away(workspace)?;
 
@@ -31,12 +25,11 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     native.args(["--test", "speed", "--", "--nocapture"]);
     let native = figures(&output(&mut native, "measuring")?, "speed: ");
     announce("engine, in the browser", "measuring");
-    let mut wasm = wasm_tests(workspace, &bindgen, &pack, &browser)?;
+    let mut wasm = wasm_tests(workspace, &browser)?;
     wasm.args(["--release", "--test", "speed", "--", "--nocapture"]);
     let wasm = figures(&output(&mut wasm, "measuring")?, "speed: ");
     announce("page", "measuring");
-    let server = Server::start(workspace, 0, &workspace.site())?;
-    let mut page = page_test(workspace, "page_speed", &server.url, &browser);
+    let mut page = page_test(workspace, "page_speed", &browser);
     page.args(["--", "--nocapture"])
         .env("ASSUR_MINUTES", minutes.to_string());
     let page = output(&mut page, "measuring")?;

@@ -13,7 +13,7 @@ use crate::tools;
 use crate::workspace::Workspace;
 
 /// A browser that the tests of the page can be run in.
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kind {
     /// Chrome or Chromium
     Chromium,
@@ -26,21 +26,6 @@ pub(crate) struct Browser {
     kind: Kind,
     pub(crate) program: PathBuf,
     pub(crate) driver: PathBuf,
-}
-
-impl Browser {
-    /// The variables by which the tests of the page find it.
-    pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
-        let (name, program, driver) = match self.kind {
-            Kind::Chromium => ("chromium", CHROME, CHROMEDRIVER),
-            Kind::Firefox => ("firefox", FIREFOX, GECKODRIVER),
-        };
-        [
-            ("ASSUR_BROWSER", name.as_ref()),
-            (program.variable, self.program.as_ref()),
-            (driver.variable, self.driver.as_ref()),
-        ]
-    }
 }
 
 /// One of the programs: the variable that names it, its names, and places that are not on PATH.
@@ -88,70 +73,88 @@ const GECKODRIVER: Program = Program {
     places: &[],
 };
 
-/// Finds a browser and its driver or, where the system's packages can be installed, installs what
-/// is missing.
-pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Browser> {
-    // Without a font the browser would draw no text.
-    const FONTS: &str = "fonts-dejavu-core";
-    let (program, driver) = match kind {
-        Kind::Chromium => in_place(
-            workspace,
-            "Chromium and its driver",
-            || Ok(CHROME.find()?.zip(CHROMEDRIVER.find()?)),
-            &["chromium-headless-shell", "chromium-driver", FONTS],
-        )?,
-        Kind::Firefox => (
-            in_place(
-                workspace,
-                "Firefox",
-                || FIREFOX.find(),
-                &["firefox-esr", FONTS],
-            )?,
-            // The system's packages do not have the driver.
-            GECKODRIVER
-                .find()?
-                .map_or_else(|| tools::geckodriver(workspace), Ok)?,
-        ),
-    };
-    Ok(Browser {
-        kind,
-        program,
-        driver,
-    })
+impl Kind {
+    /// Its name, the browser, its driver, and the packages of Debian that have them.
+    fn parts(self) -> (&'static str, Program, Program, &'static [&'static str]) {
+        // Without a font the browser would draw no text. No package has the driver of Firefox.
+        match self {
+            Self::Chromium => (
+                "chromium",
+                CHROME,
+                CHROMEDRIVER,
+                &[
+                    "chromium-headless-shell",
+                    "chromium-driver",
+                    "fonts-dejavu-core",
+                ],
+            ),
+            Self::Firefox => (
+                "firefox",
+                FIREFOX,
+                GECKODRIVER,
+                &["firefox-esr", "fonts-dejavu-core"],
+            ),
+        }
+    }
 }
 
-/// What is found, or is found after the system's packages have been installed.
-fn in_place<T>(
-    workspace: &Workspace,
-    what: &str,
-    find: impl Fn() -> Result<Option<T>>,
-    packages: &[&str],
-) -> Result<T> {
-    if let Some(found) = find()? {
-        announce(what, "already there");
-        return Ok(found);
+impl Browser {
+    /// Finds a browser and its driver or, where the system's packages can be installed, installs what is missing.
+    pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Self> {
+        let (name, program, driver, packages) = kind.parts();
+        let find = || -> Result<Option<Self>> {
+            let Some(program) = program.find()? else {
+                return Ok(None);
+            };
+            let mut driver = driver.find()?;
+            if driver.is_none() && kind == Kind::Firefox {
+                driver = Some(tools::geckodriver(workspace)?);
+            }
+            Ok(driver.map(|driver| Self {
+                kind,
+                program,
+                driver,
+            }))
+        };
+        if let Some(found) = find()? {
+            announce(name, "already there");
+            return Ok(found);
+        }
+        install(workspace, name, packages)?;
+        find()?.with_context(|| {
+            format!("apt-get installed {name}, which cannot be found in the usual places")
+        })
     }
+
+    /// The variables by which the tests of the page find it.
+    pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
+        let (name, program, driver, _) = self.kind.parts();
+        [
+            ("ASSUR_BROWSER", name.as_ref()),
+            (program.variable, self.program.as_ref()),
+            (driver.variable, self.driver.as_ref()),
+        ]
+    }
+}
+
+fn install(workspace: &Workspace, name: &str, packages: &[&str]) -> Result<()> {
     let variables =
         "or name what is there by the environment variables of `cargo xtask test --help`";
     if !Path::new("/etc/debian_version").exists() || which::which("apt-get").is_err() {
-        bail!("{what} must be installed: do so, {variables}");
+        bail!("{name} and its driver must be installed: do so, {variables}");
     }
     if quiet_output(Command::new("id").arg("-u")).is_none_or(|user| user.trim() != "0") {
         let packages = packages.join(" ");
-        bail!("{what}: run `apt-get install {packages}` as root, {variables}");
+        bail!("{name}: run `apt-get install {packages}` as root, {variables}");
     }
-    announce(what, "installing by apt-get");
+    announce(name, "installing by apt-get");
     let install = ["install", "-y", "--no-install-recommends"];
     for arguments in [&["update"][..], &[&install[..], packages].concat()] {
         let mut apt = workspace.command("apt-get");
-        run(
-            apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive"),
-            what,
-        )?;
+        apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
+        run(&mut apt, name)?;
     }
-    find()?.with_context(|| {
-        format!("apt-get installed {what}, which cannot be found in the usual places")
-    })
+    Ok(())
 }
 
 impl Program {
@@ -159,30 +162,23 @@ impl Program {
     /// error: silently testing another browser would mislead.
     fn find(&self) -> Result<Option<PathBuf>> {
         if let Some(named) = env::var_os(self.variable).filter(|value| !value.is_empty()) {
-            return match which::which(&named) {
-                Ok(path) => Ok(Some(path)),
-                Err(_) => bail!(
+            let program = which::which(&named).with_context(|| {
+                format!(
                     "{} names `{}`, which is no program",
                     self.variable,
                     named.display()
-                ),
-            };
+                )
+            });
+            return program.map(Some);
         }
         let on_path = self.names.iter().find_map(|name| which::which(name).ok());
-        Ok(on_path.or_else(|| {
-            self.places
-                .iter()
-                .map(PathBuf::from)
-                .find(|path| path.is_file())
-        }))
+        let mut places = self.places.iter().map(PathBuf::from);
+        Ok(on_path.or_else(|| places.find(|path| path.is_file())))
     }
 }
 
 /// Whether a window could appear: not under CI, and on Linux only with a display server.
 pub(crate) fn display_present() -> bool {
     let set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
-    if set("CI") {
-        return false;
-    }
-    !cfg!(target_os = "linux") || set("DISPLAY") || set("WAYLAND_DISPLAY")
+    !set("CI") && (!cfg!(target_os = "linux") || set("DISPLAY") || set("WAYLAND_DISPLAY"))
 }

@@ -6,7 +6,6 @@
 
 mod bench;
 mod browser;
-mod server;
 mod site;
 mod step;
 mod tally;
@@ -14,14 +13,14 @@ mod test;
 mod tools;
 mod workspace;
 
+use std::io::{BufRead as _, BufReader};
 use std::path::PathBuf;
-use std::process::ExitCode;
+use std::process::{ExitCode, Stdio};
 
-use anyhow::Result;
+use anyhow::{Context as _, Result, bail};
 use clap::{Parser, Subcommand};
 
 use crate::browser::Kind;
-use crate::server::Server;
 use crate::test::Extent;
 use crate::workspace::Workspace;
 
@@ -136,15 +135,34 @@ fn perform(task: &Task) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Serves the page by `build/serve.js`, whose first line is the address, until that ends.
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
+    const WHAT: &str = "serving the page";
     site::set_up_and_build(workspace)?;
-    let server = Server::start(workspace, port, &workspace.site())?;
-    println!("The page is at {} (Ctrl-C stops it)", server.url);
-    if open && browser::display_present() {
+    let mut node = workspace.node("serve.js");
+    node.arg(workspace.site())
+        .args(["--port", &port.to_string()]);
+    node.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut server = node
+        .spawn()
+        .map_err(|error| step::not_started(&node, WHAT, error))?;
+    // It ends with its input, which `wait` would close.
+    let input = server.stdin.take();
+    let mut url = String::new();
+    let said = server.stdout.take().context(WHAT)?;
+    BufReader::new(said).read_line(&mut url).context(WHAT)?;
+    let url = url.trim_end();
+    if !url.is_empty() {
+        println!("The page is at {url} (Ctrl-C stops it)");
         // The address is on the screen already, so a browser that does not come up stops nothing.
-        if let Err(error) = open::that_detached(&server.url) {
+        if open
+            && browser::display_present()
+            && let Err(error) = open::that_detached(url)
+        {
             eprintln!("No browser could be opened ({error}); open the address by hand.");
         }
     }
-    server.wait()
+    let status = server.wait().context(WHAT)?;
+    drop(input);
+    bail!("the server ended with {}", step::ending(status.code()))
 }

@@ -24,7 +24,7 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
 
 /// Builds beside the old site and puts the new one in its place only when it is whole, so nothing
 /// stale survives and a failed build leaves the old one alone.
-pub(crate) fn build(workspace: &Workspace, bindgen: &Path) -> Result<()> {
+fn build(workspace: &Workspace, bindgen: &Path) -> Result<()> {
     let (site, fresh) = (workspace.site(), workspace.target().join("site.new"));
     announce("page", "building the release");
     remove(&fresh)?;
@@ -40,13 +40,13 @@ pub(crate) fn build(workspace: &Workspace, bindgen: &Path) -> Result<()> {
 }
 
 /// The page as it was built, with more folders of lessons and kinds, in a place of its own.
-pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<PathBuf> {
-    let place = workspace.target().join("site.more");
+pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<()> {
+    let place = workspace.site_with_more();
     remove(&place)?;
     copy(&workspace.site().join("pkg"), &place.join("pkg"))?;
     write(workspace, "site", &place, Some(more))?;
     announce("page with more", &format!("built in {}", place.display()));
-    Ok(place)
+    Ok(())
 }
 
 /// Writes what is given away of the built page into `dist`: the one file, the folder for a host, the package.

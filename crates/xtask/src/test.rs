@@ -5,15 +5,14 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use anyhow::{Context, Error, Result, anyhow};
+use anyhow::{Context, Result, anyhow};
 use serde_json::Value;
 
-use crate::browser::{self, Browser, Kind};
-use crate::server::Server;
+use crate::browser::{Browser, Kind};
 use crate::site;
-use crate::step::{announce, run as run_step};
+use crate::step::run as run_step;
 use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
@@ -23,6 +22,9 @@ const WASM_TIME: &str = "300";
 
 /// The crate that has the tests of the wasm side: package and directory.
 const WASM_CRATE: (&str, &str) = ("assur-web", "crates/assur-web");
+
+/// The programs of tests, by name: `--tests` and `--all-targets` leave out those that need a browser.
+const PROGRAMS: [&str; 4] = ["native", "integration", "border", "page"];
 
 /// Factor on the counts of random input in a run of everything.
 const ALL_SCALE: &str = "10";
@@ -42,116 +44,80 @@ pub(crate) enum Extent {
     All,
 }
 
-/// The parts that the first steps need, each or the reason why it is missing.
-struct SetUp {
-    components: Result<()>,
-    target: Result<()>,
-    browser: Result<Browser>,
-}
-
-/// The tools of the page and the page, each or the reason why it is missing.
-struct Built {
-    bindgen: Result<PathBuf>,
-    pack: Result<PathBuf>,
-    packages: Result<()>,
-    page: Result<()>,
-    took: Duration,
-}
-
-/// Runs every step even if an earlier one failed. A step that needs what failed counts as failed.
+/// Runs every step even if an earlier one failed; without a page those that need it are left out.
 pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
-    let ready = SetUp::new(workspace);
-    let firefox = (extent == Extent::All).then(|| found(workspace, Kind::Firefox));
-    let mut tally = Tally::default();
+    tools::components(workspace)?;
+    tools::wasm_target(workspace)?;
+    let chromium = Browser::find_or_install(workspace, Kind::Chromium)?;
+    let firefox = (extent == Extent::All)
+        .then(|| Browser::find_or_install(workspace, Kind::Firefox))
+        .transpose()?;
 
+    let mut tally = Tally::default();
+    let began = Instant::now();
     // Tools and page leave one processor idle for minutes: the steps that need neither use it.
-    let built = thread::scope(|scope| {
-        let built = scope.spawn(|| Built::new(workspace, &ready));
-        without_page(workspace, &ready, extent, &mut tally);
-        built.join()
+    let page = thread::scope(|scope| {
+        let page = scope.spawn(|| {
+            let page = pages(workspace).and_then(|()| tools::wasm_pack(workspace));
+            (page.map(drop), began.elapsed())
+        });
+        without_page(workspace, extent, &mut tally);
+        page.join()
     });
-    let built = built.map_err(|_| anyhow!("the build of the page stopped"))?;
-    let page = &built.page;
-    tally.step("page", page, built.took);
-    tally.tests(
-        "wasm tests in the browser",
-        built.wasm_tests(workspace, &ready),
-    );
-    with_page(workspace, &ready, &built, extent, &mut tally);
-    if let Some(firefox) = firefox {
-        let tests = page_tests(workspace, &firefox, page, extent, &[]);
-        tally.tests("page tests in Firefox", tests);
+    let (page, took) = page.map_err(|_| anyhow!("the build of the page stopped"))?;
+    tally.step("page", &page, took);
+    if page.is_ok() {
+        let tests = wasm_tests(workspace, &chromium);
+        tally.tests("wasm tests in the browser", tests);
+        tally.check("types of the scripts", || types(workspace));
+        let tests = node_tests(workspace, extent);
+        tally.tests("tests of the scripts in Node", tests);
+        let tests = page_tests(workspace, &chromium, extent, &[]);
+        tally.tests("page tests in Chromium", Ok(tests));
+        if let Some(firefox) = firefox {
+            let tests = page_tests(workspace, &firefox, extent, &[]);
+            tally.tests("page tests in Firefox", Ok(tests));
+        }
     }
     ended(&tally)
 }
 
-/// The steps that need no built page.
-fn without_page(workspace: &Workspace, ready: &SetUp, extent: Extent, tally: &mut Tally) {
-    tally.check("format", || {
-        needed(&ready.components)?;
-        run_step(&mut workspace.cargo(["fmt", "--all", "--check"]), "format")
-    });
-    tally.check("lint", || {
-        needed(&ready.components)?;
-        let mut clippy = workspace.cargo(["clippy", "--workspace", "--all-targets"]);
-        run_step(clippy.args(["--", "-D", "warnings"]), "lint")
-    });
-    tally.check("lint of the wasm side", || {
-        needed(&ready.components)?;
-        needed(&ready.target)?;
-        let mut clippy = workspace.cargo(["clippy", "--tests", "--target", WASM]);
-        clippy.args(["--package", WASM_CRATE.0, "--", "-D", "warnings"]);
-        run_step(&mut clippy, "lint of the wasm side")
-    });
-    tally.check("documentation", || {
-        let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
-        run_step(doc.env("RUSTDOCFLAGS", "-D warnings"), "documentation")
-    });
-    tally.check("compilation of the tests", || {
-        // Also the page tests, which run later, while both processors have work. Beside `--tests` cargo would ignore
-        // their name.
-        let mut cargo = workspace.cargo(["test", "--workspace", "--no-run", "--lib", "--bins"]);
-        cargo.args(
-            ["native", "integration", "border", "page"]
-                .iter()
-                .flat_map(|name| ["--test", name]),
-        );
-        run_step(&mut cargo, "compilation of the tests")
-    });
-    for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
-        let mut cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast"]);
-        cargo.arg(targets);
-        tally.tests(name, Ok(extended(cargo, extent)));
-    }
+/// Builds the page, the page with one more folder, and all that is given away.
+fn pages(workspace: &Workspace) -> Result<()> {
+    site::set_up_and_build(workspace)?;
+    site::build_with(workspace, &workspace.root().join("tests/data/page"))?;
+    site::give_away(workspace)
 }
 
-/// The steps that need the built page, in Chromium or in Node.
-fn with_page(
-    workspace: &Workspace,
-    ready: &SetUp,
-    built: &Built,
-    extent: Extent,
-    tally: &mut Tally,
-) {
-    let page = &built.page;
-    tally.check("types of the scripts", || {
-        needed(&built.packages)?;
-        // The build writes the types of the border.
-        needed(page)?;
-        for project in [".", "crates/xtask/build"] {
-            let mut checker = tools::type_checker(workspace);
-            run_step(checker.args(["--project", project]), "types of the scripts")?;
-        }
-        Ok(())
-    });
-    tally.tests(
-        "tests of the scripts in Node",
-        needed(page).and_then(|()| node_tests(workspace, extent)),
-    );
-    tally.tests(
-        "page tests in Chromium",
-        page_tests(workspace, &ready.browser, page, extent, &[]),
-    );
+/// The steps that need no built page.
+fn without_page(workspace: &Workspace, extent: Extent, tally: &mut Tally) {
+    let strict = ["--", "-D", "warnings"];
+    let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
+    doc.env("RUSTDOCFLAGS", "-D warnings");
+    let programs = ["--lib", "--bins"].into_iter();
+    let programs = programs.chain(PROGRAMS.iter().flat_map(|name| ["--test", name]));
+    let mut lint = workspace.cargo(["clippy", "--workspace"]);
+    lint.args(programs.clone())
+        .args(["--test", "*speed"])
+        .args(strict);
+    let mut wasm_lint = workspace.cargo(["clippy", "--tests", "--target", WASM]);
+    wasm_lint.args(["--package", WASM_CRATE.0]).args(strict);
+    // Also the page tests, which run later, while both processors have work.
+    let mut compilation = workspace.cargo(["test", "--workspace", "--no-run"]);
+    compilation.args(programs);
+    for (name, mut command) in [
+        ("format", workspace.cargo(["fmt", "--all", "--check"])),
+        ("lint", lint),
+        ("lint of the wasm side", wasm_lint),
+        ("documentation", doc),
+        ("compilation of the tests", compilation),
+    ] {
+        tally.check(name, || run_step(&mut command, name));
+    }
+    for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
+        let cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast", targets]);
+        tally.tests(name, Ok(extended(cargo, extent)));
+    }
 }
 
 /// Runs the tests of random input at counts for which a run has no time, from a seed.
@@ -174,13 +140,11 @@ pub(crate) fn run_page(
     extent: Extent,
     words: &[String],
 ) -> Result<ExitCode> {
-    let browser = found(workspace, kind);
+    let browser = Browser::find_or_install(workspace, kind)?;
+    pages(workspace)?;
     let mut tally = Tally::default();
-    let began = Instant::now();
-    let page = site::set_up_and_build(workspace).and_then(|()| site::give_away(workspace));
-    tally.step("page", &page, began.elapsed());
-    let tests = page_tests(workspace, &browser, &page, extent, words);
-    tally.tests("page tests", tests);
+    let tests = page_tests(workspace, &browser, extent, words);
+    tally.tests("page tests", Ok(tests));
     ended(&tally)
 }
 
@@ -195,56 +159,15 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     })
 }
 
-impl SetUp {
-    fn new(workspace: &Workspace) -> Self {
-        Self {
-            components: reported("rustfmt and clippy", tools::components(workspace)),
-            target: reported("wasm target", tools::wasm_target(workspace)),
-            browser: found(workspace, Kind::Chromium),
-        }
-    }
-}
-
-impl Built {
-    fn new(workspace: &Workspace, ready: &SetUp) -> Self {
-        let bindgen = reported("wasm-bindgen", tools::wasm_bindgen(workspace));
-        let packages = reported("packages of npm", tools::packages(workspace));
-        let began = Instant::now();
-        let page = needed(&ready.target)
-            .and(needed(&packages))
-            .and(needed(&bindgen))
-            .and_then(|bindgen| site::build(workspace, bindgen))
-            .and_then(|()| site::give_away(workspace));
-        let took = began.elapsed();
-        Self {
-            bindgen,
-            pack: reported("wasm-pack", tools::wasm_pack(workspace)),
-            packages,
-            page,
-            took,
-        }
-    }
-
-    fn wasm_tests(&self, workspace: &Workspace, ready: &SetUp) -> Result<Command> {
-        needed(&ready.target)?;
-        let (bindgen, pack) = (needed(&self.bindgen)?, needed(&self.pack)?);
-        wasm_tests(workspace, bindgen, pack, needed(&ready.browser)?)
-    }
-}
-
 /// The tests of the wasm side by wasm-pack, which may fetch nothing: all it needs is set up here.
-pub(crate) fn wasm_tests(
-    workspace: &Workspace,
-    bindgen: &Path,
-    pack: &Path,
-    browser: &Browser,
-) -> Result<Command> {
-    let mut pack = workspace.command(pack);
+pub(crate) fn wasm_tests(workspace: &Workspace, browser: &Browser) -> Result<Command> {
+    let bindgen = tools::wasm_bindgen(workspace)?;
+    let mut pack = workspace.command(&tools::wasm_pack(workspace)?);
     pack.args(["test", "--headless", "--chrome", "--mode", "no-install"])
         .arg("--chromedriver")
         .arg(&browser.driver)
         .arg(WASM_CRATE.1)
-        .env("PATH", tools::search_path(bindgen)?)
+        .env("PATH", tools::search_path(&bindgen)?)
         .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
         .env(
             "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
@@ -273,6 +196,15 @@ fn capabilities(workspace: &Workspace, browser: &Browser) -> Result<PathBuf> {
     fs::write(&path, value.to_string())
         .with_context(|| format!("{} cannot be written", path.display()))?;
     Ok(path)
+}
+
+/// Checks the types of the scripts of the page and of those that build it; the build has written the types of the border.
+fn types(workspace: &Workspace) -> Result<()> {
+    for project in [".", "crates/xtask/build"] {
+        let mut checker = tools::type_checker(workspace);
+        run_step(checker.args(["--project", project]), "types of the scripts")?;
+    }
+    Ok(())
 }
 
 /// The tests of the scripts in `www` and of those that build the page.
@@ -309,39 +241,26 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The page tests: of the page as `serve` ships it, the one file and the folder for a host. They find
-/// all of these in the environment. All tests, or those whose names hold one of the words.
+/// The page tests: all, or those whose names hold one of the words.
 fn page_tests(
     workspace: &Workspace,
-    browser: &Result<Browser>,
-    page: &Result<()>,
+    browser: &Browser,
     extent: Extent,
     words: &[String],
-) -> Result<Command> {
-    needed(page)?;
-    let browser = needed(browser)?;
-    let url = Server::start(workspace, 0, &workspace.site())?.keep();
-    let folders = workspace.root().join("tests").join("data").join("page");
-    let more = site::build_with(workspace, &folders)?;
-    let with_more = Server::start(workspace, 0, &more)?.keep();
-    let mut test = extended(page_test(workspace, "page", &url, browser), extent);
-    test.env("ASSUR_MORE_URL", with_more);
+) -> Command {
+    let mut test = extended(page_test(workspace, "page", browser), extent);
     // A test waits for its browser now and then.
     test.arg(format!("--test-threads={}", processors() + 1));
     test.args(words);
-    Ok(test)
+    test
 }
 
-/// A test target that opens the page served at an address.
-pub(crate) fn page_test(
-    workspace: &Workspace,
-    name: &str,
-    url: &str,
-    browser: &Browser,
-) -> Command {
+/// A program of tests that opens the built page, in its forms.
+pub(crate) fn page_test(workspace: &Workspace, name: &str, browser: &Browser) -> Command {
     // All packages, so that nothing is compiled again with other features.
     let mut test = workspace.cargo(["test", "--workspace", "--test", name]);
-    test.env("ASSUR_URL", url)
+    test.env("ASSUR_SITE", workspace.site())
+        .env("ASSUR_MORE", workspace.site_with_more())
         .env("ASSUR_BUNDLE", workspace.bundle())
         .envs(browser.variables());
     test
@@ -358,24 +277,4 @@ fn extended(mut cargo: Command, extent: Extent) -> Command {
 
 fn processors() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
-}
-
-fn found(workspace: &Workspace, kind: Kind) -> Result<Browser> {
-    reported(
-        "browser and driver",
-        browser::find_or_install(workspace, kind),
-    )
-}
-
-/// Announces at once what cannot be had; the steps that need it repeat it.
-fn reported<T>(what: &str, part: Result<T>) -> Result<T> {
-    if let Err(error) = &part {
-        announce(what, &format!("FAILED. {error:#}"));
-    }
-    part
-}
-
-fn needed<T>(part: &Result<T>) -> Result<&T> {
-    part.as_ref()
-        .map_err(|error: &Error| anyhow!("not run: {error:#}"))
 }

@@ -25,41 +25,32 @@ pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     let what = format!("target {WASM}");
     let mut rustc = workspace.command("rustc");
     rustc.args(["--print", "target-libdir", "--target", WASM]);
-    let library = PathBuf::from(output(&mut rustc, &what)?.trim());
-    let installed = fs::read_dir(library).is_ok_and(|entries| {
-        entries
-            .flatten()
-            .any(|entry| entry.file_name().to_string_lossy().starts_with("libstd-"))
-    });
-    if installed {
-        announce(&what, THERE);
-        return Ok(());
-    }
-    announce(&what, "installing by rustup");
-    run(
-        workspace.command("rustup").args(["target", "add", WASM]),
-        &what,
-    )
-    .context("the standard library for the browser is missing, add it by rustup")
+    let library = fs::read_dir(output(&mut rustc, &what)?.trim());
+    let names = library.into_iter().flatten().flatten();
+    let there = names
+        .map(|entry| entry.file_name())
+        .any(|name| name.to_string_lossy().starts_with("libstd-"));
+    by_rustup(workspace, &what, there, ["target", "add", WASM])
 }
 
 /// Formatter and linter, which rustup's minimal profile leaves out.
 pub(crate) fn components(workspace: &Workspace) -> Result<()> {
     for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
-        if quiet_output(&mut workspace.cargo([command, "--version"])).is_some() {
-            announce(component, THERE);
-            continue;
-        }
-        announce(component, "installing by rustup");
-        run(
-            workspace
-                .command("rustup")
-                .args(["component", "add", component]),
-            component,
-        )
-        .with_context(|| format!("{component} is missing, add it by rustup"))?;
+        let there = quiet_output(&mut workspace.cargo([command, "--version"])).is_some();
+        let arguments = ["component", "add", component];
+        by_rustup(workspace, component, there, arguments)?;
     }
     Ok(())
+}
+
+fn by_rustup(workspace: &Workspace, what: &str, there: bool, arguments: [&str; 3]) -> Result<()> {
+    if there {
+        announce(what, THERE);
+        return Ok(());
+    }
+    announce(what, "installing by rustup");
+    run(workspace.command("rustup").args(arguments), what)
+        .with_context(|| format!("{what} is missing, add it by rustup"))
 }
 
 /// wasm-bindgen of exactly the version the code is locked to: no other can read its output. Its own

@@ -61,6 +61,10 @@ impl Workspace {
         self.target.join("site")
     }
 
+    pub(crate) fn site_with_more(&self) -> PathBuf {
+        self.target.join("site.more")
+    }
+
     /// Where `tsconfig.json` looks for the types of the engine.
     pub(crate) fn types(&self) -> PathBuf {
         self.root.join("target").join("types")

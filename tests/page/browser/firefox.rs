@@ -1,22 +1,16 @@
-//! Firefox: what is asked of it by the bidirectional protocol, and by scripts that have its own rights, where there is no
-//! other way.
+//! Firefox: its options, and scripts with its own rights, where no protocol has words.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex};
 
-use futures_util::StreamExt;
 use http::Method;
 use serde_json::{Value, json};
-use thirtyfour::bidi::BiDi;
-use thirtyfour::bidi::events::LogEntryAdded;
-use thirtyfour::bidi::modules::log::LogLevel;
 use thirtyfour::common::capabilities::firefox::FirefoxPreferences;
 use thirtyfour::common::command::FormatRequestData;
 use thirtyfour::prelude::*;
 use thirtyfour::{FirefoxCapabilities, RequestData, SessionId};
 
-use super::pool::{Profile, locked};
-use super::{setting, switch};
+use super::pool::Profile;
+use super::setting;
 
 /// The variable that names the driver, what it is started with, and what it says before its port.
 pub(super) const DRIVER: (&str, &[&str], &str) = (
@@ -54,6 +48,22 @@ pub(super) fn wanted(profile: Profile) -> FirefoxCapabilities {
     wanted
 }
 
+/// Prepares a new window: its downloads go to a folder, and the settings of the whole browser are as at its start.
+pub(super) async fn prepare(
+    driver: &WebDriver,
+    calm: bool,
+    downloads: &Path,
+) -> WebDriverResult<()> {
+    let calm = u8::from(calm);
+    let script = format!(
+        "Services.prefs.setStringPref('browser.download.dir', {});
+        Services.prefs.setIntPref('ui.prefersReducedMotion', {calm});
+        for (const which of ['primary', 'all']) Services.prefs.clearUserPref(`ui.${{which}}PointerCapabilities`);",
+        json!(downloads)
+    );
+    within(driver, &script).await
+}
+
 /// A command that the client does not know.
 #[derive(Debug)]
 struct Plain {
@@ -68,96 +78,6 @@ impl FormatRequestData for Plain {
     }
 }
 
-/// The second line to the browser.
-pub(crate) struct Firefox {
-    bidi: BiDi,
-    calm: bool,
-    window: Mutex<Value>,
-    said: Arc<Mutex<Vec<String>>>,
-}
-
-impl Firefox {
-    pub(super) async fn of(driver: &WebDriver, calm: bool) -> Self {
-        let bidi = driver.bidi().await.unwrap();
-        let mut entries = bidi.subscribe::<LogEntryAdded>().await.unwrap();
-        let said: Arc<Mutex<Vec<String>>> = Arc::default();
-        let heard = Arc::clone(&said);
-        tokio::spawn(async move {
-            while let Some(entry) = entries.next().await {
-                if matches!(entry.level, LogLevel::Warn | LogLevel::Error) {
-                    locked(&heard).push(format!("{entry:?}"));
-                }
-            }
-        });
-        Self {
-            bidi,
-            calm,
-            window: Mutex::default(),
-            said,
-        }
-    }
-
-    /// Opens a window with a storage of its own, and returns its name. What the whole browser has is as at its
-    /// start.
-    pub(super) async fn window(
-        &self,
-        driver: &WebDriver,
-        downloads: &Path,
-    ) -> Result<String, String> {
-        let context = self.ask("browser.createUserContext", json!({})).await?;
-        let context = context["userContext"].clone();
-        let tab = json!({ "type": "tab", "userContext": context });
-        let window = self.ask("browsingContext.create", tab).await?["context"].clone();
-        locked(&self.window).clone_from(&window);
-        let calm = u8::from(self.calm);
-        let script = format!(
-            "Services.prefs.setStringPref('browser.download.dir', {});
-            Services.prefs.setIntPref('ui.prefersReducedMotion', {calm});
-            for (const which of ['primary', 'all']) Services.prefs.clearUserPref(`ui.${{which}}PointerCapabilities`);",
-            json!(downloads)
-        );
-        switch(driver, &window).await?;
-        within(driver, &script).await;
-        self.screen((1280, 800), 1.0).await;
-        locked(&self.said).clear();
-        Ok(context.as_str().unwrap_or_default().to_owned())
-    }
-
-    /// Closes the windows of a storage and forgets it.
-    pub(super) async fn close(&self, context: &str) -> Result<(), String> {
-        let context = json!({ "userContext": context });
-        self.ask("browser.removeUserContext", context).await?;
-        Ok(())
-    }
-
-    async fn ask(&self, method: &str, with: Value) -> Result<Value, String> {
-        let answer = self.bidi.send_raw(method, with).await;
-        answer.map_err(|error| error.to_string())
-    }
-
-    /// What has been said on the console since this was asked last.
-    pub(super) fn said(&self) -> Vec<String> {
-        std::mem::take(&mut *locked(&self.said))
-    }
-
-    /// Has a script run before those of any page of the window.
-    pub(super) async fn before(&self, script: &str) {
-        let window = locked(&self.window).clone();
-        let script =
-            json!({ "functionDeclaration": format!("() => {{ {script} }}"), "contexts": [window] });
-        self.ask("script.addPreloadScript", script).await.unwrap();
-    }
-
-    pub(crate) async fn screen(&self, (width, height): (u32, u32), ratio: f64) {
-        let window = locked(&self.window).clone();
-        let size = json!({ "width": width, "height": height });
-        let screen = json!({ "context": window, "viewport": size, "devicePixelRatio": ratio });
-        self.ask("browsingContext.setViewport", screen)
-            .await
-            .unwrap();
-    }
-}
-
 /// Puts hands on the page: sequences of actions, one for each hand.
 pub(super) async fn act(driver: &WebDriver, hands: Value) {
     let body = json!({ "actions": hands });
@@ -166,13 +86,14 @@ pub(super) async fn act(driver: &WebDriver, hands: Value) {
 }
 
 /// Runs a script with the browser's own rights, for what no protocol can ask for.
-pub(crate) async fn within(driver: &WebDriver, script: &str) {
+pub(crate) async fn within(driver: &WebDriver, script: &str) -> WebDriverResult<()> {
     for (context, script) in [("chrome", Some(script)), ("content", None)] {
         let endpoint = "moz/context";
         let body = json!({ "context": context });
-        driver.cmd(Plain { endpoint, body }).await.unwrap();
+        driver.cmd(Plain { endpoint, body }).await?;
         if let Some(script) = script {
-            driver.execute(script, Vec::new()).await.unwrap();
+            driver.execute(script, Vec::new()).await?;
         }
     }
+    Ok(())
 }

@@ -15,8 +15,7 @@ use thirtyfour::SessionId;
 use thirtyfour::prelude::*;
 use tokio::runtime::{Builder, Runtime};
 
-use super::chromium::Chromium;
-use super::firefox::Firefox;
+use super::line::Line;
 use super::{chromium, firefox, in_firefox, setting};
 
 /// Time that a driver is given to end its browser.
@@ -38,13 +37,7 @@ pub(crate) struct Browser {
     profile: Profile,
     port: u16,
     pub(super) driver: WebDriver,
-    pub(super) own: Own,
-}
-
-/// The parts that differ between the two browsers.
-pub(super) enum Own {
-    Chromium(Chromium),
-    Firefox(Firefox),
+    pub(super) line: Line,
 }
 
 /// A window of one test, with a storage of its own. Its browser goes to the next test when it is dropped.
@@ -136,7 +129,7 @@ impl Drop for Window {
         }
         let context = std::mem::take(&mut self.context);
         RUNTIME.spawn(async move {
-            if browser.close(&context).await.is_err() {
+            if browser.line.close(&context).await.is_err() {
                 end(browser.port);
                 return;
             }
@@ -156,7 +149,7 @@ impl Browser {
         static AT_THE_END: Once = Once::new();
         AT_THE_END.call_once(|| assert!(shutdown_hooks::add_shutdown_hook(end_all)));
         let (server, port) = (0..5).find_map(|_| driver()).unwrap();
-        let (driver, own) = lasting(connected(port, profile)).await;
+        let (driver, line) = lasting(connected(port, profile)).await;
         let session = Session {
             driver: server,
             id: driver.handle().session_id().clone(),
@@ -166,28 +159,26 @@ impl Browser {
             profile,
             port,
             driver,
-            own,
+            line,
         }
     }
 
-    /// Opens an empty window of 1280 by 800 pixels with a storage of its own, and returns the name of that.
+    /// Opens a window with a storage of its own, and returns the name of that.
     async fn window(&self, downloads: &Path) -> Result<String, String> {
-        match &self.own {
-            Own::Chromium(chromium) => chromium.window(&self.driver, downloads).await,
-            Own::Firefox(firefox) => firefox.window(&self.driver, downloads).await,
-        }
-    }
-
-    async fn close(&self, context: &str) -> Result<(), String> {
-        match &self.own {
-            Own::Chromium(chromium) => chromium.close(context),
-            Own::Firefox(firefox) => firefox.close(context).await,
-        }
+        let Self { driver, line, .. } = self;
+        let context = line.window(driver).await?;
+        let prepared = if in_firefox() {
+            firefox::prepare(driver, self.profile.calm, downloads).await
+        } else {
+            chromium::prepare(driver, &context, downloads).await
+        };
+        prepared.map_err(|error| error.to_string())?;
+        Ok(context)
     }
 }
 
-/// A session of a driver, and the second connection to its browser.
-async fn connected(port: u16, profile: Profile) -> (WebDriver, Own) {
+/// A session of a driver, and the line to its browser.
+async fn connected(port: u16, profile: Profile) -> (WebDriver, Line) {
     let address = format!("http://127.0.0.1:{port}");
     let wanted: Capabilities = if in_firefox() {
         firefox::wanted(profile).into()
@@ -200,12 +191,8 @@ async fn connected(port: u16, profile: Profile) -> (WebDriver, Own) {
         .client(client.build().unwrap())
         .await
         .unwrap();
-    let own = if in_firefox() {
-        Own::Firefox(Firefox::of(&driver, profile.calm).await)
-    } else {
-        Own::Chromium(Chromium::of(&driver))
-    };
-    (driver, own)
+    let line = Line::of(&driver).await;
+    (driver, line)
 }
 
 /// A driver of browsers and its port. It looks for a free port before it takes it: where another one
