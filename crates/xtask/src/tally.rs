@@ -8,24 +8,11 @@ use anyhow::{Context, Result, bail};
 
 use crate::step::{announce, ending, not_started, spelled};
 
-/// Tests that passed and failed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Count {
-    passed: u32,
-    failed: u32,
-}
-
-impl Count {
-    fn add(&mut self, other: Self) {
-        self.passed += other.passed;
-        self.failed += other.failed;
-    }
-}
-
 /// The outcome of one step.
 struct Entry {
     name: String,
-    count: Count,
+    passed: u32,
+    failed: u32,
     /// The reason of a failure that the count does not show.
     reason: Option<String>,
     took: Duration,
@@ -45,42 +32,32 @@ impl Tally {
 
     /// Counts a step that has been run.
     pub(crate) fn step(&mut self, name: &str, outcome: &Result<()>, took: Duration) {
-        let count = match outcome {
-            Ok(()) => Count {
-                passed: 1,
-                failed: 0,
-            },
-            Err(_) => Count::default(),
-        };
-        self.add(name, count, outcome.as_ref().err(), took);
+        self.add(name, [u32::from(outcome.is_ok()), 0], outcome, took);
     }
 
     /// Runs a command that runs tests, each counted.
     pub(crate) fn tests(&mut self, name: &str, command: Result<Command>) {
         let began = Instant::now();
         announce(name, "running");
-        let mut count = Count::default();
+        let mut count = [0; 2];
         let ran = command
             .and_then(|mut command| run_tests(&mut command, name, &mut count, &mut io::stdout()));
-        self.add(name, count, ran.as_ref().err(), began.elapsed());
+        self.add(name, count, &ran, began.elapsed());
     }
 
     /// A step that fails without a failed test counts as one failure.
-    fn add(
-        &mut self,
-        name: &str,
-        mut count: Count,
-        reason: Option<&anyhow::Error>,
-        took: Duration,
-    ) {
-        let reason = reason.map(|error| format!("{error:#}"));
+    fn add(&mut self, name: &str, count: [u32; 2], outcome: &Result<()>, took: Duration) {
+        let [passed, mut failed] = count;
+        let reason = outcome.as_ref().err().map(|error| format!("{error:#}"));
         if let Some(reason) = &reason {
-            count.failed = count.failed.max(1);
+            failed = failed.max(1);
             announce(name, &format!("FAILED. {reason}"));
         }
+        let name = name.to_owned();
         self.0.push(Entry {
-            name: name.to_owned(),
-            count,
+            name,
+            passed,
+            failed,
             reason,
             took,
         });
@@ -88,87 +65,84 @@ impl Tally {
 
     /// Writes the outcome of every step, then the sum alone on the last line; returns whether nothing failed.
     pub(crate) fn summarise(&self, mut out: impl Write) -> io::Result<bool> {
-        let mut sum = Count::default();
         writeln!(out)?;
-        for entry in &self.0 {
-            let Count { passed, failed } = entry.count;
-            sum.add(entry.count);
-            let verdict = if failed == 0 { "ok    " } else { "FAILED" };
-            let (name, seconds) = (&entry.name, entry.took.as_secs());
+        for Entry {
+            name,
+            passed,
+            failed,
+            reason,
+            took,
+        } in &self.0
+        {
+            let verdict = if *failed == 0 { "ok    " } else { "FAILED" };
+            let seconds = took.as_secs();
             writeln!(
                 out,
                 "{verdict}  {name}: {passed} passed, {failed} failed ({seconds} s)"
             )?;
-            if let Some(reason) = &entry.reason {
+            if let Some(reason) = reason {
                 writeln!(out, "        {reason}")?;
             }
         }
-        writeln!(out, "\n{} passed, {} failed", sum.passed, sum.failed)?;
+        let passed: u32 = self.0.iter().map(|entry| entry.passed).sum();
+        let failed: u32 = self.0.iter().map(|entry| entry.failed).sum();
+        writeln!(out, "\n{passed} passed, {failed} failed")?;
         out.flush()?;
-        Ok(sum.failed == 0)
+        Ok(failed == 0)
     }
 }
 
-/// Runs a command that runs tests; its output is passed on while it is counted.
+/// Runs a command that runs tests; its output is passed on while passed and failed ones are counted.
 fn run_tests(
     command: &mut Command,
     what: &str,
-    count: &mut Count,
+    count: &mut [u32; 2],
     out: &mut impl Write,
 ) -> Result<()> {
     let mut child = command
         .stdout(Stdio::piped())
         .spawn()
         .map_err(|error| not_started(command, what, error))?;
-    let output = child
-        .stdout
-        .take()
-        .context("the output of the step is out of reach")?;
+    let output = child.stdout.take().context("no output")?;
     for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
         // A closed terminal is no reason to stop counting.
         let _ = writeln!(out, "{line}");
-        count.add(counted(&line));
+        for (sum, more) in count.iter_mut().zip(counted(&line)) {
+            *sum += more;
+        }
     }
-    let status = child
-        .wait()
-        .with_context(|| format!("{what} failed: its end is unknown"))?;
+    let status = child.wait().context("its end is unknown")?;
     let spelled = spelled(command);
-    if !status.success() {
-        bail!("`{spelled}` ended with {}", ending(status.code()));
+    match *count {
+        _ if !status.success() => bail!("`{spelled}` ended with {}", ending(status.code())),
+        [_, 1..] => bail!("`{spelled}` reported failed tests and yet ended well"),
+        [0, _] => bail!("`{spelled}` ended well but ran no test"),
+        _ => Ok(()),
     }
-    if count.failed > 0 {
-        bail!("`{spelled}` reported failed tests and yet ended well");
-    }
-    if count.passed == 0 {
-        bail!("`{spelled}` ended well but ran no test");
-    }
-    Ok(())
 }
 
-/// The count in a line of a test runner: `test result: ok. 3 passed; 0 failed; …` of cargo and of wasm-bindgen,
-/// `ℹ pass 3` and `ℹ fail 0` of Node.
-fn counted(line: &str) -> Count {
+/// Passed and failed tests in a line of a test runner: `test result: ok. 3 passed; 0 failed; …` of cargo and of
+/// wasm-bindgen, `ℹ pass 3` and `ℹ fail 0` of Node.
+fn counted(line: &str) -> [u32; 2] {
     let line = anstream::adapter::strip_str(line).to_string();
     let words: Vec<&str> = line.split([' ', ';']).collect();
-    let before = |label: &str| {
-        let at = words.iter().position(|word| *word == label)?;
-        words.get(at.checked_sub(1)?)?.parse().ok()
-    };
+    let number = |word: &str| word.parse().unwrap_or(0);
     match words[..] {
-        ["ℹ", "pass", number] => Count {
-            passed: number.parse().unwrap_or(0),
-            failed: 0,
-        },
-        ["ℹ", "fail", number] => Count {
-            passed: 0,
-            failed: number.parse().unwrap_or(0),
-        },
-        _ if line.contains("test result: ") => Count {
-            passed: before("passed").unwrap_or(0),
-            failed: before("failed").unwrap_or(0),
-        },
-        _ => Count::default(),
+        ["ℹ", "pass", passed] => [number(passed), 0],
+        ["ℹ", "fail", failed] => [0, number(failed)],
+        [
+            "test",
+            "result:",
+            _,
+            passed,
+            "passed",
+            "",
+            failed,
+            "failed",
+            ..,
+        ] => [number(passed), number(failed)],
+        _ => [0; 2],
     }
 }
 
@@ -200,7 +174,7 @@ mod tests {
             ("test result: who knows", 0, 0),
             ("running 3 tests", 0, 0),
         ] {
-            assert_eq!(counted(line), Count { passed, failed }, "{line}");
+            assert_eq!(counted(line), [passed, failed], "{line}");
         }
     }
 
@@ -240,9 +214,9 @@ mod tests {
         ] {
             let mut node = Command::new("node");
             node.args(["-e", script]);
-            let mut count = Count::default();
+            let mut count = [0; 2];
             let ran = run_tests(&mut node, "step", &mut count, &mut io::sink());
-            assert_eq!(count, Count { passed, failed }, "{script}");
+            assert_eq!(count, [passed, failed], "{script}");
             let given = ran.err().map_or(String::new(), |error| error.to_string());
             assert!(given.contains(reason), "{script}: {given}");
             assert_eq!(given.is_empty(), reason.is_empty(), "{script}: {given}");
