@@ -612,6 +612,7 @@ fn every_problem_has_words() {
         "guides_parallel",
         "links_undetermined",
         "links_dead_point",
+        "constraint_broken",
         "bad_wish",
         "no_output",
         "nothing_moves",

@@ -14,6 +14,7 @@ mod counts;
 mod dimension;
 mod draft;
 mod driver;
+mod exact;
 mod dyads;
 mod joints;
 mod measure;
@@ -24,6 +25,7 @@ mod plan;
 mod pose;
 mod quantity;
 mod rate;
+mod redundant;
 mod repeated;
 mod resolved;
 mod slide;
@@ -39,6 +41,7 @@ pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
 pub(crate) use assembly::Signs;
 pub use check::FARTHEST;
+pub use exact::{MadeExact, NEARLY};
 pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
@@ -52,6 +55,7 @@ pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
+pub use redundant::Mobility;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
@@ -81,6 +85,8 @@ pub struct Mechanism {
     made_for: List<BodyId, LinkOrFrame>,
     bodies: List<BodyId, Vec<(PointId, Vector)>>,
     structure: Structure,
+    /// Bodies of groups with redundant constraints that stay parallel to another body.
+    parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
     /// Of each body the step that places it; none of the frame.
     placed_by: List<BodyId, Option<StepId>>,
@@ -127,9 +133,22 @@ impl Mechanism {
         }
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
-        let structure = structured::structured(&resolved, &bodies)?;
-        let mut mechanism = Self::of(&resolved, &bodies, &placements, structure, None)?;
-        mechanism.settle()?;
+        let (structure, locked) = structured::structured(&resolved, &bodies)?;
+        let of = |parallel: &[[BodyId; 2]]| {
+            let structure = structure.clone();
+            Self::of(&resolved, &bodies, &placements, structure, parallel, None)
+        };
+        let mut mechanism = of(&[])?;
+        if locked.is_empty() {
+            mechanism.settle()?;
+        } else {
+            let parallel = mechanism.parallel().ok_or_else(|| locked.clone())?;
+            mechanism = of(&parallel)?;
+            let settled = mechanism.settle();
+            if settled.is_err() || !mechanism.moves() {
+                return Err(locked);
+            }
+        }
         let parts = constraint::Parts {
             draft: &resolved,
             bodies: &bodies,
@@ -147,10 +166,11 @@ impl Mechanism {
         bodies: &Bodies,
         placements: &List<LinkId, Placement>,
         structure: Structure,
+        parallel: &[[BodyId; 2]],
         drawn: Option<Drawn<'_>>,
     ) -> Result<Self, Vec<Defect>> {
         let rounds = rate::rounds(resolved)?;
-        let plan = plan::plan(resolved, bodies, placements, &structure, drawn);
+        let plan = plan::plan(resolved, bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
             // A point that no link has stays where it is drawn.
@@ -184,6 +204,7 @@ impl Mechanism {
             made_for: resolved.bodies.clone(),
             bodies: bodies.ids().map(|body| bodies.of(body).to_vec()).collect(),
             structure,
+            parallel: parallel.to_vec(),
             signs: plan.steps.alike(Sign::Plus),
             steps: plan.steps,
             placed_by,

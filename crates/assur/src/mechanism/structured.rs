@@ -4,13 +4,17 @@ use super::body::{Bodies, Gear};
 use super::draft::Defect;
 use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
-use crate::structure::{self, Fault, Graph, Pair, Structure, decompose};
+use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
-/// Driver and Assur groups of the bodies.
+/// Driver and Assur groups of the bodies. Where only surplus constraints are wrong with the count of pairs, also its
+/// defects: whether the constraints are redundant the geometry decides.
 ///
 /// # Errors
 /// All that is wrong with the count of pairs.
-pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Structure, Vec<Defect>> {
+pub(super) fn structured(
+    draft: &Resolved<'_>,
+    bodies: &Bodies,
+) -> Result<(Structure, Vec<Defect>), Vec<Defect>> {
     let graph = bodies.graph(draft.places.ids());
     let drivers = draft.drivers.iter();
     let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
@@ -19,7 +23,12 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
     let mobility = graph.mobility();
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
-    decompose(&graph, &drivers).map_err(|faults| {
+    let faults = match decompose(&graph, &drivers) {
+        Ok(structure) => return Ok((structure, Vec::new())),
+        Err(faults) => faults,
+    };
+    let redundant = decompose_redundant(&graph, &drivers);
+    let defects = || {
         let contradicting = contradicting(bodies, &graph, &drivers);
         let active = draft.gears.iter().zip(&bodies.passive);
         let mut active = active.filter(|(_, passive)| !**passive);
@@ -47,7 +56,11 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
         // Without a driver everything is free: only that is said.
         let told = |fault: &Fault| !drivers.is_empty() || !matches!(fault, Fault::Undriven { .. });
         faults.into_iter().filter(told).map(defect).collect()
-    })
+    };
+    match redundant {
+        Ok(structure) => Ok((structure, defects())),
+        Err(_) => Err(defects()),
+    }
 }
 
 /// Which of the gear couplings that are not passive is the last that closes a ring of wheels, and without which nothing

@@ -47,7 +47,9 @@ impl Pebbles {
             free: [vec![BODY; graph.links], vec![POINT; graph.pairs.len()]].concat(),
             spent: vec![vec![]; points.end],
         };
-        let mut constraints = vec![];
+        // Drivers first: of dependent constraints a pair has the one that is too many.
+        let driven = drivers.iter().map(|driver| driver.links);
+        let mut constraints: Vec<(usize, usize)> = driven.map(|[a, b]| (a, b)).collect();
         for (point, pair) in points.zip(&graph.pairs) {
             match pair {
                 Pair::Revolute(links) => {
@@ -58,12 +60,6 @@ impl Pebbles {
                 Pair::Gear([a, b]) => constraints.push((*a, *b)),
             }
         }
-        constraints.extend(
-            drivers
-                .iter()
-                .map(|driver| driver.links)
-                .map(|[a, b]| (a, b)),
-        );
         let kept = |node: usize| node >= graph.links || keep(node);
         constraints.retain(|&(a, b)| kept(a) && kept(b));
 

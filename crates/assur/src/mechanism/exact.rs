@@ -1,0 +1,260 @@
+//! A drawing whose redundant constraints hold only nearly, as drawings by hand and files with four decimals, made exact.
+//!
+//! The drawing and some poses of its motion are unknowns together: every constraint is worth in each pose what it is
+//! worth in the drawing. Of all solutions that with the least change of the drawing is found by Gauss's and Newton's
+//! method, poses being free to move.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::draft::{Draft, DraftDriver, FRAME};
+use super::{Defect, Mechanism};
+use crate::{Point, Vector};
+
+/// A drawing may be off by no more, relative to its size.
+pub const NEARLY: f64 = 1e-3;
+/// Poses to each side of the drawing, by the angle between them, and the steps from one to the next.
+const POSES: usize = 4;
+const APART: f64 = 0.12;
+const STEPS: usize = 4;
+/// Steps of the method, at most; it ends where the residuals are this small relative to the square of the size.
+const MOST_STEPS: usize = 40;
+const CONVERGED: f64 = 1e-15;
+/// A change of a pose counts as so much less than one of the drawing.
+const FREE: f64 = 1e4;
+/// Singular values below this part of the greatest are zero.
+const RANK: f64 = 1e-9;
+
+/// An exact drawing.
+#[derive(Clone, Debug)]
+pub struct MadeExact {
+    /// The drawing.
+    pub draft: Draft,
+    /// The greatest distance by which a point has moved, and the name of the point.
+    pub by: f64,
+    /// The point.
+    pub point: String,
+}
+
+impl Draft {
+    /// The drawing moved by as little as makes its redundant constraints hold over a motion. None if it is no linkage
+    /// with a crank on the frame and too many constraints, or if it would move by more than [`NEARLY`] of its size.
+    pub fn made_exact(&self) -> Option<MadeExact> {
+        let refused = Mechanism::new(self).err()?;
+        let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
+        if !refused.iter().all(locked) {
+            return None;
+        }
+        let system = System::new(self)?;
+        let places = system.solved()?;
+        let size = self.size();
+        let mut draft = self.clone();
+        let (mut by, mut farthest) = (0.0, String::new());
+        for (point, at) in draft.points.iter_mut().zip(places) {
+            let moved = (at - point.at).norm();
+            if moved >= by {
+                (by, farthest) = (moved, point.name.clone());
+            }
+            point.at = at;
+        }
+        let moves = by <= NEARLY * size && Mechanism::new(&draft).is_ok();
+        moves.then_some(MadeExact {
+            draft,
+            by,
+            point: farthest,
+        })
+    }
+}
+
+/// A quantity that stays constant, of points by their numbers.
+enum Constant {
+    /// |p − q|².
+    Distance([usize; 2]),
+    /// (b − a) × (s − r).
+    Cross([usize; 4]),
+}
+
+/// The constraints of a drawing whose crank turns about a point of the frame.
+struct System {
+    drawn: Vec<Vector>,
+    /// Whether a point is one of the frame.
+    fixed: Vec<bool>,
+    constants: Vec<Constant>,
+    /// The centre of the crank and a point on it.
+    crank: [usize; 2],
+    size: f64,
+}
+
+impl System {
+    fn new(draft: &Draft) -> Option<Self> {
+        let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
+        let of = |link: &String| draft.links.iter().find(|one| one.name == *link);
+        let [DraftDriver::Crank { link, base, .. }] = &draft.drivers[..] else {
+            return None;
+        };
+        let plain = draft
+            .links
+            .iter()
+            .all(|link| link.shape.is_none() && link.fixed_to.is_none());
+        if base != FRAME || !plain || !draft.gears.is_empty() {
+            return None;
+        }
+        let fixed = draft.points.iter();
+        let fixed: Vec<bool> = fixed.map(|point| draft.frame.contains(&point.name)).collect();
+        let crank: Option<Vec<usize>> = of(link)?.points.iter().map(index).collect();
+        let crank = crank?;
+        let centre = crank.iter().copied().find(|point| fixed[*point])?;
+        let pin = crank.iter().copied().find(|point| *point != centre)?;
+        let mut constants = Vec::new();
+        for link in &draft.links {
+            let points: Option<Vec<usize>> = link.points.iter().map(index).collect();
+            let points = points?;
+            for (k, one) in points.iter().enumerate() {
+                let others = points[..k].iter();
+                constants.extend(others.map(|other| Constant::Distance([*other, *one])));
+            }
+        }
+        for slide in &draft.slides {
+            let [from, to] = [index(&slide.line[0])?, index(&slide.line[1])?];
+            let point = index(&slide.point)?;
+            constants.push(Constant::Cross([from, to, from, point]));
+            if let [first, second, ..] = &of(&slide.link).map_or(&draft.frame, |link| &link.points)[..]
+            {
+                constants.push(Constant::Cross([from, to, index(first)?, index(second)?]));
+            }
+        }
+        Some(Self {
+            drawn: draft.points.iter().map(|point| point.at.coords).collect(),
+            fixed,
+            constants,
+            crank: [centre, pin],
+            size: draft.size(),
+        })
+    }
+
+    /// The column of a point in a pose; pose 0 is the drawing, which has the points of the frame for all.
+    fn column(&self, pose: usize, point: usize) -> usize {
+        let pose = if self.fixed[point] { 0 } else { pose };
+        2 * (pose * self.drawn.len() + point)
+    }
+
+    /// The residuals of poses at angles of the crank from the drawing, and their derivatives.
+    fn residuals(&self, at: &DVector<f64>, angles: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
+        let rows = angles.len() * (self.constants.len() + 1);
+        let mut residuals = DVector::zeros(rows);
+        let mut slopes = DMatrix::zeros(rows, at.len());
+        let place = |column: usize| Vector::new(at[column], at[column + 1]);
+        let mut row = 0;
+        for (k, angle) in angles.iter().enumerate() {
+            for constant in &self.constants {
+                for (pose, sign) in [(k + 1, 1.0), (0, -1.0)] {
+                    let column = |point: usize| self.column(pose, point);
+                    let mut add = |point: usize, by: Vector| {
+                        slopes[(row, column(point))] += sign * by.x;
+                        slopes[(row, column(point) + 1)] += sign * by.y;
+                    };
+                    match *constant {
+                        Constant::Distance([p, q]) => {
+                            let way = place(column(p)) - place(column(q));
+                            residuals[row] += sign * way.norm_squared();
+                            add(p, way * 2.0);
+                            add(q, way * -2.0);
+                        }
+                        Constant::Cross([a, b, r, s]) => {
+                            let u = place(column(b)) - place(column(a));
+                            let v = place(column(s)) - place(column(r));
+                            residuals[row] += sign * u.perp(&v);
+                            add(b, Vector::new(v.y, -v.x));
+                            add(a, Vector::new(-v.y, v.x));
+                            add(s, Vector::new(-u.y, u.x));
+                            add(r, Vector::new(u.y, -u.x));
+                        }
+                    }
+                }
+                row += 1;
+            }
+            // The crank has turned by the angle.
+            let [centre, pin] = self.crank;
+            let [pivot, then, now] = [(0, centre), (0, pin), (k + 1, pin)]
+                .map(|(pose, point)| self.column(pose, point));
+            let (sin, cos) = angle.sin_cos();
+            let drawn = place(then) - place(pivot);
+            let turned = Vector::new(cos * drawn.x - sin * drawn.y, sin * drawn.x + cos * drawn.y);
+            let v = place(now) - place(pivot);
+            residuals[row] = turned.perp(&v);
+            for (column, by) in [
+                (now, Vector::new(-turned.y, turned.x)),
+                (then, Vector::new(cos * v.y - sin * v.x, -sin * v.y - cos * v.x)),
+            ] {
+                for (axis, by) in [by.x, by.y].into_iter().enumerate() {
+                    slopes[(row, column + axis)] += by;
+                    slopes[(row, pivot + axis)] -= by;
+                }
+            }
+            row += 1;
+        }
+        (residuals, slopes)
+    }
+
+    /// The places of the exact drawing.
+    fn solved(&self) -> Option<Vec<Point>> {
+        let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
+        let drawn: Vec<f64> = drawn.collect();
+        let width = drawn.len();
+        let mut all = drawn.clone();
+        let mut angles = Vec::new();
+        for sense in [1.0, -1.0] {
+            let mut pose = drawn.clone();
+            for step in 1..=POSES * STEPS {
+                let angle = sense * APART * step as f64 / STEPS as f64;
+                let both = DVector::from_vec([drawn.clone(), pose].concat());
+                let next = self.nearest(both, &[angle], 0.0)?;
+                pose = next.as_slice()[width..].to_vec();
+                if step % STEPS == 0 {
+                    angles.push(angle);
+                    all.extend(&pose);
+                }
+            }
+        }
+        let exact = self.nearest(DVector::from_vec(all), &angles, 1.0)?;
+        let (residuals, _) = self.residuals(&exact, &angles);
+        let closes = residuals.amax() <= 1e-12 * self.size * self.size;
+        closes.then(|| {
+            let places = exact.as_slice()[..width].chunks_exact(2);
+            places.map(|at| Point::new(at[0], at[1])).collect()
+        })
+    }
+
+    /// The place nearest to a solution that least squares come to, the drawing moved freely (1) or not at all (0).
+    fn nearest(
+        &self,
+        mut at: DVector<f64>,
+        angles: &[f64],
+        drawing: f64,
+    ) -> Option<DVector<f64>> {
+        let width = 2 * self.drawn.len();
+        let scale = |column: usize| if column < width { drawing } else { FREE };
+        for _ in 0..MOST_STEPS {
+            let (residuals, mut slopes) = self.residuals(&at, angles);
+            if residuals.amax() <= CONVERGED * self.size * self.size {
+                break;
+            }
+            for (column, mut slope) in slopes.column_iter_mut().enumerate() {
+                slope *= scale(column);
+            }
+            let svd = slopes.svd(true, true);
+            let least = RANK * svd.singular_values.max();
+            let step = svd.solve(&residuals, least).ok()?;
+            for (column, by) in step.iter().enumerate() {
+                at[column] -= scale(column) * by;
+            }
+            if !at.iter().all(|x| x.is_finite()) {
+                return None;
+            }
+            let most = step.amax();
+            if most <= f64::EPSILON * self.size {
+                break;
+            }
+        }
+        Some(at)
+    }
+}
