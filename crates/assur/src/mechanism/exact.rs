@@ -99,7 +99,9 @@ impl System {
             return None;
         }
         let fixed = draft.points.iter();
-        let fixed: Vec<bool> = fixed.map(|point| draft.frame.contains(&point.name)).collect();
+        let fixed: Vec<bool> = fixed
+            .map(|point| draft.frame.contains(&point.name))
+            .collect();
         let crank: Option<Vec<usize>> = of(link)?.points.iter().map(index).collect();
         let crank = crank?;
         let centre = crank.iter().copied().find(|point| fixed[*point])?;
@@ -117,7 +119,8 @@ impl System {
             let [from, to] = [index(&slide.line[0])?, index(&slide.line[1])?];
             let point = index(&slide.point)?;
             constants.push(Constant::Cross([from, to, from, point]));
-            if let [first, second, ..] = &of(&slide.link).map_or(&draft.frame, |link| &link.points)[..]
+            if let [first, second, ..] =
+                &of(&slide.link).map_or(&draft.frame, |link| &link.points)[..]
             {
                 constants.push(Constant::Cross([from, to, index(first)?, index(second)?]));
             }
@@ -174,8 +177,8 @@ impl System {
             }
             // The crank has turned by the angle.
             let [centre, pin] = self.crank;
-            let [pivot, then, now] = [(0, centre), (0, pin), (k + 1, pin)]
-                .map(|(pose, point)| self.column(pose, point));
+            let [pivot, then, now] =
+                [(0, centre), (0, pin), (k + 1, pin)].map(|(pose, point)| self.column(pose, point));
             let (sin, cos) = angle.sin_cos();
             let drawn = place(then) - place(pivot);
             let turned = Vector::new(cos * drawn.x - sin * drawn.y, sin * drawn.x + cos * drawn.y);
@@ -183,7 +186,10 @@ impl System {
             residuals[row] = turned.perp(&v);
             for (column, by) in [
                 (now, Vector::new(-turned.y, turned.x)),
-                (then, Vector::new(cos * v.y - sin * v.x, -sin * v.y - cos * v.x)),
+                (
+                    then,
+                    Vector::new(cos * v.y - sin * v.x, -sin * v.y - cos * v.x),
+                ),
             ] {
                 for (axis, by) in [by.x, by.y].into_iter().enumerate() {
                     slopes[(row, column + axis)] += by;
@@ -225,12 +231,7 @@ impl System {
     }
 
     /// The place nearest to a solution that least squares come to, the drawing moved freely (1) or not at all (0).
-    fn nearest(
-        &self,
-        mut at: DVector<f64>,
-        angles: &[f64],
-        drawing: f64,
-    ) -> Option<DVector<f64>> {
+    fn nearest(&self, mut at: DVector<f64>, angles: &[f64], drawing: f64) -> Option<DVector<f64>> {
         let width = 2 * self.drawn.len();
         let scale = |column: usize| if column < width { drawing } else { FREE };
         for _ in 0..MOST_STEPS {

@@ -12,10 +12,10 @@ use nalgebra::DVector;
 use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
-use crate::position::{Anchor, Nearby, Predictor, Step};
+use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
 
-/// Inputs at which it is looked whether the constraints hold beside the drawn pose, in radians of a crank.
-const BESIDE: [f64; 4] = [1e-3, -1e-3, 7e-3, -7e-3];
+/// Where it is looked whether the constraints hold on either side of the drawn pose, in radians of a crank.
+const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 /// Two bodies turn alike if their rates differ by no more, per radian of a crank.
 const ALIKE: f64 = 1e-8;
 
@@ -46,7 +46,8 @@ impl Mechanism {
     /// Mobility by count and by rank, with the redundant constraints. Meshes whose wheels are passive count as none.
     pub fn mobility(&self) -> Mobility {
         let count = self.counts.mobility;
-        let general = self.beside().map(|pose| self.dependent(&pose));
+        let general = self.beside().into_iter();
+        let general = general.map(|pose| self.dependent(&pose));
         // In a singular pose more constraints depend on each other.
         let redundant = general.min_by_key(Vec::len).unwrap_or_default();
         Mobility {
@@ -159,25 +160,41 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// Whether all constraints hold next to the drawn pose, at least to one side.
+    /// Whether all constraints hold around the drawn pose.
     pub(super) fn moves(&self) -> bool {
-        self.beside().next().is_some()
+        !self.beside().is_empty()
     }
 
-    /// The poses next to the drawn one in which all constraints hold.
-    fn beside(&self) -> impl Iterator<Item = Predictor> {
+    /// Poses around the drawn one, to both sides as far as there are some. None where a redundant constraint does not
+    /// hold in one of them: by the others the links would move on, but they are locked.
+    fn beside(&self) -> Vec<Predictor> {
         let unit = self.span() / TAU;
-        BESIDE.into_iter().filter_map(move |aside| {
-            let mut state: Predictor = self.blank_state();
-            let near = Nearby {
-                orientations: &self.orientations,
-                natural: &self.natural,
-                smooth_roots: &[],
-            };
-            let input = self.home + aside * unit;
-            self.solve(input, &self.signs, near, &mut state).ok()?;
-            Some(state)
-        })
+        let mut found = Vec::new();
+        for sense in [unit, -unit] {
+            let mut orientations = self.orientations.clone();
+            let mut natural = self.natural.clone();
+            for (k, step) in BESIDE.into_iter().enumerate() {
+                let mut state: Predictor = self.blank_state();
+                let near = Nearby {
+                    orientations: &orientations,
+                    natural: &natural,
+                    smooth_roots: &[],
+                };
+                let input = self.home + sense * step;
+                match self.solve(input, &self.signs, near, &mut state) {
+                    Ok(()) => {}
+                    Err((_, Cause::Locked { .. })) => return Vec::new(),
+                    Err(_) => break,
+                }
+                let ahead = BESIDE.get(k + 1).map_or(0.0, |next| next - step) * sense;
+                let places = state.natural.iter();
+                let places = places.map(|place| place[0] + (place[1] + place[2] * ahead) * ahead);
+                natural = places.flat_map(|place| [place.x, place.y]).collect();
+                state.orient(&mut orientations);
+                found.push(state);
+            }
+        }
+        found
     }
 
     /// The bodies of groups with redundant constraints that stay parallel to the frame or to another body. None where
@@ -197,7 +214,7 @@ impl Mechanism {
                 return None;
             }
         }
-        let poses: Vec<Predictor> = self.beside().collect();
+        let poses = self.beside();
         if poses.is_empty() {
             return None;
         }

@@ -47,10 +47,14 @@ impl Pebbles {
             free: [vec![BODY; graph.links], vec![POINT; graph.pairs.len()]].concat(),
             spent: vec![vec![]; points.end],
         };
-        // Drivers first: of dependent constraints a pair has the one that is too many.
+        // Drivers and their pairs first: of dependent constraints another one is too many.
         let driven = drivers.iter().map(|driver| driver.links);
         let mut constraints: Vec<(usize, usize)> = driven.map(|[a, b]| (a, b)).collect();
-        for (point, pair) in points.zip(&graph.pairs) {
+        let is_driven = |pair: usize| drivers.iter().any(|driver| driver.pair == pair);
+        let (first, others): (Vec<usize>, Vec<usize>) =
+            (0..graph.pairs.len()).partition(|pair| is_driven(*pair));
+        for pair in first.into_iter().chain(others) {
+            let (point, pair) = (points.start + pair, &graph.pairs[pair]);
             match pair {
                 Pair::Revolute(links) => {
                     let ends = links.iter().map(|&link| (link, point));
