@@ -85,6 +85,8 @@ pub struct Mechanism {
     made_for: List<BodyId, LinkOrFrame>,
     bodies: List<BodyId, Vec<(PointId, Vector)>>,
     structure: Structure,
+    /// The structure as it is shown: with passive links by themselves.
+    shown: Structure,
     /// Bodies of groups with redundant constraints that stay parallel to another body.
     parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
@@ -133,20 +135,24 @@ impl Mechanism {
         }
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
-        let (structure, locked) = structured::structured(&resolved, &bodies)?;
+        let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
         let of = |parallel: &[[BodyId; 2]]| {
             let structure = structure.clone();
             Self::of(&resolved, &bodies, &placements, structure, parallel, None)
         };
         let mut mechanism = of(&[])?;
-        if locked.is_empty() {
-            mechanism.settle()?;
-        } else {
-            let parallel = mechanism.parallel().ok_or_else(|| locked.clone())?;
-            mechanism = of(&parallel)?;
-            let settled = mechanism.settle();
-            if settled.is_err() || !mechanism.moves() {
-                return Err(locked);
+        match redundancy {
+            None => mechanism.settle()?,
+            Some(redundancy) => {
+                let parallel = mechanism.parallel();
+                let settled = parallel.and_then(|parallel| {
+                    mechanism = of(&parallel).ok()?;
+                    mechanism.settle().ok()
+                });
+                if settled.is_none() || !mechanism.moves() {
+                    return Err(redundancy.defects);
+                }
+                mechanism.shown = redundancy.shown;
             }
         }
         let parts = constraint::Parts {
@@ -203,6 +209,7 @@ impl Mechanism {
             links: links.collect(),
             made_for: resolved.bodies.clone(),
             bodies: bodies.ids().map(|body| bodies.of(body).to_vec()).collect(),
+            shown: structure.clone(),
             structure,
             parallel: parallel.to_vec(),
             signs: plan.steps.alike(Sign::Plus),
@@ -301,9 +308,9 @@ impl Mechanism {
             .filter(|link| self.draft.is_crank(&links[link.index()]))
     }
 
-    /// Driver and Assur groups. Its links are bodies, by their indices.
+    /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
     pub fn structure(&self) -> &Structure {
-        &self.structure
+        &self.shown
     }
 
     /// The bodies: the frame, then the links that are fixed to no other.
@@ -328,14 +335,12 @@ impl Mechanism {
 
     /// The structural formula with the names of links.
     pub fn formula(&self) -> String {
-        self.structure
-            .formula(|link| self.body_name(BodyId::at(link)))
+        self.shown.formula(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The terms of the structural formula with the names of links.
     pub fn terms(&self) -> Vec<String> {
-        self.structure
-            .terms(|link| self.body_name(BodyId::at(link)))
+        self.shown.terms(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The links that a step of the plan places, by name.

@@ -30,7 +30,7 @@ pub struct Mobility {
     /// W = 3n − r, r the rank of the constraints of the pairs in a general pose.
     pub rank: isize,
     /// The pairs that have a redundant constraint, each as often as it has one, in the order of points, slides and
-    /// gears: a hinge by its point, a slide by its point, wheels in mesh by both of them. Which of several dependent
+    /// gears: a hinge and a slide by the point, wheels in mesh by both of them. Which of several dependent
     /// constraints is redundant is a matter of their order.
     pub redundant: Vec<String>,
 }
@@ -43,9 +43,17 @@ impl Mobility {
 }
 
 impl Mechanism {
-    /// Mobility by count and by rank, with the redundant constraints. Meshes whose wheels are passive count as none.
+    /// Mobility by count and by rank, with the redundant constraints.
     pub fn mobility(&self) -> Mobility {
         let count = self.counts.mobility;
+        let has_surplus = self.structure.groups().any(|group| group.surplus > 0);
+        if !has_surplus && self.counts.passive == 0 {
+            return Mobility {
+                count,
+                rank: count,
+                redundant: Vec::new(),
+            };
+        }
         let general = self.beside().into_iter();
         let general = general.map(|pose| self.dependent(&pose));
         // In a singular pose more constraints depend on each other.

@@ -74,11 +74,13 @@ mod contour;
 mod fault;
 mod formula;
 mod group;
+mod passive;
 mod pebbles;
 
 pub use fault::Fault;
 pub use formula::roman;
 pub use group::{Dyad, Group, Outer};
+pub use passive::with_passive_links;
 
 use crate::sorting::sort_by_key;
 use pebbles::{BODY, Pebbles, Surplus};
@@ -181,7 +183,7 @@ pub enum Step {
 }
 
 impl Structure {
-    /// The class of the mechanism: the highest of its groups', or I.
+    /// The class of the mechanism: the highest of its groups', or I. Passive links have none.
     pub fn class(&self) -> usize {
         self.groups().map(|group| group.class).max().unwrap_or(1)
     }
