@@ -14,15 +14,18 @@ use crate::{Point, Vector};
 pub const NEARLY: f64 = 1e-3;
 /// Poses to each side of the drawing, by the angle between them, and the steps from one to the next.
 const POSES: usize = 4;
-const APART: f64 = 0.12;
+const APART: f64 = 0.15;
 const STEPS: usize = 4;
 /// Steps of the method, at most; it ends where the residuals are this small relative to the square of the size.
 const MOST_STEPS: usize = 40;
 const CONVERGED: f64 = 1e-15;
 /// A change of a pose counts as so much less than one of the drawing.
-const FREE: f64 = 1e4;
-/// Singular values below this part of the greatest are zero.
-const RANK: f64 = 1e-9;
+const FREE: f64 = 1e2;
+/// Links keep parallel if their angles differ by no more in the poses, radians.
+const PARALLEL: f64 = 2e-3;
+/// Singular values below this part of the greatest are zero, each in turn: how small those are that vanish at the
+/// solution depends on the mechanism.
+const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing.
 #[derive(Clone, Debug)]
@@ -44,8 +47,14 @@ impl Draft {
         if !refused.iter().all(locked) {
             return None;
         }
-        let system = System::new(self)?;
-        let places = system.solved()?;
+        let mut system = System::new(self)?;
+        let start = system.start()?;
+        let mut found = RANKS.into_iter();
+        found.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
+    }
+
+    /// The drawing with its points in other places, if it moves then.
+    fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut draft = self.clone();
         let (mut by, mut farthest) = (0.0, String::new());
@@ -71,6 +80,10 @@ enum Constant {
     Distance([usize; 2]),
     /// (b − a) × (s − r).
     Cross([usize; 4]),
+    /// (b − a) · (s − r).
+    Dot([usize; 4]),
+    /// x or y of b − a.
+    Along([usize; 2], usize),
 }
 
 /// The constraints of a drawing whose crank turns about a point of the frame.
@@ -79,6 +92,8 @@ struct System {
     /// Whether a point is one of the frame.
     fixed: Vec<bool>,
     constants: Vec<Constant>,
+    /// Two points of each link that has two.
+    ways: Vec<[usize; 2]>,
     /// The centre of the crank and a point on it.
     crank: [usize; 2],
     size: f64,
@@ -106,13 +121,18 @@ impl System {
         let crank = crank?;
         let centre = crank.iter().copied().find(|point| fixed[*point])?;
         let pin = crank.iter().copied().find(|point| *point != centre)?;
-        let mut constants = Vec::new();
+        let (mut constants, mut ways) = (Vec::new(), Vec::new());
         for link in &draft.links {
             let points: Option<Vec<usize>> = link.points.iter().map(index).collect();
             let points = points?;
-            for (k, one) in points.iter().enumerate() {
-                let others = points[..k].iter();
-                constants.extend(others.map(|other| Constant::Distance([*other, *one])));
+            if let [first, second, ..] = points[..] {
+                ways.push([first, second]);
+                constants.push(Constant::Distance([first, second]));
+                // Distances alone do not tell on which side of the line of the first two a further point is.
+                for point in &points[2..] {
+                    let four = [first, second, first, *point];
+                    constants.extend([Constant::Dot(four), Constant::Cross(four)]);
+                }
             }
         }
         for slide in &draft.slides {
@@ -129,6 +149,7 @@ impl System {
             drawn: draft.points.iter().map(|point| point.at.coords).collect(),
             fixed,
             constants,
+            ways,
             crank: [centre, pin],
             size: draft.size(),
         })
@@ -171,6 +192,22 @@ impl System {
                             add(s, Vector::new(-u.y, u.x));
                             add(r, Vector::new(u.y, -u.x));
                         }
+                        Constant::Dot([a, b, r, s]) => {
+                            let u = place(column(b)) - place(column(a));
+                            let v = place(column(s)) - place(column(r));
+                            residuals[row] += sign * u.dot(&v);
+                            add(b, v);
+                            add(a, -v);
+                            add(s, u);
+                            add(r, -u);
+                        }
+                        Constant::Along([a, b], axis) => {
+                            let way = place(column(b)) - place(column(a));
+                            let unit = Vector::ith(axis, self.size);
+                            residuals[row] += sign * way.dot(&unit);
+                            add(b, unit);
+                            add(a, -unit);
+                        }
                     }
                 }
                 row += 1;
@@ -201,8 +238,8 @@ impl System {
         (residuals, slopes)
     }
 
-    /// The places of the exact drawing.
-    fn solved(&self) -> Option<Vec<Point>> {
+    /// The drawing with the poses around it as near to the constraints as they come, and the angles of the crank.
+    fn start(&mut self) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
         let width = drawn.len();
@@ -213,7 +250,7 @@ impl System {
             for step in 1..=POSES * STEPS {
                 let angle = sense * APART * step as f64 / STEPS as f64;
                 let both = DVector::from_vec([drawn.clone(), pose].concat());
-                let next = self.nearest(both, &[angle], 0.0)?;
+                let next = self.nearest(both, &[angle], [0.0, RANKS[1]])?;
                 pose = next.as_slice()[width..].to_vec();
                 if step % STEPS == 0 {
                     angles.push(angle);
@@ -221,17 +258,66 @@ impl System {
                 }
             }
         }
-        let exact = self.nearest(DVector::from_vec(all), &angles, 1.0)?;
+        self.keep_parallel(&all);
+        Some((DVector::from_vec(all), angles))
+    }
+
+    /// The places of the exact drawing.
+    fn solved(&self, (start, angles): (DVector<f64>, Vec<f64>), rank: f64) -> Option<Vec<Point>> {
+        let exact = self.nearest(start, &angles, [1.0, rank])?;
         let (residuals, _) = self.residuals(&exact, &angles);
         let closes = residuals.amax() <= 1e-12 * self.size * self.size;
         closes.then(|| {
-            let places = exact.as_slice()[..width].chunks_exact(2);
+            let places = exact.as_slice()[..2 * self.drawn.len()].chunks_exact(2);
             places.map(|at| Point::new(at[0], at[1])).collect()
         })
     }
 
-    /// The place nearest to a solution that least squares come to, the drawing moved freely (1) or not at all (0).
-    fn nearest(&self, mut at: DVector<f64>, angles: &[f64], drawing: f64) -> Option<DVector<f64>> {
+    /// Adds that links which nearly keep parallel, to the frame or to each other, do so. Without it the exact drawing is
+    /// a double root.
+    fn keep_parallel(&mut self, all: &[f64]) {
+        let width = 2 * self.drawn.len();
+        let turns_alike = |one: Option<[usize; 2]>, other: [usize; 2]| {
+            let turn = |pose: usize, [a, b]: [usize; 2]| {
+                let place = |point: usize| {
+                    let column = self.column(pose, point);
+                    Vector::new(all[column], all[column + 1])
+                };
+                place(b) - place(a)
+            };
+            (1..all.len() / width).all(|pose| {
+                let turned = |way: [usize; 2]| {
+                    let [before, after] = [0, pose].map(|pose| turn(pose, way));
+                    before.perp(&after).atan2(before.dot(&after))
+                };
+                let off = turned(other) - one.map_or(0.0, turned);
+                off.sin().abs() <= PARALLEL && off.cos() > 0.0
+            })
+        };
+        let mut parallel = Vec::new();
+        for (k, way) in self.ways.iter().enumerate() {
+            if turns_alike(None, *way) {
+                parallel.extend([0, 1].map(|axis| Constant::Along(*way, axis)));
+                continue;
+            }
+            let mate = self.ways[..k]
+                .iter()
+                .find(|mate| turns_alike(Some(**mate), *way));
+            if let Some([a, b]) = mate {
+                let four = [*a, *b, way[0], way[1]];
+                parallel.extend([Constant::Dot(four), Constant::Cross(four)]);
+            }
+        }
+        self.constants.extend(parallel);
+    }
+
+    /// The place nearest to a solution that least squares come to, the drawing moved freely (1) or not at all (0), with singular values zero below a part of the greatest.
+    fn nearest(
+        &self,
+        mut at: DVector<f64>,
+        angles: &[f64],
+        [drawing, rank]: [f64; 2],
+    ) -> Option<DVector<f64>> {
         let width = 2 * self.drawn.len();
         let scale = |column: usize| if column < width { drawing } else { FREE };
         for _ in 0..MOST_STEPS {
@@ -243,7 +329,7 @@ impl System {
                 slope *= scale(column);
             }
             let svd = slopes.svd(true, true);
-            let least = RANK * svd.singular_values.max();
+            let least = rank * svd.singular_values.max();
             let step = svd.solve(&residuals, least).ok()?;
             for (column, by) in step.iter().enumerate() {
                 at[column] -= scale(column) * by;
