@@ -141,19 +141,15 @@ impl Mechanism {
             Self::of(&resolved, &bodies, &placements, structure, parallel, None)
         };
         let mut mechanism = of(&[])?;
-        match redundancy {
-            None => mechanism.settle()?,
-            Some(redundancy) => {
-                let parallel = mechanism.parallel();
-                let settled = parallel.and_then(|parallel| {
-                    mechanism = of(&parallel).ok()?;
-                    mechanism.settle().ok()
-                });
-                if settled.is_none() || !mechanism.moves() {
-                    return Err(redundancy.defects);
-                }
-                mechanism.shown = redundancy.shown;
-            }
+        if let Some(redundancy) = &redundancy {
+            let parallel = mechanism.parallel();
+            let settled = parallel.and_then(|parallel| {
+                mechanism = of(&parallel).ok()?;
+                mechanism.settle().ok()
+            });
+            settled.ok_or_else(|| redundancy.defects.clone())?;
+        } else {
+            mechanism.settle()?;
         }
         let parts = constraint::Parts {
             draft: &resolved,
@@ -162,6 +158,12 @@ impl Mechanism {
             orientations: &mechanism.orientations,
         };
         mechanism.constraints = parts.constraints();
+        if let Some(redundancy) = redundancy {
+            if !mechanism.moves() {
+                return Err(redundancy.defects);
+            }
+            mechanism.shown = redundancy.shown;
+        }
         Ok(mechanism)
     }
 

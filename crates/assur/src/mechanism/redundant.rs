@@ -54,8 +54,13 @@ impl Mechanism {
                 redundant: Vec::new(),
             };
         }
-        let general = self.beside().into_iter();
-        let general = general.map(|pose| self.dependent(&pose));
+        self.mobility_in(&self.beside())
+    }
+
+    /// Mobility by count and by rank in the most general one of some poses.
+    fn mobility_in(&self, poses: &[Predictor]) -> Mobility {
+        let count = self.counts.mobility;
+        let general = poses.iter().map(|pose| self.dependent(pose));
         // In a singular pose more constraints depend on each other.
         let redundant = general.min_by_key(Vec::len).unwrap_or_default();
         Mobility {
@@ -168,9 +173,11 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// Whether all constraints hold around the drawn pose.
+    /// Whether all constraints hold around the drawn pose, and leave it as many freedoms as it has drivers: drivers that
+    /// agree with each other only at their rates are too many.
     pub(super) fn moves(&self) -> bool {
-        !self.beside().is_empty()
+        let poses = self.beside();
+        !poses.is_empty() && self.mobility_in(&poses).rank == self.draft.drivers.len() as isize
     }
 
     /// Poses around the drawn one, to both sides as far as there are some. None where a redundant constraint does not
