@@ -175,8 +175,10 @@ const ORDERS: &[&str] = &["crates/assur-draw/src/chart.rs"];
 const LINKS: &[&str] = &[
     "crates/assur/src/mechanism/draft.rs",
     "crates/assur-file/src/kinds/mixer.rs",
+    "crates/assur-file/catalogue/cardan-trammel.json",
     "crates/assur-file/catalogue/chebyshev.json",
     "crates/assur-file/catalogue/class3-platform.json",
+    "crates/assur-file/catalogue/coupled-cranks.json",
     "crates/assur-file/catalogue/elliptic-trammel.json",
     "crates/assur-file/catalogue/evans.json",
     "crates/assur-file/catalogue/jaw-crusher.json",
@@ -612,6 +614,7 @@ fn every_problem_has_words() {
         "guides_parallel",
         "links_undetermined",
         "links_dead_point",
+        "constraint_broken",
         "bad_wish",
         "no_output",
         "nothing_moves",

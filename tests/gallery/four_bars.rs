@@ -113,6 +113,24 @@ fn parallelogram() {
     assert_near(motion.change_points()[1], PI, 1e-12, "change point");
 }
 
+/// All cranks turn alike: the third one is redundant and leaves no change point.
+#[test]
+fn coupled_cranks() {
+    let motion = moved("coupled-cranks");
+    assert!(motion.change_points().is_empty() && motion.dead_points().is_empty());
+    let mobility = motion.mechanism().mobility();
+    assert_eq!((mobility.count, mobility.rank, mobility.q()), (0, 1, 1));
+    for degrees in (0..=360).map(f64::from) {
+        for name in ["second crank.angle", "third crank.angle"] {
+            let [angle, first, second, _] = at(&motion, name, degrees);
+            let off = angle_between(angle, degrees.to_radians());
+            assert!(off < 1e-12, "{name} {degrees}°: {off}");
+            assert_near(first, 1.0, 1e-12, name);
+            assert_near(second, 0.0, 1e-12, name);
+        }
+    }
+}
+
 /// tan ψ/2 = −(d + a)/(d − a) · tan φ/2: the same two motions cross at the change points, and
 /// this one goes on against the crank.
 #[test]

@@ -116,6 +116,29 @@ fn scott_russell() {
     }
 }
 
+/// P = (0, 4 sin φ), C = (4 cos φ, 0), exactly: the second slider is redundant and leaves no change point.
+#[test]
+fn cardan_trammel() {
+    assert_eq!(moved("scott-russell").change_points().len(), 2);
+    let motion = moved("cardan-trammel");
+    assert!(motion.change_points().is_empty() && motion.dead_points().is_empty());
+    let mobility = motion.mechanism().mobility();
+    assert_eq!((mobility.count, mobility.rank, mobility.q()), (0, 1, 1));
+    for degrees in (0..=360).map(f64::from) {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        for (name, exact) in [
+            ("P.x", [0.0; 3]),
+            ("P.y", [4.0 * sin, 4.0 * cos, -4.0 * sin]),
+            ("C.x", [4.0 * cos, -4.0 * sin, -4.0 * cos]),
+        ] {
+            let found = at(&motion, name, degrees);
+            for (found, exact) in found.into_iter().zip(exact) {
+                assert_near(found, exact, 1e-12, &format!("{name} {degrees}°"));
+            }
+        }
+    }
+}
+
 /// Q is twice as far from O as P, with all derivatives.
 #[test]
 fn pantograph() {

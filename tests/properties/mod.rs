@@ -17,4 +17,5 @@ mod motion;
 mod polygons;
 mod poses;
 pub(crate) mod random;
+mod redundant;
 mod structure;

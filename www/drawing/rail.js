@@ -350,6 +350,7 @@ function mending(mend) {
   if ("drive" in mend) return { edit: "drive", link: mend.drive };
   if ("release" in mend) return { edit: "drive", link: mend.release };
   if ("remove" in mend) return { edit: "remove", points: [], links: [mend.remove] };
+  if ("exact" in mend) return { edit: "make_exact" };
   return { edit: "fix", point: mend.fix };
 }
 
@@ -358,6 +359,7 @@ function mending(mend) {
  * @param {Words} words
  */
 function mendText(mend, words) {
+  if ("exact" in mend) return words.text("draw.mend.exact", { n: mend.exact.point, by: words.length(words.numbers.short(mend.exact.by)) });
   const [[name, of]] = Object.entries(mend);
   return words.text(`draw.mend.${name}`, { n: name === "fix" ? of : called(of, words) });
 }

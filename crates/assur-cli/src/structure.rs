@@ -37,6 +37,12 @@ pub(crate) fn write<W: Write>(
     for key in ["links", "mobility", "class", "formula", "assemblies"] {
         writeln!(out, "{key:<12} {}", word(&described[key]))?;
     }
+    if described["q"] != json!(0) {
+        let [count, rank, q] = ["w_count", "w_rank", "q"].map(|key| &described[key]);
+        let pairs = word(&described["redundant"]);
+        let said = format!("{pairs} (W = {count} by count, {rank} by rank; q = {q})");
+        writeln!(out, "{:<12} {said}", "redundant")?;
+    }
     if described["passive"]
         .as_array()
         .is_some_and(|passive| !passive.is_empty())
@@ -145,6 +151,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
     };
     let unfollowed = |kind: DeadPointKind| !kind.is_dead_point() && kind != DeadPointKind::Range;
     let change_points = motion.change_points().iter().copied().map(placed);
+    let mobility = mechanism.mobility();
     let passive = mechanism.passive_wheels();
     let passive = passive.map(|wheel| mechanism.link_name(wheel));
     json!({
@@ -152,6 +159,11 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "drivers": drivers(mechanism),
         // Of a mechanism there are as many drivers as freedoms.
         "mobility": driving,
+        "w_count": mobility.count,
+        "w_rank": mobility.rank,
+        "q": mobility.q(),
+        // The pairs that have a redundant constraint, in the order of points, slides and gears.
+        "redundant": mobility.redundant,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
         // Wheels that repeat what others do, as further satellites.

@@ -41,6 +41,13 @@ pub enum Mend {
     Remove(String),
     /// A point becomes one of the frame.
     Fix(String),
+    /// The drawing becomes exact: redundant constraints nearly hold.
+    Exact {
+        /// The point that moves farthest.
+        point: String,
+        /// By this length.
+        by: f64,
+    },
 }
 
 impl Mend {
@@ -55,6 +62,7 @@ impl Mend {
             Self::Fix(point) => Edit::Fix {
                 point: point.clone(),
             },
+            Self::Exact { .. } => Edit::MakeExact {},
         }
     }
 }
@@ -93,6 +101,10 @@ impl Advice {
 /// The edits after which it moves, of those that a person would try; where there are none, those after which one more
 /// lets it.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
+    if let Some(exact) = document.draft().made_exact() {
+        let (point, by) = (exact.point, exact.by);
+        return vec![Mend::Exact { point, by }];
+    }
     let all = tried(document);
     let once: Vec<Mend> = all
         .iter()

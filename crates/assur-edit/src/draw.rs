@@ -78,6 +78,10 @@ impl Drawing {
             } => self.mesh(links, *teeth, *internal),
             Edit::Drive { link } => self.drive(link),
             Edit::Fix { point } => self.fix(point),
+            Edit::MakeExact {} => {
+                self.make_exact();
+                Ok(())
+            }
             Edit::Weld { links } => self.weld(links),
             Edit::Join { points } => self.join(points),
             Edit::Part { point } => self.part(point),
@@ -95,6 +99,15 @@ impl Drawing {
             }
             Edit::Mirror { points } => self.mirror(points),
             Edit::Lock { points } => self.lock(points),
+        }
+    }
+
+    /// Puts the points where redundant constraints hold, if the drawing is near enough to that.
+    fn make_exact(&mut self) {
+        if let Some(exact) = self.document.draft().made_exact() {
+            for (point, exact) in self.document.points.iter_mut().zip(exact.draft.points) {
+                point.at = exact.at.into();
+            }
         }
     }
 

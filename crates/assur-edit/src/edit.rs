@@ -77,6 +77,8 @@ pub enum Edit {
         /// The point.
         point: String,
     },
+    /// Points go where redundant constraints hold that nearly did: those of a drawing by hand.
+    MakeExact {},
     /// Two links turn as one from now on, or no more if they did.
     Weld {
         /// The links: the first is fixed to the second.

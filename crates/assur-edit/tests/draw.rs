@@ -96,6 +96,37 @@ fn what_needs_two_edits_is_told_the_first() {
     assert_eq!(next.mends[0], Mend::Drive(text("AB")));
 }
 
+/// Three cranks that are parallel to four decimals: the offer moves every point by less than that, and then they turn.
+#[test]
+fn what_is_nearly_redundant_is_made_exact() {
+    let text = r#"{
+        "points": [
+            { "name": "A", "at": [0, 0] }, { "name": "D", "at": [4, 0] }, { "name": "G", "at": [2, 0.3] },
+            { "name": "B", "at": [0.6001, 0.8] }, { "name": "C", "at": [4.6, 0.7999] }, { "name": "H", "at": [2.6, 1.1] }
+        ],
+        "frame": ["A", "D", "G"],
+        "links": [
+            { "name": "AB", "points": ["A", "B"] }, { "name": "rod", "points": ["B", "C", "H"] },
+            { "name": "DC", "points": ["D", "C"] }, { "name": "GH", "points": ["G", "H"] }
+        ],
+        "drivers": [{ "crank": "AB" }]
+    }"#;
+    let drawn: LinkageDocument = serde_json::from_str(text).unwrap();
+    let advice = Advice::of(&drawn).unwrap().unwrap();
+    let [mend @ Mend::Exact { by, .. }] = &advice.mends[..] else {
+        panic!("{:?}", advice.mends);
+    };
+    assert!(*by > 1e-5 && *by < 1e-4, "{by}");
+    let exact = done(&drawn, &[mend.edit()]);
+    assert!(Advice::of(&exact).unwrap().is_none());
+    assert_eq!(formula(&exact), "I(frame,AB) → II₂(rod,DC) → q₁(GH)");
+    let moved = drawn.points.iter().zip(&exact.points).map(|(one, other)| {
+        let [x, y] = [0, 1].map(|axis| one.at[axis] - other.at[axis]);
+        x.hypot(y)
+    });
+    assert_eq!(moved.fold(0.0, f64::max), *by);
+}
+
 #[test]
 fn links_are_called_by_their_points() {
     let plate = done(

@@ -24,6 +24,8 @@ pub(crate) struct StructureSummary<'a> {
     counts: CountsSummary,
     /// Wheels whose meshes only repeat what the others do.
     passive: Vec<&'a str>,
+    /// The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+    redundant: Vec<String>,
     class: String,
     order: usize,
     formula: String,
@@ -80,7 +82,7 @@ pub(crate) struct MotionSummary<'a> {
 }
 
 /// Moving links, lower and higher pairs (a hinge of k links counting k − 1 times), degrees
-/// of freedom, of which passive pairs take none.
+/// of freedom by rank and by count.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {
@@ -88,6 +90,7 @@ pub(crate) struct CountsSummary {
     lower: usize,
     higher: usize,
     mobility: isize,
+    by_count: isize,
 }
 
 /// Where the input goes. `full`: a crank that turns fully.
@@ -198,14 +201,20 @@ impl<'a> StructureSummary<'a> {
         let structure = mechanism.structure();
         let highest = structure.groups().max_by_key(|group| group.class);
         let groups = mechanism.terms().into_iter().zip(figure.step_roles());
-        let counts = mechanism.counts();
+        let (counts, mobility) = (mechanism.counts(), mechanism.mobility());
         Self {
             bounds: figure.bounds(),
             counts: CountsSummary {
                 links: counts.links,
                 lower: counts.lower_pairs,
                 higher: counts.higher_pairs,
-                mobility: counts.mobility + counts.passive as isize,
+                mobility: mobility.rank,
+                by_count: mobility.count,
+            },
+            redundant: if counts.passive == 0 {
+                mobility.redundant
+            } else {
+                Vec::new()
             },
             passive: (mechanism.passive_wheels())
                 .map(|wheel| mechanism.link_name(wheel))

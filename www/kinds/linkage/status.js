@@ -14,6 +14,8 @@ import { subscript } from "assur/core/symbols.js";
 /** @type {Readonly<Record<string, (summary: Summary, words: Words, snapshot: Snapshot) => string | (Node | string)[]>>} */
 const ENTRIES = Object.freeze({
   "linkage-w": ({ counts: { mobility } }, words) => words.numbers.exact(mobility),
+  redundant: ({ redundant, counts: { by_count: count, mobility } }, words) =>
+    (redundant.length > 0 ? words.text("status.redundant_of", { pairs: listed([...new Set(redundant)], words), count: words.numbers.exact(count), q: words.numbers.exact(mobility - count) }) : ""),
   passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),

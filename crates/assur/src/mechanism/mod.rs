@@ -15,6 +15,7 @@ mod dimension;
 mod draft;
 mod driver;
 mod dyads;
+mod exact;
 mod joints;
 mod measure;
 mod multiple;
@@ -24,6 +25,7 @@ mod plan;
 mod pose;
 mod quantity;
 mod rate;
+mod redundant;
 mod repeated;
 mod resolved;
 mod slide;
@@ -46,12 +48,14 @@ pub use dimension::Dimension;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 pub(crate) use dyads::arms_of;
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
+pub use exact::{MadeExact, NEARLY};
 pub use joints::Joint;
 pub use multiple::Multiple;
 pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
+pub use redundant::Mobility;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
@@ -81,6 +85,10 @@ pub struct Mechanism {
     made_for: List<BodyId, LinkOrFrame>,
     bodies: List<BodyId, Vec<(PointId, Vector)>>,
     structure: Structure,
+    /// The structure as it is shown: with passive links by themselves.
+    shown: Structure,
+    /// Bodies of groups with redundant constraints that stay parallel to another body.
+    parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
     /// Of each body the step that places it; none of the frame.
     placed_by: List<BodyId, Option<StepId>>,
@@ -127,9 +135,22 @@ impl Mechanism {
         }
         let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
-        let structure = structured::structured(&resolved, &bodies)?;
-        let mut mechanism = Self::of(&resolved, &bodies, &placements, structure, None)?;
-        mechanism.settle()?;
+        let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
+        let of = |parallel: &[[BodyId; 2]]| {
+            let structure = structure.clone();
+            Self::of(&resolved, &bodies, &placements, structure, parallel, None)
+        };
+        let mut mechanism = of(&[])?;
+        if let Some(redundancy) = &redundancy {
+            let parallel = mechanism.parallel();
+            let settled = parallel.and_then(|parallel| {
+                mechanism = of(&parallel).ok()?;
+                mechanism.settle().ok()
+            });
+            settled.ok_or_else(|| redundancy.defects.clone())?;
+        } else {
+            mechanism.settle()?;
+        }
         let parts = constraint::Parts {
             draft: &resolved,
             bodies: &bodies,
@@ -137,6 +158,12 @@ impl Mechanism {
             orientations: &mechanism.orientations,
         };
         mechanism.constraints = parts.constraints();
+        if let Some(redundancy) = redundancy {
+            if !mechanism.moves() {
+                return Err(redundancy.defects);
+            }
+            mechanism.shown = redundancy.shown;
+        }
         Ok(mechanism)
     }
 
@@ -147,10 +174,11 @@ impl Mechanism {
         bodies: &Bodies,
         placements: &List<LinkId, Placement>,
         structure: Structure,
+        parallel: &[[BodyId; 2]],
         drawn: Option<Drawn<'_>>,
     ) -> Result<Self, Vec<Defect>> {
         let rounds = rate::rounds(resolved)?;
-        let plan = plan::plan(resolved, bodies, placements, &structure, drawn);
+        let plan = plan::plan(resolved, bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
             // A point that no link has stays where it is drawn.
@@ -183,7 +211,9 @@ impl Mechanism {
             links: links.collect(),
             made_for: resolved.bodies.clone(),
             bodies: bodies.ids().map(|body| bodies.of(body).to_vec()).collect(),
+            shown: structure.clone(),
             structure,
+            parallel: parallel.to_vec(),
             signs: plan.steps.alike(Sign::Plus),
             steps: plan.steps,
             placed_by,
@@ -280,9 +310,9 @@ impl Mechanism {
             .filter(|link| self.draft.is_crank(&links[link.index()]))
     }
 
-    /// Driver and Assur groups. Its links are bodies, by their indices.
+    /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
     pub fn structure(&self) -> &Structure {
-        &self.structure
+        &self.shown
     }
 
     /// The bodies: the frame, then the links that are fixed to no other.
@@ -307,14 +337,12 @@ impl Mechanism {
 
     /// The structural formula with the names of links.
     pub fn formula(&self) -> String {
-        self.structure
-            .formula(|link| self.body_name(BodyId::at(link)))
+        self.shown.formula(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The terms of the structural formula with the names of links.
     pub fn terms(&self) -> Vec<String> {
-        self.structure
-            .terms(|link| self.body_name(BodyId::at(link)))
+        self.shown.terms(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The links that a step of the plan places, by name.

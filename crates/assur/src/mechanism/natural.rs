@@ -16,11 +16,12 @@ use super::plan::Placed;
 use condition::Condition;
 
 /// The plan of a group and the drawn values of its unknowns; none where the equations
-/// are not as many as the unknowns.
+/// are fewer than the unknowns.
 pub(super) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
     driven: &[DrivenPair],
+    parallel: &[[BodyId; 2]],
     offset: usize,
     drawn: impl Fn(PointId) -> Vector,
 ) -> Option<(Group, Vec<Vector>)> {
@@ -77,6 +78,9 @@ pub(super) fn group(
     for pair in driven {
         plan.drive(pair)?;
     }
+    for pair in parallel.iter().filter(|[_, body]| members.contains(body)) {
+        plan.keep_parallel(*pair);
+    }
     plan.finished(offset)
 }
 
@@ -103,7 +107,8 @@ struct Plan<'a> {
     placed: BTreeMap<BodyId, [Form; 2]>,
     /// Slides that have given a direction.
     by_slide: Vec<SlideId>,
-    conditions: Vec<Condition>,
+    /// The conditions, each with the body that it constrains.
+    conditions: Vec<(BodyId, Condition)>,
     meshes: Vec<Mesh>,
     /// The drawn values of the unknowns, and what each is measured by.
     home: Vec<Vector>,
@@ -251,7 +256,8 @@ impl Plan<'_> {
         }
         // A block with one point, or with known points that are too close to each other: its direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
-        self.conditions.push(Condition::Unit(turn.clone(), 0.0));
+        self.conditions
+            .push((body, Condition::Unit(turn.clone(), 0.0)));
         let Some((point, local)) = self.bodies.of(body).first().copied() else {
             return;
         };
@@ -267,9 +273,11 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                if !turn.unknowns.is_empty() {
+                // Of two points on solved bodies the distance is redundant.
+                if !turn.unknowns.is_empty() || !turn.inputs.is_empty() {
                     let length = (b - a).norm();
-                    self.conditions.push(Condition::Unit(turn.clone(), length));
+                    let unit = Condition::Unit(turn.clone(), length);
+                    self.conditions.push((body, unit));
                 }
                 let origin = p.minus(&turn.by(a));
                 self.settle(body, [origin, turn], &[first, second]);
@@ -300,7 +308,7 @@ impl Plan<'_> {
             match self.points.get(point) {
                 Some(known) => {
                     let gap = at.minus(known);
-                    self.conditions.push(Condition::Zero(gap));
+                    self.conditions.push((body, Condition::Zero(gap)));
                 }
                 None => {
                     self.points.insert(*point, at);

@@ -134,7 +134,15 @@ impl Mechanism {
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
             let structure = self.structure.clone();
-            Self::of(&resolved, &bodies, &placements, structure, Some(drawn))
+            let parallel = &self.parallel;
+            Self::of(
+                &resolved,
+                &bodies,
+                &placements,
+                structure,
+                parallel,
+                Some(drawn),
+            )
         };
         let mut mechanism =
             laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
@@ -183,10 +191,15 @@ impl Mechanism {
         let mut groups = self
             .steps
             .enumerate()
-            .filter(|(_, step)| matches!(step, Step::Group(_)));
-        let lost = groups.find(|(step, _)| {
+            .filter_map(|(step, placing)| match placing {
+                Step::Group(group) => Some((step, group)),
+                _ => None,
+            });
+        let lost = groups.find(|(step, group)| {
             let [a, b] = [before, state].map(|state| state.margins[*step][0].value());
-            far || !(1.0 / CHANGED..=CHANGED).contains(&(b / a))
+            // Of redundant equations others may have been left out.
+            let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&(b / a));
+            far || changed
         });
         lost.map(|(step, _)| step)
     }

@@ -43,7 +43,8 @@ pub(super) struct Placed<'a> {
     crank: Option<BodyId>,
 }
 
-/// The steps in the order of the structure, and the drawn input.
+/// The steps in the order of the structure, and the drawn input. Bodies that stay parallel are equations of
+/// groups with redundant constraints.
 ///
 /// # Errors
 /// A group that no step can solve.
@@ -52,6 +53,7 @@ pub(super) fn plan(
     bodies: &Bodies,
     placements: &List<LinkId, Placement>,
     structure: &Structure,
+    parallel: &[[BodyId; 2]],
     known: Option<Drawn<'_>>,
 ) -> Result<Plan, Defect> {
     let solved = bodies.ids().map(|body| body == BodyId::FRAME);
@@ -115,7 +117,7 @@ pub(super) fn plan(
                 if known.is_none() {
                     placed.mount(&links, &driven);
                 }
-                let closed = if driven.is_empty() {
+                let closed = if driven.is_empty() && group.surplus == 0 {
                     let train = placed.train(&links);
                     let train = train.map_err(|Singular| Defect::Undetermined {
                         links: names(&links),
@@ -129,7 +131,8 @@ pub(super) fn plan(
                     None => {
                         let offset = plan.natural.len() / 2;
                         let places = |point| draft.places[point];
-                        let group = natural::group(&placed, &links, &driven, offset, places);
+                        let group =
+                            natural::group(&placed, &links, &driven, parallel, offset, places);
                         let (group, places) = group.ok_or_else(|| unsupported(&links))?;
                         let places = places.iter().flat_map(|place| [place.x, place.y]);
                         plan.natural.extend(places);

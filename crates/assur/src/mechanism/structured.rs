@@ -4,13 +4,26 @@ use super::body::{Bodies, Gear};
 use super::draft::Defect;
 use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
-use crate::structure::{self, Fault, Graph, Pair, Structure, decompose};
+use crate::structure::{
+    self, Fault, Graph, Pair, Structure, decompose, decompose_redundant, with_passive_links,
+};
+
+/// A structure with surplus constraints: whether they are redundant the geometry decides.
+pub(super) struct Redundancy {
+    /// The structure as it is shown: passive links after all others.
+    pub(super) shown: Structure,
+    /// The defects if the constraints are not redundant.
+    pub(super) defects: Vec<Defect>,
+}
 
 /// Driver and Assur groups of the bodies.
 ///
 /// # Errors
 /// All that is wrong with the count of pairs.
-pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Structure, Vec<Defect>> {
+pub(super) fn structured(
+    draft: &Resolved<'_>,
+    bodies: &Bodies,
+) -> Result<(Structure, Option<Redundancy>), Vec<Defect>> {
     let graph = bodies.graph(draft.places.ids());
     let drivers = draft.drivers.iter();
     let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
@@ -19,7 +32,12 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
     let mobility = graph.mobility();
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
-    decompose(&graph, &drivers).map_err(|faults| {
+    let faults = match decompose(&graph, &drivers) {
+        Ok(structure) => return Ok((structure, None)),
+        Err(faults) => faults,
+    };
+    let redundant = decompose_redundant(&graph, &drivers);
+    let defects = || {
         let contradicting = contradicting(bodies, &graph, &drivers);
         let active = draft.gears.iter().zip(&bodies.passive);
         let mut active = active.filter(|(_, passive)| !**passive);
@@ -47,7 +65,15 @@ pub(super) fn structured(draft: &Resolved<'_>, bodies: &Bodies) -> Result<Struct
         // Without a driver everything is free: only that is said.
         let told = |fault: &Fault| !drivers.is_empty() || !matches!(fault, Fault::Undriven { .. });
         faults.into_iter().filter(told).map(defect).collect()
-    })
+    };
+    let Ok(structure) = redundant else {
+        return Err(defects());
+    };
+    let redundancy = Redundancy {
+        shown: with_passive_links(&graph, &drivers).unwrap_or_else(|| structure.clone()),
+        defects: defects(),
+    };
+    Ok((structure, Some(redundancy)))
 }
 
 /// Which of the gear couplings that are not passive is the last that closes a ring of wheels, and without which nothing

@@ -195,6 +195,8 @@ impl<'a> Continuation<'a> {
                 return Some(dead);
             } else if tried > cell * 0.5_f64.powi(most) && next != self.input {
                 width = 0.5 * tried;
+            } else if is_group && self.is_locked(sense) {
+                return Some(self.ends(step, DeadPointKind::Locked));
             } else if is_group || comes_into_line {
                 return Some(self.ends(step, DeadPointKind::NearSingular));
             } else {

@@ -17,6 +17,8 @@ pub enum DeadPointKind {
     /// A group of Class III or higher comes to a position in which its links can
     /// move while the rest stands.
     Singular,
+    /// A redundant constraint of a group does not hold any further: its links lock.
+    Locked,
     /// The end of a driven slide's range: no dead point of the linkage.
     Range,
     /// A pose so near to a singular one, or to another branch of the motion, that it cannot be told how the motion
@@ -41,6 +43,7 @@ impl DeadPointKind {
             Self::Perpendicular => "perpendicular",
             Self::Parallel => "parallel",
             Self::Singular => "singular",
+            Self::Locked => "locked",
             Self::Range => "range",
             Self::NearSingular => "near_singular",
             Self::Unfollowed => "unfollowed",

@@ -143,6 +143,7 @@ impl Curve<'_> {
             let Linearized {
                 left,
                 slopes,
+                is_redundant,
                 is_closed,
             } = self.linearized(&at)?;
             let mut bordered = slopes.resize_vertically(rows, 0.0);
@@ -161,7 +162,12 @@ impl Curve<'_> {
             at -= solved.column(0);
             if change <= CONVERGED || change >= 0.5 * last && is_closed {
                 let tangent = solved.column(1).normalize();
-                let side = bordered.determinant().signum();
+                // Of redundant equations others may be left out next: their determinant keeps no sign.
+                let side = if is_redundant {
+                    1.0
+                } else {
+                    bordered.determinant().signum()
+                };
                 return Some(Along {
                     at,
                     tangent,

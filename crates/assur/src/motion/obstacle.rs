@@ -52,6 +52,14 @@ impl Continuation<'_> {
         })
     }
 
+    /// Whether a redundant constraint does not hold just ahead.
+    pub(super) fn is_locked(&self, sense: f64) -> bool {
+        let mut probe: State<1> = self.mechanism.blank_state();
+        let beyond = self.input + sense * PASSED * self.mechanism.span();
+        let solved = self.solve(beyond, &mut probe);
+        matches!(solved, Err((_, Cause::Locked { .. })))
+    }
+
     /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be
     /// tried.
     pub(super) fn stopped(&self, step: StepId, sense: f64) -> DeadPoint {
@@ -100,6 +108,7 @@ impl Continuation<'_> {
         let placing = &self.mechanism.steps()[step];
         let kind = match (cause, placing.stretches_and_folds()) {
             (Cause::Input, _) => DeadPointKind::Range,
+            (Cause::Locked { .. }, _) => DeadPointKind::Locked,
             _ if self.is_group(step) => DeadPointKind::Singular,
             (Cause::Parallel, _) => DeadPointKind::Parallel,
             (_, false) => DeadPointKind::Perpendicular,

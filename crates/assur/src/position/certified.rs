@@ -193,12 +193,12 @@ impl Group {
         self.add(&mut cell.work, 1);
         self.add_further(&mut cell.work);
         self.bends(&cell.bounds.inputs, &mut cell.bounds.forms);
-        cell.bounds.sums.resize(2 * self.unknowns, [0.0; 3]);
+        cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// The inverse of the Jacobian, column by column.
+    /// The inverse of the Jacobian, column by column; zero for a redundant equation that is left out.
     fn invert(&self, cell: &mut Enclosure) -> bool {
-        let size = 2 * self.unknowns;
+        let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;
         if self.factor(work).is_none() {
             return false;
@@ -212,14 +212,14 @@ impl Group {
         inverse.clear();
         columns.resize(size, [0.0; AT_ONCE]);
         let elimination = self.suited(work.planned, &work.spare);
-        for first in (0..size).step_by(AT_ONCE) {
+        for first in (0..rows).step_by(AT_ONCE) {
             units.clear();
             units.extend(
-                (0..size)
+                (0..rows)
                     .map(|row| std::array::from_fn(|k| if row == first + k { 1.0 } else { 0.0 })),
             );
             elimination.solve(&work.jacobian, units, columns);
-            for k in 0..AT_ONCE.min(size - first) {
+            for k in 0..AT_ONCE.min(rows - first) {
                 inverse.extend(columns.iter().map(|column: &[f64; AT_ONCE]| column[k]));
             }
         }

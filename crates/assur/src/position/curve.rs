@@ -11,6 +11,8 @@ use crate::Vector;
 pub(crate) struct Linearized {
     pub(crate) left: DVector<f64>,
     pub(crate) slopes: DMatrix<f64>,
+    /// Whether redundant equations have been left out.
+    pub(crate) is_redundant: bool,
     /// Whether rounding is all that is left.
     pub(crate) is_closed: bool,
 }
@@ -49,16 +51,27 @@ impl Group {
         let size = at.len();
         let left = self.equations.iter();
         let left = left.map(|equation| equation.left(&work.values, &work.given));
-        let left = DVector::from_iterator(size, left);
-        let slopes = DMatrix::from_fn(size, size + 1, |row, column| match column {
+        let rows = self.equations.len();
+        let mut left = DVector::from_iterator(rows, left);
+        let mut slopes = DMatrix::from_fn(rows, size + 1, |row, column| match column {
             // The unknowns stand: what changes is what is given.
             _ if column == size => self.equations[row].coefficient(&work.values, &work.given, 1),
             _ => work.jacobian[row * size + column] * self.units[column / 2],
         });
         let is_closed = self.is_closed(work);
+        let is_redundant = self.is_redundant();
+        if is_redundant {
+            // The pivots come first, in as many rows as are independent.
+            let pivots = slopes.clone().full_piv_lu();
+            pivots.p().permute_rows(&mut slopes);
+            pivots.p().permute_rows(&mut left);
+            slopes = slopes.rows(0, size).into_owned();
+            left = left.rows(0, size).into_owned();
+        }
         Ok(Linearized {
             left,
             slopes,
+            is_redundant,
             is_closed,
         })
     }

@@ -1,6 +1,7 @@
-//! Gaussian elimination of a sparse square matrix, planned once: which pivots in
+//! Gaussian elimination of a sparse matrix, planned once: which pivots in
 //! which order, and which places can be filled. What is zero by its place is
-//! never touched.
+//! never touched. A matrix with more rows than columns has dependent equations:
+//! the pivots choose as many rows as there are columns, the others are left out.
 
 /// A pivot with what it acts on: ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +29,8 @@ struct Line {
 /// The plan of an elimination; none yet where it has no pivots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Elimination {
+    /// The numbers of rows and of columns.
+    height: usize,
     size: usize,
     pivots: Vec<Pivot>,
     lists: Vec<Line>,
@@ -47,21 +50,22 @@ const CHOSEN: f64 = 0.25;
 const SMALL: f64 = 1e-2;
 
 impl Elimination {
-    /// Room for a matrix of a size, so that planning allocates nothing.
-    pub(crate) fn fit(&mut self, size: usize) {
+    /// Room for a matrix of so many rows and columns, so that planning allocates nothing.
+    pub(crate) fn fit(&mut self, [height, size]: [usize; 2]) {
+        self.height = height;
         self.size = size;
         self.pivots.clear();
         self.pivots.reserve(size);
         for list in [&mut self.rows, &mut self.columns] {
             list.clear();
-            list.reserve(size);
+            list.reserve(height);
         }
         self.lists.clear();
-        self.lists.reserve(2 * size * size);
+        self.lists.reserve(2 * height * size);
         self.fill_in.clear();
-        self.fill_in.reserve(size * size);
+        self.fill_in.reserve(height * size);
         self.filled.clear();
-        self.filled.reserve(size * size);
+        self.filled.reserve(height * size);
     }
 
     /// Plans the elimination of a matrix, row by row in `matrix`, and does it: of
@@ -74,12 +78,12 @@ impl Elimination {
         self.filled.clear();
         self.filled.extend_from_slice(pattern);
         self.rows.clear();
-        self.rows.extend(0..size);
+        self.rows.extend(0..self.height);
         self.columns.clear();
         self.columns.extend(0..size);
         self.sign = 1.0;
         let mut determinant = 1.0;
-        while !self.rows.is_empty() {
+        while !self.columns.is_empty() {
             let [i, j] = self.next(matrix)?;
             // Moving it to the front is an exchange for each line it passes.
             if (i + j) % 2 == 1 {
@@ -271,7 +275,7 @@ mod tests {
     #[test]
     fn planned_and_used_again() {
         let mut elimination = Elimination::default();
-        elimination.fit(4);
+        elimination.fit([4; 2]);
         let mut used = 0;
         for k in 0..40 {
             let given = matrix(0.3 * f64::from(k));
@@ -281,7 +285,7 @@ mod tests {
                 used += 1;
             }
             let mut other = Elimination::default();
-            other.fit(4);
+            other.fit([4; 2]);
             let mut own = given;
             let determinant = other.plan(&PATTERN, &mut own).unwrap();
             check(&other, determinant, &given, &own);
@@ -295,7 +299,7 @@ mod tests {
     #[test]
     fn singular_and_unsuited() {
         let mut elimination = Elimination::default();
-        elimination.fit(4);
+        elimination.fit([4; 2]);
         assert_eq!(elimination.factor(&mut matrix(0.0)), None);
         let mut singular = matrix(0.0);
         singular[0..4].fill(0.0);

@@ -65,6 +65,8 @@ pub(crate) struct Group {
     pub(super) by_unknowns: Vec<f64>,
     /// What an equation is left with becomes a length by this; none for angles.
     pub(super) lengths: Vec<f64>,
+    /// The body that each equation constrains.
+    pub(super) constrained: Vec<BodyId>,
     pub(crate) bodies: Vec<Placed>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
     /// which unknown of which equation, and its elimination.
@@ -93,24 +95,26 @@ struct Entry {
 }
 
 impl Group {
-    /// None where the equations, each with its length, are not as many as the
-    /// unknowns. Forms of equations come first.
+    /// None where the equations, each with its length and the body that it constrains, are fewer than the unknowns.
+    /// Where they are more, some are redundant. Forms of equations come first.
     pub(crate) fn new(
         offset: usize,
         units: Vec<f64>,
         inputs: Vec<Input>,
         forms: &[Form],
-        equations: Vec<(Equation, f64)>,
+        equations: Vec<(Equation, f64, BodyId)>,
         meshes: Vec<Mesh>,
         bodies: Vec<Placed>,
     ) -> Option<Self> {
         let unknowns = units.len();
         let size = 2 * unknowns;
-        if equations.len() != size {
+        if equations.len() < size {
             return None;
         }
-        let (equations, lengths): (Vec<Equation>, Vec<f64>) = equations.into_iter().unzip();
-        let mut pattern = vec![false; size * size];
+        let lengths = equations.iter().map(|(_, length, _)| *length).collect();
+        let constrained = equations.iter().map(|(_, _, body)| *body).collect();
+        let equations: Vec<Equation> = equations.into_iter().map(|(one, ..)| one).collect();
+        let mut pattern = vec![false; equations.len() * size];
         let (mut entries, mut doubled) = (Vec::new(), Vec::new());
         for (row, equation) in equations.iter().enumerate() {
             for (side, form) in equation.forms().enumerate() {
@@ -161,12 +165,18 @@ impl Group {
             equations,
             meshes,
             lengths,
+            constrained,
             bodies,
             pattern,
             entries,
             doubled,
             elimination: Elimination::default(),
         })
+    }
+
+    /// Whether it has more equations than unknowns.
+    pub(crate) fn is_redundant(&self) -> bool {
+        self.equations.len() > 2 * self.unknowns
     }
 
     /// Solves from the guess nearby; sets the margin of the step to the Jacobian's

@@ -138,6 +138,13 @@ pub enum Cause {
     Undetermined,
     /// The pose exists, its derivatives are unbounded.
     DeadPoint,
+    /// A redundant constraint does not hold where the others do.
+    Locked {
+        /// A body that it constrains.
+        body: BodyId,
+        /// The length by which it does not.
+        by: f64,
+    },
     /// There is a pose, but the motion that is shown does not come there.
     Unreached,
 }

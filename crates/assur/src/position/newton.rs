@@ -14,6 +14,8 @@ const MOST_STEPS: usize = 30;
 /// The equations hold when they are left with no more than rounding leaves of the terms they are sums of, some of
 /// which are rounded more than once.
 const ROUNDINGS: f64 = 16.0;
+/// A redundant equation holds where the others do if it is off by no more than this, relative to the group.
+const REDUNDANT: f64 = 1e-10;
 
 impl Group {
     #[inline(never)]
@@ -33,7 +35,7 @@ impl Group {
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.
             if change <= CONVERGED || change >= 0.5 * last && self.is_closed(work) {
-                return Ok(());
+                return self.locked(work).map_or(Ok(()), Err);
             }
             if turn + 1 == MOST_STEPS {
                 return Err(Cause::Apart {
@@ -66,6 +68,12 @@ impl Group {
             *left = [equation.left(&work.values, &work.given), rate];
         }
         let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
+        // Of dependent equations other ones are eliminated by in other poses: then only the size counts.
+        let determinant = if self.is_redundant() {
+            determinant.abs()
+        } else {
+            determinant
+        };
         state.margins[step] = [Jet::constant(determinant); 2];
         self.suited(work.planned, &work.spare).solve(
             &work.jacobian,
@@ -135,6 +143,39 @@ impl Group {
         });
         work.noise = noise;
         closed
+    }
+
+    /// The redundant equation that is farthest from holding where the others hold; none if all hold.
+    fn locked<const N: usize>(&self, work: &Work<N>) -> Option<Cause> {
+        if !self.is_redundant() {
+            return None;
+        }
+        let size = self
+            .units
+            .iter()
+            .fold(0.0, |most: f64, unit| most.max(*unit));
+        let residuals = self.residuals(work).zip(&self.constrained);
+        let (by, body) = residuals.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
+        let body = *body;
+        (by > REDUNDANT * size).then_some(Cause::Locked { body, by })
+    }
+
+    /// The residuals of the equations as lengths; that of an angle as its part of a radian of the group.
+    fn residuals<const N: usize>(&self, work: &Work<N>) -> impl Iterator<Item = f64> {
+        let size = self
+            .units
+            .iter()
+            .fold(0.0, |most: f64, unit| most.max(*unit));
+        let equations = self.equations.iter().zip(&self.lengths);
+        equations.map(move |(equation, length)| {
+            let left = equation.left(&work.values, &work.given);
+            let by = match equation {
+                // (|v|² − 1)/2 is left of it.
+                Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
+                _ => left,
+            };
+            by.abs() * if *length > 0.0 { *length } else { size }
+        })
     }
 
     /// By how far joints miss each other where they are guessed.

@@ -10,8 +10,8 @@ use crate::Vector;
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// The counts of inputs, unknowns, forms and meshes that there is room for.
-    fits: [usize; 5],
+    /// The counts of inputs, unknowns, equations, forms and meshes that there is room for.
+    fits: [usize; 6],
     pub(super) inputs: Vec<Complex<N>>,
     /// What is given of wheels in mesh.
     pub(super) given: Vec<Given<N>>,
@@ -42,6 +42,7 @@ impl<const N: usize> Work<N> {
         let fits = [
             group.inputs.len(),
             group.unknowns,
+            group.equations.len(),
             group.equated,
             group.constants.len(),
             group.meshes.len(),
@@ -50,20 +51,20 @@ impl<const N: usize> Work<N> {
             return;
         }
         self.fits = fits;
-        let size = 2 * group.unknowns;
+        let [rows, size] = [group.equations.len(), 2 * group.unknowns];
         let nothing = Complex::constant(Vector::zeros());
         self.inputs.resize(group.inputs.len(), nothing);
         self.given.resize(group.meshes.len(), Given::nothing());
         self.unknowns.resize(group.unknowns, nothing);
         self.known.resize(group.equated, Vector::zeros());
         self.values.resize(group.constants.len(), nothing);
-        self.slopes.resize(MOST_FORMS * size, Vector::zeros());
-        self.left.resize(size, [0.0; 2]);
+        self.slopes.resize(MOST_FORMS * rows, Vector::zeros());
+        self.left.resize(rows, [0.0; 2]);
         self.step.resize(size, [0.0; 2]);
-        self.lack.resize(size, [0.0]);
+        self.lack.resize(rows, [0.0]);
         self.gain.resize(size, [0.0]);
-        self.jacobian.resize(size * size, 0.0);
+        self.jacobian.resize(rows * size, 0.0);
         self.noise.reserve(group.constants.len());
-        self.spare.fit(size);
+        self.spare.fit([rows, size]);
     }
 }

@@ -1,13 +1,17 @@
 //! Whether a graph with its drivers can be taken apart.
 
-use super::pebbles::{BODY, Pebbles};
+use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
 
-/// The freedoms, all spent but those of the whole in the plane.
+/// The freedoms, all spent but those of the whole in the plane, and the parts with more constraints than that.
 ///
 /// # Errors
-/// Every fault, of single pairs and drivers or else of the count.
-pub(super) fn check(graph: &Graph, drivers: &[Driver]) -> Result<Pebbles, Vec<Fault>> {
+/// Every fault, of single pairs and drivers or else of the count; surplus constraints are one unless they are allowed.
+pub(super) fn check(
+    graph: &Graph,
+    drivers: &[Driver],
+    surplus_allowed: bool,
+) -> Result<(Pebbles, Vec<Surplus>), Vec<Fault>> {
     let faults = [pairs(graph), driven(graph, drivers)].concat();
     if !faults.is_empty() {
         return Err(faults);
@@ -34,7 +38,7 @@ pub(super) fn check(graph: &Graph, drivers: &[Driver]) -> Result<Pebbles, Vec<Fa
             freedoms: pebbles.free_on(&joined) - BODY,
         });
     }
-    for part in surplus {
+    for part in surplus.iter().filter(|_| !surplus_allowed) {
         let inside = |node: &usize| part.nodes.binary_search(node).is_ok();
         let within = |driver: &Driver| driver.links.iter().all(inside);
         faults.push(Fault::Overconstrained {
@@ -44,13 +48,14 @@ pub(super) fn check(graph: &Graph, drivers: &[Driver]) -> Result<Pebbles, Vec<Fa
             excess: part.excess,
             links: part
                 .nodes
-                .into_iter()
+                .iter()
+                .copied()
                 .filter(|&node| node < graph.links)
                 .collect(),
         });
     }
     if faults.is_empty() {
-        Ok(pebbles)
+        Ok((pebbles, surplus))
     } else {
         Err(faults)
     }

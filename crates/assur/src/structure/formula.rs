@@ -30,14 +30,20 @@ impl Structure {
 }
 
 impl Group {
-    /// Class and order, as IV₃.
+    /// Class and order, as IV₃; q₁ of a passive link, which has one redundant constraint.
     pub fn symbol(&self) -> String {
-        let order = self.order().to_string();
-        let subscript = order.chars().filter_map(|digit| {
+        let is_passive = self.surplus > 0 && self.class == 1;
+        let (letters, number) = if is_passive {
+            ("q".to_owned(), self.surplus)
+        } else {
+            (roman(self.class), self.order())
+        };
+        let number = number.to_string();
+        let subscript = number.chars().filter_map(|digit| {
             let value = digit.to_digit(10)?;
             char::from_u32(u32::from('₀') + value)
         });
-        roman(self.class) + &subscript.collect::<String>()
+        letters + &subscript.collect::<String>()
     }
 }
 

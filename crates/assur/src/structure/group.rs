@@ -19,6 +19,8 @@ pub struct Group {
     pub class: usize,
     /// The form, if it is a dyad of two bodies and three one-freedom pairs.
     pub dyad: Option<Dyad>,
+    /// How many constraints are more than its bodies have freedoms; none of an Assur group.
+    pub surplus: usize,
 }
 
 /// An outer pair of a group.
@@ -67,10 +69,13 @@ impl Group {
         drivers: &[Driver],
         links: &[usize],
         depends: &Depends,
+        surplus: usize,
     ) -> Result<Self, Fault> {
         let bodies = bodies(graph, drivers, links);
-        for body in &bodies {
-            check_body(graph, drivers, body)?;
+        if surplus == 0 {
+            for body in &bodies {
+                check_body(graph, drivers, body)?;
+            }
         }
 
         let mut group = Self {
@@ -79,6 +84,7 @@ impl Group {
             outer: vec![],
             class: 2,
             dyad: None,
+            surplus,
         };
         // For the class: bodies with what replaces higher pairs, and joints.
         let mut count = group.bodies.len();
@@ -115,9 +121,11 @@ impl Group {
                 joints.push(joint);
             }
         }
-        group.check_sliding(graph)?;
+        if surplus == 0 {
+            group.check_sliding(graph)?;
+        }
         if count == 2 {
-            group.dyad = group.form(graph);
+            group.dyad = group.form(graph).filter(|_| surplus == 0);
         } else {
             group.class = contour::longest(count, &joints).max(3);
         }
@@ -226,7 +234,7 @@ fn check_body(graph: &Graph, drivers: &[Driver], body: &[usize]) -> Result<(), F
     let (pebbles, _) = Pebbles::count(&alone, &drivers, |link| inside(&link));
     let depends = Depends::of(&alone, pebbles);
     for block in depends.blocks() {
-        Group::new(&alone, &drivers, &block, &depends).map_err(|_| Fault::Sliding {
+        Group::new(&alone, &drivers, &block, &depends, 0).map_err(|_| Fault::Sliding {
             links: body.to_vec(),
         })?;
     }

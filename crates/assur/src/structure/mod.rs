@@ -74,14 +74,16 @@ mod contour;
 mod fault;
 mod formula;
 mod group;
+mod passive;
 mod pebbles;
 
 pub use fault::Fault;
 pub use formula::roman;
 pub use group::{Dyad, Group, Outer};
+pub use passive::with_passive_links;
 
 use crate::sorting::sort_by_key;
-use pebbles::{BODY, Pebbles};
+use pebbles::{BODY, Pebbles, Surplus};
 use std::collections::BTreeSet;
 
 /// A pair and the links it joins, by their indices.
@@ -181,7 +183,7 @@ pub enum Step {
 }
 
 impl Structure {
-    /// The class of the mechanism: the highest of its groups', or I.
+    /// The class of the mechanism: the highest of its groups', or I. Passive links have none.
     pub fn class(&self) -> usize {
         self.groups().map(|group| group.class).max().unwrap_or(1)
     }
@@ -218,8 +220,46 @@ impl Structure {
 /// All faults at once. What is wrong with single pairs and drivers comes first
 /// and alone; the freedoms are counted only after that.
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
-    let depends = Depends::of(graph, check::check(graph, drivers)?);
+    taken_apart(graph, drivers, false)
+}
+
+/// The same where constraints may be redundant: links that hold more of them than are independent in general position
+/// are one group, whose constraints may determine a motion all the same.
+///
+/// # Errors
+/// All faults at once but surplus constraints.
+pub fn decompose_redundant(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
+    taken_apart(graph, drivers, true)
+}
+
+fn taken_apart(
+    graph: &Graph,
+    drivers: &[Driver],
+    surplus_allowed: bool,
+) -> Result<Structure, Vec<Fault>> {
+    let (pebbles, surplus) = check::check(graph, drivers, surplus_allowed)?;
+    let mut depends = Depends::of(graph, pebbles);
     let mut blocks = depends.blocks();
+    let driven_alone = |block: &[usize], depends: &Depends| {
+        drivers.iter().position(|driver| {
+            block.len() == 1
+                && driver.links.contains(&block[0])
+                && depends.base(&driver.links) != block[0]
+        })
+    };
+    for part in &surplus {
+        let held = |block: &&Vec<usize>| {
+            let inside = |link: &usize| part.nodes.binary_search(link).is_ok();
+            block.iter().any(inside) && driven_alone(block, &depends).is_none()
+        };
+        let group: BTreeSet<usize> = blocks.iter().filter(held).flatten().copied().collect();
+        depends.join(&group);
+        blocks = depends.blocks();
+    }
+    let surplus_of = |block: &[usize]| {
+        let inside = |part: &&Surplus| part.nodes.binary_search(&block[0]).is_ok();
+        surplus.iter().filter(inside).map(|part| part.excess).sum()
+    };
 
     // A block comes one later than the last of those it is joined to.
     let mut level = vec![0; graph.links];
@@ -234,13 +274,7 @@ pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fau
         }
     }
     // A link that a driver moves against one solved before is a block of its own.
-    let driven = |block: &[usize]| {
-        drivers.iter().position(|driver| {
-            block.len() == 1
-                && driver.links.contains(&block[0])
-                && depends.base(&driver.links) != block[0]
-        })
-    };
+    let driven = |block: &[usize]| driven_alone(block, &depends);
     sort_by_key(&mut blocks, |block| {
         (level[block[0]], driven(block).is_none(), block[0])
     });
@@ -258,7 +292,7 @@ pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fau
                     steps.push(Step::Driver { driver, links });
                 }
             }
-            match Group::new(graph, drivers, block, &depends) {
+            match Group::new(graph, drivers, block, &depends, surplus_of(block)) {
                 Ok(group) => steps.push(Step::Group(group)),
                 Err(fault) => faults.push(fault),
             }
@@ -292,6 +326,17 @@ impl Depends {
         });
         let on = on.collect();
         Self { ground, on }
+    }
+
+    /// Makes links depend on each other, and on all on which any of them depends.
+    fn join(&mut self, links: &BTreeSet<usize>) {
+        let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
+        let all: BTreeSet<usize> = of.collect();
+        for on in &mut self.on {
+            if !on.is_disjoint(links) {
+                on.extend(&all);
+            }
+        }
     }
 
     /// The links that depend on the ground, in blocks that depend on each other;

@@ -47,8 +47,14 @@ impl Pebbles {
             free: [vec![BODY; graph.links], vec![POINT; graph.pairs.len()]].concat(),
             spent: vec![vec![]; points.end],
         };
-        let mut constraints = vec![];
-        for (point, pair) in points.zip(&graph.pairs) {
+        // Drivers and their pairs first: of dependent constraints another one is too many.
+        let driven = drivers.iter().map(|driver| driver.links);
+        let mut constraints: Vec<(usize, usize)> = driven.map(|[a, b]| (a, b)).collect();
+        let is_driven = |pair: usize| drivers.iter().any(|driver| driver.pair == pair);
+        let (first, others): (Vec<usize>, Vec<usize>) =
+            (0..graph.pairs.len()).partition(|pair| is_driven(*pair));
+        for pair in first.into_iter().chain(others) {
+            let (point, pair) = (points.start + pair, &graph.pairs[pair]);
             match pair {
                 Pair::Revolute(links) => {
                     let ends = links.iter().map(|&link| (link, point));
@@ -58,12 +64,6 @@ impl Pebbles {
                 Pair::Gear([a, b]) => constraints.push((*a, *b)),
             }
         }
-        constraints.extend(
-            drivers
-                .iter()
-                .map(|driver| driver.links)
-                .map(|[a, b]| (a, b)),
-        );
         let kept = |node: usize| node >= graph.links || keep(node);
         constraints.retain(|&(a, b)| kept(a) && kept(b));
 

@@ -100,6 +100,8 @@ pub enum LinkageProblem {
     LinksUndetermined { links: Vec<String> },
     /// Derivatives are unbounded.
     LinksDeadPoint { links: Vec<String> },
+    /// A redundant constraint of a link that does not hold where the others do.
+    ConstraintBroken { link: String, by: f64 },
     /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
     StandsStill { point: String },
     /// The same, as its path is straight here.
@@ -160,6 +162,10 @@ impl LinkageProblem {
             Cause::Parallel => Self::GuidesParallel { links },
             Cause::Undetermined => Self::LinksUndetermined { links },
             Cause::DeadPoint => Self::LinksDeadPoint { links },
+            Cause::Locked { body, by } => Self::ConstraintBroken {
+                link: mechanism.body_name(body).to_owned(),
+                by,
+            },
         }
     }
 }

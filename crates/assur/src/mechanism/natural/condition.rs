@@ -6,8 +6,8 @@ use super::super::slide::Slide;
 use super::super::willis;
 use super::Plan;
 use crate::Vector;
-use crate::index::SlideId;
-use crate::position::{Drive, Equation, Form, Group, Mesh, Placed};
+use crate::index::{BodyId, SlideId};
+use crate::position::{Drive, Equation, Form, Group, Mesh, Placed, conjugate};
 
 /// One equation, or two, in forms of its own.
 pub(super) enum Condition {
@@ -59,17 +59,29 @@ impl Plan<'_> {
                     way: other,
                     length: 0.0,
                 };
-                self.conditions.push(parallel);
+                self.conditions.push((moving, parallel));
             }
             let way = self
                 .place_on(moving, point)
                 .minus(&self.place_on(on, start));
-            self.conditions.push(Condition::Line {
+            let line = Condition::Line {
                 direction,
                 way,
                 length: 1.0,
-            });
+            };
+            self.conditions.push((moving, line));
         }
+    }
+
+    /// The condition that a body stays parallel to another one, as it is drawn.
+    pub(super) fn keep_parallel(&mut self, [base, body]: [BodyId; 2]) {
+        let turns = [base, body].map(|body| conjugate(self.orientations[body].turn));
+        let condition = Condition::Line {
+            direction: self.direction(base, turns[0]),
+            way: self.direction(body, turns[1]),
+            length: 0.0,
+        };
+        self.conditions.push((body, condition));
     }
 
     /// The condition of wheels in mesh.
@@ -89,7 +101,7 @@ impl Plan<'_> {
             .iter()
             .map(|(body, by)| (self.placed[body][1].clone(), *by));
         let condition = Condition::Mesh(forms.collect(), self.meshes.len());
-        self.conditions.push(condition);
+        self.conditions.push((gear.bodies[1], condition));
         self.meshes.push(Mesh {
             turning: turns.into_iter().map(|(body, _)| body).collect(),
             known,
@@ -113,13 +125,13 @@ impl Plan<'_> {
                 range: None,
             }),
         };
-        let condition = match pair.kind {
+        let (driven, condition) = match pair.kind {
             PairKind::Hinge { bodies, lead } => {
                 let [link, base] = bodies.map(|body| self.placed.get(&body));
                 let turns = vec![(link?[1].clone(), 1.0), (base?[1].clone(), -1.0)];
                 given.turning = bodies.to_vec();
                 given.constant = -lead;
-                Condition::Mesh(turns, mesh)
+                (bodies[0], Condition::Mesh(turns, mesh))
             }
             PairKind::Slide { slide, range } => {
                 let slide = &self.bodies.slides[slide];
@@ -130,19 +142,20 @@ impl Plan<'_> {
                 let [on, moving] = slide.bodies;
                 let (start, heading) = slide.line_on(on);
                 let point = self.place_on(moving, slide.point());
-                Condition::Along {
+                let along = Condition::Along {
                     direction: self.direction(on, heading),
                     way: point.minus(&self.place_on(on, start)),
                     mesh,
-                }
+                };
+                (moving, along)
             }
         };
-        self.conditions.push(condition);
+        self.conditions.push((driven, condition));
         self.meshes.push(given);
         Some(())
     }
 
-    /// The group; none where the equations are not as many as the unknowns.
+    /// The group; none where the equations are fewer than the unknowns.
     pub(super) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {
@@ -153,20 +166,20 @@ impl Plan<'_> {
             })
         };
         let mut equations = Vec::new();
-        for condition in self.conditions {
+        for (body, condition) in self.conditions {
             match condition {
                 Condition::Unit(form, length) => {
-                    equations.push((Equation::Unit(index(form)), length));
+                    equations.push((Equation::Unit(index(form)), length, body));
                 }
                 Condition::Zero(form) => {
                     let form = index(form);
                     let both = [Equation::Real(form), Equation::Imaginary(form)];
-                    equations.extend(both.map(|equation| (equation, 1.0)));
+                    equations.extend(both.map(|equation| (equation, 1.0, body)));
                 }
                 Condition::Mesh(turns, mesh) => {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((Equation::Mesh { turns, mesh }, 0.0));
+                    equations.push((Equation::Mesh { turns, mesh }, 0.0, body));
                 }
                 Condition::Along {
                     direction,
@@ -179,7 +192,7 @@ impl Plan<'_> {
                         way,
                         mesh,
                     };
-                    equations.push((along, 1.0));
+                    equations.push((along, 1.0, body));
                 }
                 Condition::Line {
                     direction,
@@ -187,7 +200,7 @@ impl Plan<'_> {
                     length,
                 } => {
                     let [direction, way] = [direction, way].map(&mut index);
-                    equations.push((Equation::Line { direction, way }, length));
+                    equations.push((Equation::Line { direction, way }, length, body));
                 }
             }
         }

@@ -61,9 +61,9 @@ pub(crate) struct Unreal {
 }
 
 impl Group {
-    /// Whether all ways to join it can be found: no wheels are in mesh within it.
+    /// Whether all ways to join it can be found: no wheels are in mesh within it, and no equation is redundant.
     pub(crate) fn is_algebraic(&self) -> bool {
-        self.meshes.iter().all(|mesh| mesh.drive.is_some())
+        !self.is_redundant() && self.meshes.iter().all(|mesh| mesh.drive.is_some())
     }
 
     /// The ranges of pairs that are driven within it, and how these go with the input.
@@ -155,6 +155,9 @@ impl Group {
     /// Its equations over the complex numbers, as it has received what it hangs on, unknowns in their units, with what
     /// their forms change by with the input; and the turns of driven bodies.
     fn system<const N: usize>(&self, state: &State<N>) -> Option<(System, Turning)> {
+        if self.is_redundant() {
+            return None;
+        }
         let angles = state.work.given.iter().map(|mesh| {
             [0, 1].map(|order| {
                 if order < N {

@@ -1,0 +1,258 @@
+//! Redundant constraints: more than the bodies of a group have freedoms, and yet it moves.
+//!
+//! All constraints of such a group are its equations. Of these a pose is solved by as many as there are unknowns, chosen
+//! anew by pivots in every pose, and the others are checked. Bodies that stay parallel to each other (rods on equal
+//! cranks) stay so by all constraints together, though where all cranks are in line the rank of the constraints tells no
+//! more of it: that they are parallel is an equation as well.
+
+use std::f64::consts::TAU;
+
+use nalgebra::DVector;
+
+use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
+use crate::Vector;
+use crate::index::{BodyId, StepId};
+use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
+
+/// Where it is looked whether the constraints hold on either side of the drawn pose, in radians of a crank.
+const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
+/// Two bodies turn alike if their rates differ by no more, per radian of a crank.
+const ALIKE: f64 = 1e-8;
+
+/// A constraint depends on others if what they leave of it is this small.
+const DEPENDENT: f64 = 1e-7;
+
+/// Mobility by count and by rank.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mobility {
+    /// W = 3n − 2P₁ − P₂ by Chebyshev and Grübler.
+    pub count: isize,
+    /// W = 3n − r, r the rank of the constraints of the pairs in a general pose.
+    pub rank: isize,
+    /// The pairs that have a redundant constraint, each as often as it has one, in the order of points, slides and
+    /// gears: a hinge and a slide by the point, wheels in mesh by both of them. Which of several dependent
+    /// constraints is redundant is a matter of their order.
+    pub redundant: Vec<String>,
+}
+
+impl Mobility {
+    /// q, the number of redundant constraints in the plane.
+    pub fn q(&self) -> isize {
+        self.rank - self.count
+    }
+}
+
+impl Mechanism {
+    /// Mobility by count and by rank, with the redundant constraints.
+    pub fn mobility(&self) -> Mobility {
+        let count = self.counts.mobility;
+        let has_surplus = self.structure.groups().any(|group| group.surplus > 0);
+        if !has_surplus && self.counts.passive == 0 {
+            return Mobility {
+                count,
+                rank: count,
+                redundant: Vec::new(),
+            };
+        }
+        self.mobility_in(&self.beside())
+    }
+
+    /// Mobility by count and by rank in the most general one of some poses.
+    fn mobility_in(&self, poses: &[Predictor]) -> Mobility {
+        let count = self.counts.mobility;
+        let general = poses.iter().map(|pose| self.dependent(pose));
+        // In a singular pose more constraints depend on each other.
+        let redundant = general.min_by_key(Vec::len).unwrap_or_default();
+        Mobility {
+            count,
+            rank: count + redundant.len() as isize,
+            redundant,
+        }
+    }
+
+    /// The pairs of which a constraint depends, in a pose, on those before it.
+    fn dependent(&self, pose: &Predictor) -> Vec<String> {
+        let mut basis: Vec<DVector<f64>> = Vec::new();
+        let mut dependent = Vec::new();
+        for (name, row) in self.rows(pose) {
+            let length = row.norm();
+            let mut rest = row;
+            // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
+            for _ in 0..2 {
+                for one in &basis {
+                    rest -= one * one.dot(&rest);
+                }
+            }
+            let left = rest.norm();
+            if left > DEPENDENT * length {
+                basis.push(rest / left);
+            } else {
+                dependent.push(name);
+            }
+        }
+        dependent
+    }
+
+    /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at
+    /// the origin, per size, and the angular velocity.
+    fn rows(&self, pose: &Predictor) -> Vec<(String, DVector<f64>)> {
+        let place = |anchor: Anchor| pose.place(anchor).value() / self.size;
+        let blank = || DVector::zeros(3 * self.bodies.len());
+        // A part of a velocity at a place, of a body against another one.
+        let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
+            let mut row = blank();
+            for (of, sign) in [(body, 1.0), (base, -1.0)] {
+                let part = [way.x, way.y, at.perp(&way)];
+                for (k, part) in part.into_iter().enumerate() {
+                    row[3 * of.index() + k] += sign * part;
+                }
+            }
+            row
+        };
+        let body_of = |link: LinkOrFrame| link.map_or(BodyId::FRAME, |link| self.links[link].body);
+        let mut rows = Vec::new();
+        for point in self.points.ids().take(self.draft.points.len()) {
+            let having = self.bodies.enumerate().filter_map(|(body, points)| {
+                let (_, local) = points.iter().find(|(other, _)| *other == point)?;
+                Some((body, *local))
+            });
+            let having: Vec<(BodyId, Vector)> = having.collect();
+            for (body, local) in having.iter().skip(1) {
+                let at = place(Anchor {
+                    body: *body,
+                    local: *local,
+                });
+                for way in [Vector::x(), Vector::y()] {
+                    let row = along(at, way, [*body, having[0].0]);
+                    rows.push((self.point_name(point).to_owned(), row));
+                }
+            }
+        }
+        let turns = |terms: &[(BodyId, f64)]| {
+            let mut row = blank();
+            for (body, by) in terms {
+                row[3 * body.index() + 2] += by;
+            }
+            row
+        };
+        for slide in &self.draft.slides {
+            let [body, on] = [&slide.link, &slide.on].map(|name| body_of(self.link(name)));
+            let of = |name: &String| self.point(name).map(|point| place(self.points[point]));
+            if let [Some(at), Some(from), Some(to)] =
+                [&slide.point, &slide.line[0], &slide.line[1]].map(of)
+            {
+                let way = (to - from).normalize();
+                let across = Vector::new(-way.y, way.x);
+                rows.push((slide.point.clone(), along(at, across, [body, on])));
+                rows.push((slide.point.clone(), turns(&[(body, 1.0), (on, -1.0)])));
+            }
+        }
+        for constraint in &self.constraints {
+            if let ConstraintKind::Mesh {
+                links,
+                carrier,
+                teeth,
+            } = constraint.kind
+            {
+                let most = teeth[0].abs().max(teeth[1].abs());
+                let [one, other] = teeth.map(|teeth| teeth / most);
+                let [a, b] = links.map(body_of);
+                let row = turns(&[(a, one), (b, other), (body_of(carrier), -one - other)]);
+                let name = |link: LinkOrFrame| link.map_or(FRAME, |link| self.link_name(link));
+                rows.push((links.map(name).join(" "), row));
+            }
+        }
+        for (_, row) in &mut rows {
+            // The frame does not move.
+            row.rows_mut(0, 3).fill(0.0);
+        }
+        rows
+    }
+
+    fn is_redundant(&self, step: StepId) -> bool {
+        matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
+    }
+
+    /// Whether all constraints hold around the drawn pose, and leave it as many freedoms as it has drivers: drivers that
+    /// agree with each other only at their rates are too many.
+    pub(super) fn moves(&self) -> bool {
+        let poses = self.beside();
+        !poses.is_empty() && self.mobility_in(&poses).rank == self.draft.drivers.len() as isize
+    }
+
+    /// Poses around the drawn one, to both sides as far as there are some. None where a redundant constraint does not
+    /// hold in one of them: by the others the links would move on, but they are locked.
+    fn beside(&self) -> Vec<Predictor> {
+        let unit = self.span() / TAU;
+        let mut found = Vec::new();
+        for sense in [unit, -unit] {
+            let mut orientations = self.orientations.clone();
+            let mut natural = self.natural.clone();
+            for (k, step) in BESIDE.into_iter().enumerate() {
+                let mut state: Predictor = self.blank_state();
+                let near = Nearby {
+                    orientations: &orientations,
+                    natural: &natural,
+                    smooth_roots: &[],
+                };
+                let input = self.home + sense * step;
+                match self.solve(input, &self.signs, near, &mut state) {
+                    Ok(()) => {}
+                    Err((_, Cause::Locked { .. })) => return Vec::new(),
+                    Err(_) => break,
+                }
+                let ahead = BESIDE.get(k + 1).map_or(0.0, |next| next - step) * sense;
+                let places = state.natural.iter();
+                let places = places.map(|place| place[0] + (place[1] + place[2] * ahead) * ahead);
+                natural = places.flat_map(|place| [place.x, place.y]).collect();
+                state.orient(&mut orientations);
+                found.push(state);
+            }
+        }
+        found
+    }
+
+    /// The bodies of groups with redundant constraints that stay parallel to the frame or to another body. None where
+    /// the constraints do not hold beside the drawn pose.
+    pub(super) fn parallel(&mut self) -> Option<Vec<[BodyId; 2]>> {
+        let mut state = self.blank_state();
+        for step in self.steps.ids() {
+            let sign = self.drawn_sign(step, &mut state);
+            match sign {
+                Ok(sign) => self.signs[step] = sign,
+                // Drawn where all constraints together are singular.
+                Err(_) if self.is_redundant(step) => {}
+                Err(_) => return None,
+            }
+            let solved = self.try_step(step, self.signs[step], &mut state);
+            if solved.is_err() && !self.is_redundant(step) {
+                return None;
+            }
+        }
+        let poses = self.beside();
+        if poses.is_empty() {
+            return None;
+        }
+        let unit = self.span() / TAU;
+        let turns_alike = |one: BodyId, other: BodyId| {
+            poses.iter().all(|pose| {
+                let [a, b] = [one, other].map(|body| pose.angle(body).derivative(1) * unit);
+                (a - b).abs() <= ALIKE
+            })
+        };
+        let mut parallel = Vec::new();
+        for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {
+            for body in self.steps[step].bodies() {
+                // The first of those that turn alike, with the frame before all others.
+                let before = self.bodies.ids().filter(|other| *other != body);
+                let before = before.filter(|other| {
+                    let placed = self.placed_by[*other];
+                    placed.is_none_or(|by| by < step || by == step && *other < body)
+                });
+                let mate = before.into_iter().find(|other| turns_alike(*other, body));
+                parallel.extend(mate.map(|other| [other, body]));
+            }
+        }
+        Some(parallel)
+    }
+}

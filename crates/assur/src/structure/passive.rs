@@ -1,0 +1,132 @@
+//! Passive links: with them a linkage has redundant constraints, without them it moves the same.
+
+use std::collections::BTreeSet;
+
+use super::check::check;
+use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
+
+/// The structure of a linkage without its passive links, which are added after it, one a step. A passive link is one
+/// with two pairs: without it there is a surplus constraint less. None where such links are not all that is too many.
+pub fn with_passive_links(graph: &Graph, drivers: &[Driver]) -> Option<Structure> {
+    let mut passive = BTreeSet::new();
+    let mut surplus = surplus(graph, drivers, &passive)?;
+    // Of several the last ones.
+    for link in (0..graph.links).rev().filter(|link| *link != graph.ground) {
+        let joins = graph
+            .pairs
+            .iter()
+            .filter(|pair| pair.links().contains(&link));
+        let is_driven = drivers.iter().any(|driver| driver.links.contains(&link));
+        if surplus == 0 || is_driven || joins.count() != 2 {
+            continue;
+        }
+        passive.insert(link);
+        match self::surplus(graph, drivers, &passive) {
+            Some(less) if less + 1 == surplus => surplus = less,
+            _ => drop(passive.remove(&link)),
+        }
+    }
+    let without = Without::new(graph, drivers, &passive);
+    let mut structure = decompose(&without.graph, &without.drivers).ok()?;
+    without.renumber(&mut structure, graph.links);
+    for link in passive {
+        structure.step_of[link] = Some(structure.steps.len());
+        let outer = graph.pairs.iter().enumerate().filter_map(|(pair, joined)| {
+            let mut bases = joined.links().iter().filter(|base| **base != link);
+            let base = joined.links().contains(&link).then(|| bases.next())??;
+            Some(Outer {
+                pair,
+                link,
+                base: *base,
+            })
+        });
+        structure.steps.push(Step::Group(Group {
+            bodies: vec![vec![link]],
+            inner: vec![],
+            outer: outer.collect(),
+            class: 1,
+            dyad: None,
+            surplus: 1,
+        }));
+    }
+    Some(structure)
+}
+
+/// How many constraints are too many without some links; none where anything else is wrong.
+fn surplus(graph: &Graph, drivers: &[Driver], passive: &BTreeSet<usize>) -> Option<usize> {
+    let without = Without::new(graph, drivers, passive);
+    let (_, surplus) = check(&without.graph, &without.drivers, true).ok()?;
+    Some(surplus.iter().map(|part| part.excess).sum())
+}
+
+/// A graph without some links, with the numbers that its links and pairs had.
+struct Without {
+    graph: Graph,
+    drivers: Vec<Driver>,
+    links: Vec<usize>,
+    pairs: Vec<usize>,
+}
+
+impl Without {
+    fn new(graph: &Graph, drivers: &[Driver], passive: &BTreeSet<usize>) -> Self {
+        let links: Vec<usize> = (0..graph.links).filter(|k| !passive.contains(k)).collect();
+        let new = |link: &usize| links.binary_search(link).ok();
+        let all = |joined: &[usize; 2]| Some([new(&joined[0])?, new(&joined[1])?]);
+        let pairs = graph.pairs.iter().enumerate().filter_map(|(at, pair)| {
+            let pair = match pair {
+                Pair::Revolute(joined) => {
+                    let joined: Vec<usize> = joined.iter().filter_map(new).collect();
+                    (joined.len() > 1).then_some(Pair::Revolute(joined))
+                }
+                Pair::Prismatic(joined) => all(joined).map(Pair::Prismatic),
+                Pair::Gear(joined) => all(joined).map(Pair::Gear),
+            };
+            Some((at, pair?))
+        });
+        let (pairs, kept): (Vec<usize>, Vec<Pair>) = pairs.unzip();
+        let drivers = drivers.iter().filter_map(|driver| {
+            Some(Driver {
+                pair: pairs.binary_search(&driver.pair).ok()?,
+                links: all(&driver.links)?,
+            })
+        });
+        let drivers = drivers.collect();
+        let ground = new(&graph.ground).unwrap_or(graph.ground);
+        let graph = Graph {
+            links: links.len(),
+            ground,
+            pairs: kept,
+        };
+        Self {
+            graph,
+            drivers,
+            links,
+            pairs,
+        }
+    }
+
+    /// Puts the numbers that they had.
+    fn renumber(&self, structure: &mut Structure, links: usize) {
+        let link = |link: &mut usize| *link = self.links[*link];
+        let pair = |pair: &mut usize| *pair = self.pairs[*pair];
+        for step in &mut structure.steps {
+            match step {
+                Step::Driver { links, .. } => links.iter_mut().for_each(link),
+                Step::Group(group) => {
+                    group.bodies.iter_mut().flatten().for_each(link);
+                    group.inner.iter_mut().for_each(pair);
+                    for outer in &mut group.outer {
+                        pair(&mut outer.pair);
+                        link(&mut outer.link);
+                        link(&mut outer.base);
+                    }
+                }
+            }
+        }
+        let mut step_of = vec![None; links];
+        for (link, step) in self.links.iter().zip(&structure.step_of) {
+            step_of[*link] = *step;
+        }
+        structure.step_of = step_of;
+    }
+}
