@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::quoted;
+
 /// A problem; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
@@ -28,4 +30,24 @@ pub enum ImportProblem {
     ImportTwice { part: String },
     /// There are no links in it.
     NothingImported,
+}
+
+impl ImportProblem {
+    /// A part of a link that has not the form, by its beginning.
+    pub(crate) fn part(part: &str) -> Self {
+        let part = quoted(part);
+        Self::LinkPart { part }
+    }
+
+    /// A value that is no number, or one out of any range, by its beginning.
+    pub(crate) fn number(part: &str, value: &str) -> Self {
+        let [part, value] = [part, value].map(quoted);
+        Self::ImportNumber { part, value }
+    }
+
+    /// A name that two parts have.
+    pub(crate) fn twice(part: &str) -> Self {
+        let part = quoted(part);
+        Self::ImportTwice { part }
+    }
 }
