@@ -28,6 +28,8 @@ pub enum ImportProblem {
     ImportNumber { part: String, value: String },
     /// Two parts of one name, so that what names it is not told.
     ImportTwice { part: String },
+    /// A joint of wheels in a link of the first PMKS, whose wheels are not read.
+    ImportGears { part: String },
     /// There are no links in it.
     NothingImported,
 }
@@ -43,6 +45,12 @@ impl ImportProblem {
     pub(crate) fn number(part: &str, value: &str) -> Self {
         let [part, value] = [part, value].map(quoted);
         Self::ImportNumber { part, value }
+    }
+
+    /// A joint of wheels that is not read, by its beginning.
+    pub(crate) fn gears(part: &str) -> Self {
+        let part = quoted(part);
+        Self::ImportGears { part }
     }
 
     /// A name that two parts have.

@@ -198,7 +198,9 @@ fn what_is_wrong_is_told() {
         ),
         (
             "https://x/?mech=ground,a,R,0,0|sun%20planet%20G%205%200|".to_owned(),
-            part("sun planet G 5 0"),
+            P::ImportGears {
+                part: "sun planet G 5 0".to_owned(),
+            },
         ),
         (
             "https://x/?mech=ground,a,b,P,0,0,45|".to_owned(),

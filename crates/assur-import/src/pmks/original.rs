@@ -17,6 +17,10 @@ const JOINTS: &str = "mech";
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
+/// The kind of a joint between the teeth of two wheels. What carries the wheels, and where their centres are, is not
+/// told with it; it is not read.
+const GEARS: &str = "G";
+
 /// The kinds of joints that are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
@@ -98,12 +102,18 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
         "RP" => Some(Kind::PinInSlot),
         _ => None,
     };
+    let gears = |word: &&str| word.eq_ignore_ascii_case(GEARS);
     // A link may be called R, too.
-    let at = words.iter().rposition(|word| kind(word).is_some());
+    let at = words
+        .iter()
+        .rposition(|word| gears(word) || kind(word).is_some());
     let (links, rest) = words.split_at(at.ok_or_else(broken)?);
     let [kind_of, x, y, rest @ ..] = rest else {
         return Err(broken());
     };
+    if gears(kind_of) {
+        return Err(ImportProblem::gears(line.trim()));
+    }
     let number = |text: &str| {
         let value = crate::number(text).filter(|x| x.abs() <= FARTHEST);
         value.ok_or_else(|| ImportProblem::number(name, text))
