@@ -186,3 +186,48 @@ fn a_block_whose_pin_is_fixed_is_part_of_the_frame() {
     assert_eq!(links(&imported.document), ["AB", "BC", "CDE"]);
     assert_eq!(imported.document.slides, []);
 }
+
+/// A guide that is a link between two anchors is part of the frame, and so is its line; also where the block is driven.
+#[test]
+fn a_block_slides_on_a_link_that_is_fixed() {
+    let joints = |driven: [u8; 2]| {
+        [
+            (driven[0] | GROUND, "A", [0, 0]),
+            (0, "B", [0, 1000]),
+            (0, "C", [3000, 0]),
+            (GROUND, "F", [1000, 0]),
+            (GROUND, "G", [6000, 0]),
+            (driven[1] | PRISMATIC, "P", [3000, 0]),
+        ]
+    };
+    let members = [
+        ("YR", "AB", "AB", ""),
+        ("YR", "BC", "BC", ""),
+        ("YR", "FG", "FG", ""),
+        ("YP", "CP", "CP", ""),
+    ];
+    let slotted = |driven| {
+        let link = link(&joints(driven), &members);
+        checked(&link.replace("P,P,ku,0,0.", "P,P,ku,0,0,FG,F,G."))
+    };
+    let imported = read(&slotted([DRIVEN, 0])).unwrap();
+    turns(&imported);
+    assert_eq!(links(&imported.document), ["AB", "BC", "C"]);
+    assert_eq!(imported.document.slides[0].on, "frame");
+    assert_eq!(imported.document.slides[0].line, ["F", "G"]);
+    let imported = read(&slotted([0, DRIVEN])).unwrap();
+    let [driver] = &imported.document.drivers[..] else {
+        panic!("{:?}", imported.document.drivers);
+    };
+    assert_eq!((driver.slide, driver.range), (Some(0), Some([0.0, 5.0])));
+    let motion = imported.document.motion().unwrap();
+    // C comes as far as AB and BC are long together, and as near as they differ: 1 + √10 and √10 − 1 from A.
+    let [[from, to]] = motion.cycle().arcs()[..] else {
+        panic!("{:?}", motion.cycle());
+    };
+    let reach = 10_f64.sqrt();
+    assert!(
+        (from - (reach - 2.0)).abs() < 1e-9 && (to - reach).abs() < 1e-9,
+        "{from} {to}"
+    );
+}

@@ -191,6 +191,21 @@ fn what_is_wrong_is_told() {
             format!("https://x/?j={}&l=", "long".repeat(1000)),
             part(&format!("{}…", "long".repeat(10))),
         ),
+        (
+            file(&format!(
+                "<Link id=\"0\">{}</Link>",
+                "<connector id=\"0\"/>".repeat(1001)
+            )),
+            P::ImportTooMany { max: 1000 },
+        ),
+        (
+            format!("j=A,1,2,,R,t,0,t&l=AB,1,1,0,0,{}", "A|".repeat(1000)),
+            P::ImportTooMany { max: 1000 },
+        ),
+        (
+            format!("j=A,1,2,,R,t,0,t&l=AB,1,1,0,0,A&f={}", "F\n".repeat(1000)),
+            P::ImportTooMany { max: 1000 },
+        ),
         ("https://x/?mech=".to_owned(), P::NothingImported),
         (
             "https://x/?mech=ground,a,R,0|".to_owned(),
