@@ -18,13 +18,13 @@ use crate::words::Words;
 /// No larger file is read: the largest linkage that is taken is far smaller.
 const LARGEST: u64 = 4 << 20;
 
-/// Characters of a link that are shown after its host.
+/// Maximum number of characters of a link shown after its host.
 const SHOWN: usize = 16;
-/// A longer host is cut off, too.
+/// Maximum number of characters of the host shown.
 const LONGEST_HOST: usize = 60;
 
-/// What a person names a mechanism by: a name of the catalogue, a file, a link of another program. It is shown whole,
-/// but of a link, which may have thousands of characters, only the beginning.
+/// The name of a mechanism on the command line: a name of the catalogue, a file, or a link of another program. Shown
+/// whole, except a link, which may have thousands of characters: its beginning.
 #[derive(Clone, Debug)]
 pub(crate) struct Name(String);
 

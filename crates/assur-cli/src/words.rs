@@ -131,7 +131,7 @@ fn filled(place: &str, value: &Value) -> String {
     }
 }
 
-/// A text of a file as a message has it: of a long one the beginning and the end.
+/// A text of a file for a message: the beginning and the end of a long one.
 fn shortened(text: &str) -> String {
     const MOST: usize = 300;
     const END: usize = 100;

@@ -37,10 +37,10 @@ fn number(text: &str) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Characters that messages repeat of a text from outside.
+/// Maximum number of characters of a text from outside in a message.
 const LONGEST_QUOTE: usize = 40;
 
-/// The beginning of a text from outside, for a message: without control characters, cut off with an ellipsis.
+/// The beginning of a text from outside, for a message: without control characters, with an ellipsis where it is cut.
 fn quoted(text: &str) -> String {
     let mut plain = text.chars().filter(|c| !c.is_control());
     let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();

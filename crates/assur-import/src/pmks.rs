@@ -29,7 +29,7 @@ pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportPr
     if original::begins(query) {
         return original::sketch(query, source("PMKS"))?.imported();
     }
-    // Marks that part an address are left as they are, as browsers do.
+    // The delimiters of an address stay encoded, as browsers leave them.
     let query = decoded(query, b";/?:@&=+$,#");
     let plan = if readable::begins(&query) {
         readable::plan(&query)?
@@ -39,7 +39,7 @@ pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportPr
     plan.sketch(source("PMKS+"))?.imported()
 }
 
-/// A text with the characters for which `%7C` and the like stand, except some that are kept as they are written.
+/// A text with `%7C` and the like decoded, except the characters in `kept`.
 fn decoded(query: &str, kept: &[u8]) -> String {
     let hex = |byte: Option<&u8>| char::from(*byte?).to_digit(16);
     let mut bytes = Vec::with_capacity(query.len());

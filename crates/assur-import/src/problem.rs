@@ -28,32 +28,32 @@ pub enum ImportProblem {
     ImportNumber { part: String, value: String },
     /// Two parts of one name, so that what names it is not told.
     ImportTwice { part: String },
-    /// A joint of wheels in a link of the first PMKS, whose wheels are not read.
+    /// A joint between wheels in a link of the first PMKS, which is not read.
     ImportGears { part: String },
     /// There are no links in it.
     NothingImported,
 }
 
 impl ImportProblem {
-    /// A part of a link that has not the form, by its beginning.
+    /// A malformed part of a link.
     pub(crate) fn part(part: &str) -> Self {
         let part = quoted(part);
         Self::LinkPart { part }
     }
 
-    /// A value that is no number, or one out of any range, by its beginning.
+    /// A value that is no finite number in range.
     pub(crate) fn number(part: &str, value: &str) -> Self {
         let [part, value] = [part, value].map(quoted);
         Self::ImportNumber { part, value }
     }
 
-    /// A joint of wheels that is not read, by its beginning.
+    /// A joint between wheels.
     pub(crate) fn gears(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportGears { part }
     }
 
-    /// A name that two parts have.
+    /// A name of two parts.
     pub(crate) fn twice(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportTwice { part }

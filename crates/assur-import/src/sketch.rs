@@ -126,8 +126,8 @@ impl Sketch {
         self.slides.len() - 1
     }
 
-    /// Two points of a body on a line through a place, for a slide: in a direction in radians, at a distance that is
-    /// a part of the drawing's size.
+    /// Adds two points of a body for the line of a slide through a place: the direction in radians, the distance a
+    /// fraction of the drawing's size.
     pub(crate) fn guide(
         &mut self,
         names: [String; 2],
@@ -212,7 +212,7 @@ impl Sketch {
             .collect()
     }
 
-    /// The next body that what is fixed holds: by two points, or by a point and a slide.
+    /// The first bar that the frame holds: at two points, or at one point and by a slide.
     fn held(&self, into: &[Body]) -> Option<usize> {
         let mut slid = vec![false; self.bars.len()];
         for slide in &self.slides {

@@ -62,7 +62,7 @@ impl<'a> Tag<'a> {
         ImportProblem::number(&format!("{tag} {id}, {name}"), self.text(name))
     }
 
-    /// The number of tags that are in the tags in it.
+    /// The number of tags within its own tags, at any depth.
     pub(super) fn mentions(&self) -> usize {
         let inner = self.tags.iter();
         inner.map(|tag| tag.tags.len() + tag.mentions()).sum()

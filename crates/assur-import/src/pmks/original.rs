@@ -1,7 +1,7 @@
 //! Links of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
-//! Joints only, one after another: the links that meet there, the kind (R, P, RP), the place, the direction of a slide
-//! in degrees, and four letters, whether its position, velocity and acceleration are shown and whether it is driven.
-//! The slot of a sliding pair is on the first link, its block or pin on the second.
+//! Joints alone, each with the links that meet there, its kind (R, P, RP), its place, the direction of its slide in
+//! degrees, and four letters: whether its position, velocity and acceleration are shown, and whether it is driven. The
+//! slot of a sliding pair is on the first link, its block or pin on the second.
 
 use std::f64::consts::TAU;
 
@@ -13,12 +13,11 @@ use crate::{ImportProblem, LeftOut};
 
 /// The name of the parameter that holds the joints.
 const JOINTS: &str = "mech";
-/// What the ground may be called; so may all that begins with [`GROUND`].
+/// Names of the ground, beside all that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
-/// The kind of a joint between the teeth of two wheels. What carries the wheels, and where their centres are, is not
-/// told with it; it is not read.
+/// The kind of a joint between the teeth of two wheels: not read, since it tells neither their centres nor their carrier.
 const GEARS: &str = "G";
 
 /// The kinds of joints that are read.
@@ -171,7 +170,7 @@ struct Reading<'a> {
     sketch: Sketch,
     /// The names of the links, by their bars.
     links: Vec<&'a str>,
-    /// How far its joints are from each other.
+    /// The size of the drawing.
     size: f64,
 }
 
@@ -201,7 +200,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// The points where the joints are drawn, which have no names there.
+    /// Adds a point for each joint. PMKS gives joints no names.
     fn joints(&mut self, rows: &[Row<'a>]) {
         let joints = rows.iter().enumerate().map(|(number, row)| Joint {
             name: letter(number),
@@ -214,13 +213,13 @@ impl<'a> Reading<'a> {
         self.size = self.sketch.size();
     }
 
-    /// The pairs; for each joint the slide that it is.
+    /// Adds the pairs. For each joint its slide, where it is one.
     fn pairs(&mut self, rows: &[Row<'a>]) -> Vec<Option<usize>> {
         let mut slides = vec![None; rows.len()];
         for (joint, row) in rows.iter().enumerate() {
             let bodies: Vec<Body> = row.links.iter().map(|link| self.body(link)).collect();
             let (slot, riders) = match (row.kind, &bodies[..]) {
-                // Neither turns against the other, so that either may have the line: where it can be, the ground.
+                // Neither link turns relative to the other, so either may have the line; the ground is preferred.
                 (Kind::Slide, [first, Body::Frame]) => (Some(Body::Frame), vec![*first]),
                 (Kind::Slide | Kind::PinInSlot, [first, rest @ ..]) if !rest.is_empty() => {
                     (Some(*first), rest.to_vec())
@@ -246,7 +245,7 @@ impl<'a> Reading<'a> {
         slides
     }
 
-    /// The driven joint: the last one that says so, or else the first hinge or slide of two links.
+    /// Adds the driver: the last joint with that letter, or else the first hinge or slide of two links, as PMKS does.
     fn drive(&mut self, rows: &[Row<'a>], slides: &[Option<usize>], rpm: f64) {
         let usual = |row: &Row<'_>| row.links.len() > 1 && row.kind != Kind::PinInSlot;
         let told = rows.iter().rposition(|row| row.driven);

@@ -230,9 +230,9 @@ impl Plan {
         sketch.guide(names, pair.at, whole_degrees(pair.angle), size, Body::Frame)
     }
 
-    /// Links that meet at a welded joint are one, unless a link there names the parts that are welded: then only
-    /// these are, and the other links are hinged. On the ground welded links turn about the joint; a link that is
-    /// alone there can only be welded to the ground.
+    /// Makes one body of the links at each welded joint. Where a link there names the parts that are welded, only these
+    /// are one body, and the other links are hinged. On the ground the body turns about the joint, as a bell crank does;
+    /// a single link there is welded to the ground itself.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
             let here = bars
@@ -252,7 +252,7 @@ impl Plan {
         }
     }
 
-    /// The number of a link's parts that have a joint.
+    /// The number of a link's parts at a joint.
     fn parts_at(&self, member: &Member, pin: &Pin) -> usize {
         let parts = self.members.iter();
         let parts = parts.filter(|part| !part.root && member.parts.contains(&part.id));

@@ -6,7 +6,7 @@ use crate::LeftOut;
 /// Cranks are back after so many turns of the first at most (docs/file-format.md).
 const MOST_TURNS: u32 = 24;
 
-/// A driver that is slower than this part of the fastest stands still.
+/// Speed relative to the fastest driver below which a driver stands still.
 const STILL: f64 = 1e-9;
 
 /// The drivers, the first of which moves, each further one with its rate.
