@@ -6,6 +6,7 @@ use assur::mechanism::Quantity;
 use clap::Args;
 
 use crate::csv::{Cell, Csv};
+use crate::source::Name;
 use crate::sweep::asked_for;
 use crate::{Failure, source};
 
@@ -13,7 +14,7 @@ use crate::{Failure, source};
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Catalogue name or file.
-    name: String,
+    name: Name,
     /// The input: degrees, of a driven slide a length [default: the drawn one]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,

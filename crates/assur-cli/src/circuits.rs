@@ -9,7 +9,7 @@ use assur::motion::DeadPoint;
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::source::{Moved, at};
+use crate::source::{Moved, Name, at};
 
 /// Writes them, as lines for people or as JSON.
 ///
@@ -18,7 +18,7 @@ use crate::source::{Moved, at};
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,
-    name: &str,
+    name: &Name,
     as_json: bool,
 ) -> Result<(), Failure> {
     let mechanism = moved.motion.mechanism();

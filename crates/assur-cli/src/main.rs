@@ -19,12 +19,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use source::Name;
 
 /// Planar mechanisms: tables of their motion, their Assur groups, drawings.
 ///
 /// NAME is a name of the catalogue (see `assur list`) or a file: a state saved by
 /// the page, or a linkage alone; docs/file-format.md describes both. It may also be
-/// a file of Linkage (`.linkage2`) or, in quotes, a link of PMKS+: what of it could
+/// a file of Linkage (`.linkage2`) or, in quotes, a link of PMKS+ or PMKS: what of it could
 /// not be taken over as it was is told on standard error.
 ///
 /// Exit status: 0 done, 1 a file could not be read or written, 2 bad input.
@@ -58,7 +59,7 @@ enum Command {
     /// with its dead points and change points.
     Structure {
         /// Catalogue name or file.
-        name: String,
+        name: Name,
         /// For programs.
         #[arg(long)]
         json: bool,
@@ -78,7 +79,7 @@ enum Command {
     /// they come to, and there as `assur assemblies` numbers assemblies.
     Circuits {
         /// Catalogue name or file.
-        name: String,
+        name: Name,
         /// For programs.
         #[arg(long)]
         json: bool,
@@ -91,7 +92,7 @@ enum Command {
     /// pairs carry redundant constraints, which links move by themselves, and which pairs to replace.
     Mobility {
         /// Catalogue name or file.
-        name: String,
+        name: Name,
         /// Pairs to cut; of a hinge of more than two links one of them, as in Q:3 [default: those of the file, or
         /// else those that the way from the ground finds]
         #[arg(long, value_name = "PAIR,PAIR", value_delimiter = ',')]
@@ -109,7 +110,7 @@ enum Command {
     /// plots below.
     Plot {
         /// Catalogue name or file.
-        name: String,
+        name: Name,
         /// The file to write, `-` for standard output.
         #[arg(long, value_name = "OUT")]
         svg: PathBuf,

@@ -7,7 +7,7 @@ use assur_file::{KindDocument, Problem, SchemeProblem};
 use serde_json::{Map, Value, json};
 
 use crate::Failure;
-use crate::source::{Schemed, refused, schemed};
+use crate::source::{Name, Schemed, refused, schemed};
 
 /// How many replacements are told.
 const REPLACEMENTS: usize = 20;
@@ -44,7 +44,7 @@ const LINES: [&str; 21] = [
 /// What is no scheme; cuts that do not open it; what cannot be written.
 pub(crate) fn write(
     out: &mut impl Write,
-    name: &str,
+    name: &Name,
     cut: Option<&[String]>,
     as_json: bool,
 ) -> Result<(), Failure> {

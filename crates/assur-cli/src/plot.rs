@@ -8,7 +8,7 @@ use assur_draw::{Annotations, Figure, Overlays, View};
 use assur_file::LinkageProblem;
 
 use crate::Failure;
-use crate::source::{Moved, refused};
+use crate::source::{Moved, Name, refused};
 
 /// Width of the sheet, height of the drawing and of each chart, pixels.
 const WIDTH: f64 = 900.0;
@@ -19,7 +19,7 @@ const CHART: f64 = 480.0;
 ///
 /// # Errors
 /// A mechanism without a pose to draw.
-pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
+pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
     let Moved { document, motion } = moved;
     let mechanism = motion.mechanism();
     let unsolved = |reason: assur::mechanism::Unsolved| {
@@ -69,6 +69,6 @@ pub(crate) fn svg(moved: &Moved, name: &str) -> Result<String, Failure> {
     for quantities in kinds.iter().filter(|kind| !kind.is_empty()) {
         sheet.chart(CHART, &figure.chart(quantities, settings), input);
     }
-    let title = document.title.as_deref().unwrap_or(name);
-    Ok(sheet.finish(title))
+    let title = document.title.clone();
+    Ok(sheet.finish(&title.unwrap_or_else(|| name.to_string())))
 }

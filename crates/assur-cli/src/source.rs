@@ -1,5 +1,6 @@
 //! The mechanism that a name stands for.
 
+use std::fmt::{self, Display, Formatter};
 use std::fs::File;
 use std::io::{self, Read, Write};
 
@@ -17,6 +18,47 @@ use crate::words::Words;
 /// No larger file is read: the largest linkage that is taken is far smaller.
 const LARGEST: u64 = 4 << 20;
 
+/// Maximum number of characters of a link shown after its host.
+const SHOWN: usize = 16;
+/// Maximum number of characters of the host shown.
+const LONGEST_HOST: usize = 60;
+
+/// The name of a mechanism on the command line: a name of the catalogue, a file, or a link of another program. Shown
+/// whole, except a link, which may have thousands of characters: its beginning.
+#[derive(Clone, Debug)]
+pub(crate) struct Name(String);
+
+impl From<String> for Name {
+    fn from(name: String) -> Self {
+        Self(name)
+    }
+}
+
+impl Name {
+    fn is_link(&self) -> bool {
+        self.0.contains("://")
+    }
+}
+
+impl Display for Name {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Some((scheme, rest)) = self.0.split_once("://") else {
+            return f.write_str(&self.0);
+        };
+        let host = rest.find(['/', '?', '#']).unwrap_or(rest.len());
+        let host = rest[..host].chars().count().min(LONGEST_HOST);
+        let most = scheme.chars().count() + "://".len() + host + SHOWN;
+        let mut chars = self.0.chars();
+        let beginning: String = chars.by_ref().take(most).collect();
+        let plain: String = beginning.chars().filter(|c| !c.is_control()).collect();
+        f.write_str(&plain)?;
+        match chars.next() {
+            Some(_) => f.write_str("…"),
+            None => Ok(()),
+        }
+    }
+}
+
 /// A mechanism in motion, with the document it is from.
 pub(crate) struct Moved {
     pub(crate) document: LinkageDocument,
@@ -27,11 +69,11 @@ pub(crate) struct Moved {
 ///
 /// # Errors
 /// No such name or file; every reason why it is no mechanism.
-pub(crate) fn moved(name: &str) -> Result<Moved, Failure> {
+pub(crate) fn moved(name: &Name) -> Result<Moved, Failure> {
     moving(name, &any(name)?)
 }
 
-fn moving(name: &str, whole: &Document) -> Result<Moved, Failure> {
+fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
     Ok(Moved {
         document: whole.linkage().map_err(refuse)?,
@@ -44,7 +86,7 @@ impl Moved {
     ///
     /// # Errors
     /// A mechanism without links.
-    pub(crate) fn output(&self, name: &str) -> Result<LinkId, Failure> {
+    pub(crate) fn output(&self, name: &Name) -> Result<LinkId, Failure> {
         let output = self.document.output(self.motion.mechanism());
         output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
     }
@@ -56,7 +98,7 @@ impl Moved {
 /// There is no such assembly.
 pub(crate) fn in_assembly(
     drawn: Moved,
-    name: &str,
+    name: &Name,
     number: usize,
     input: Option<f64>,
 ) -> Result<Moved, Failure> {
@@ -97,7 +139,7 @@ pub(crate) struct Schemed {
 ///
 /// # Errors
 /// No such name or file; every reason why it is no scheme.
-pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
+pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
     // Read once: a pipe has nothing more to give.
     let whole = any(name)?;
@@ -118,13 +160,12 @@ pub(crate) fn schemed(name: &str) -> Result<Schemed, Failure> {
 }
 
 /// What a name stands for, of any kind: a name of the catalogue, a link of another program, a file.
-fn any(name: &str) -> Result<Document, Failure> {
+fn any(name: &Name) -> Result<Document, Failure> {
     // Nothing is fetched: what is in the address of the link itself is all there is to read.
-    if name.contains("://") {
-        let (place, _) = name.split_once('?').unwrap_or((name, ""));
-        return imported(place, name);
+    if name.is_link() {
+        return imported(name, &name.0);
     }
-    let found = match assur_file::document(name) {
+    let found = match assur_file::document(&name.0) {
         Some(found) => found,
         None => {
             let text = text(name)?;
@@ -138,7 +179,7 @@ fn any(name: &str) -> Result<Document, Failure> {
 }
 
 /// What another program made. What could not be taken over is said beside the output.
-fn imported(name: &str, text: &str) -> Result<Document, Failure> {
+fn imported(name: &Name, text: &str) -> Result<Document, Failure> {
     let Imported { document, left_out } =
         assur_import::read(text).map_err(|problem| refused(name, &[problem]))?;
     let words = Words::english()?;
@@ -148,10 +189,10 @@ fn imported(name: &str, text: &str) -> Result<Document, Failure> {
     Ok(Document::Linkage(document))
 }
 
-fn text(name: &str) -> Result<String, Failure> {
+fn text(name: &Name) -> Result<String, Failure> {
     let unread = |error: io::Error| {
         // A bare word was meant as a name of the catalogue.
-        if error.kind() == io::ErrorKind::NotFound && !name.contains(['/', '\\', '.']) {
+        if error.kind() == io::ErrorKind::NotFound && !name.0.contains(['/', '\\', '.']) {
             let said = format!("{name}: no such name; `assur list` shows the names there are");
             Failure::Input(said)
         } else {
@@ -160,7 +201,7 @@ fn text(name: &str) -> Result<String, Failure> {
     };
     // Not by its size: devices and pipes have none.
     let mut bytes = Vec::new();
-    let file = File::open(name).map_err(unread)?;
+    let file = File::open(&name.0).map_err(unread)?;
     file.take(LARGEST + 1)
         .read_to_end(&mut bytes)
         .map_err(unread)?;
@@ -180,7 +221,7 @@ fn text(name: &str) -> Result<String, Failure> {
 }
 
 /// One line for each problem.
-pub(crate) fn refused(name: &str, problems: &[impl Serialize]) -> Failure {
+pub(crate) fn refused(name: &Name, problems: &[impl Serialize]) -> Failure {
     let sentences = Words::english().and_then(|words| {
         let sentences = problems.iter().map(|problem| words.sentence(problem));
         sentences.collect::<Result<Vec<_>, _>>()
@@ -191,5 +232,30 @@ pub(crate) fn refused(name: &str, problems: &[impl Serialize]) -> Failure {
             sentences.join(&format!("\n{name}: "))
         )),
         Err(unsaid) => unsaid.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Name;
+
+    #[test]
+    fn a_link_is_shown_by_its_beginning() {
+        let shown = |name: &str| Name(name.to_owned()).to_string();
+        let long = "2P.Ay,1E8.".repeat(1000);
+        assert_eq!(
+            shown(&format!("https://app.pmksplus.com/?{long}")),
+            "https://app.pmksplus.com/?2P.Ay,1E8.2P.A…"
+        );
+        assert_eq!(
+            shown("https://example.org/?a=b"),
+            "https://example.org/?a=b"
+        );
+        assert_eq!(
+            shown(&format!("a\n://{}", "é".repeat(900))).chars().count(),
+            1 + 3 + 60 + 16 + 1
+        );
+        let file = format!("{}/crank.json", "folder".repeat(100));
+        assert_eq!(shown(&file), file);
     }
 }

@@ -9,7 +9,7 @@ use assur::structure::{Step, roman};
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::source::Moved;
+use crate::source::{Moved, Name};
 
 /// Writes the structure, as lines for people or as JSON.
 ///
@@ -18,7 +18,7 @@ use crate::source::Moved;
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,
-    name: &str,
+    name: &Name,
     as_json: bool,
 ) -> Result<(), Failure> {
     let described = described(moved, moved.output(name)?);

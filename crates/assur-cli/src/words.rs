@@ -117,8 +117,8 @@ fn filled(place: &str, value: &Value) -> String {
         Value::String(path) if place == "path" && [".", "?"].contains(&path.as_str()) => {
             "The file".to_owned()
         }
-        Value::String(detail) if place == "detail" => plain(detail),
-        Value::String(text) => text.clone(),
+        Value::String(detail) if place == "detail" => shortened(&plain(detail)),
+        Value::String(text) => shortened(text),
         Value::Array(all) => {
             let all: Vec<String> = all.iter().map(|one| filled(place, one)).collect();
             all.join(", ")
@@ -129,6 +129,19 @@ fn filled(place: &str, value: &Value) -> String {
             None => other.to_string(),
         },
     }
+}
+
+/// A text of a file for a message: the beginning and the end of a long one.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 300;
+    const END: usize = 100;
+    let count = text.chars().count();
+    if count <= MOST {
+        return text.to_owned();
+    }
+    let beginning: String = text.chars().take(MOST - END).collect();
+    let end: String = text.chars().skip(count - END).collect();
+    format!("{beginning}…{end}")
 }
 
 /// What serde says of a value, in the words of JSON.
@@ -190,6 +203,23 @@ mod tests {
             words.sentence(&form).unwrap(),
             "The file has the wrong form: no {code} here."
         );
+    }
+
+    #[test]
+    fn long_texts_of_files_are_shortened() {
+        let words = Words::english().unwrap();
+        let long = "é".repeat(1 << 20);
+        let file = format!(r#"{{"points": "{long}", "links": []}}"#);
+        let problems = assur_file::document_of(&file).unwrap_err();
+        let unknown = LinkageProblem::UnknownName { name: long };
+        for problem in problems.into_iter().chain([unknown.into()]) {
+            let said = words.sentence(&problem).unwrap();
+            assert!(
+                said.contains('…') && said.chars().count() < 400,
+                "{}",
+                said.len()
+            );
+        }
     }
 
     /// Values of every type, in every place of every file of the catalogue.

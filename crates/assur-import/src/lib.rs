@@ -1,5 +1,5 @@
 //! Mechanisms that people have made with other programs, as linkages: links of PMKS+ in both
-//! of its forms, and files of Linkage (`.linkage2`). What could not be taken over as it was is
+//! of its forms and of the PMKS before it, and files of Linkage (`.linkage2`). What could not be taken over as it was is
 //! told by name ([`LeftOut`]); docs/file-format.md lists what is taken over.
 //!
 //! What is read need not be a mechanism that moves: [`LinkageDocument::mechanism`] tells.
@@ -31,9 +31,23 @@ fn bounded(parts: usize) -> Result<(), ImportProblem> {
     }
 }
 
-/// A number, by the reader of JSON: the page has that already, and the standard library's takes 20 kB.
+/// A finite number, as other programs write them too: `.5`, `5.`, `+3`.
 fn number(text: &str) -> Option<f64> {
-    serde_json::from_str(text.trim()).ok()
+    let value: f64 = text.trim().parse().ok()?;
+    value.is_finite().then_some(value)
+}
+
+/// Maximum number of characters of a text from outside in a message.
+const LONGEST_QUOTE: usize = 40;
+
+/// The beginning of a text from outside, for a message: without control characters, with an ellipsis where it is cut.
+fn quoted(text: &str) -> String {
+    let mut plain = text.chars().filter(|c| !c.is_control());
+    let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();
+    if plain.next().is_some() {
+        quote.push('…');
+    }
+    quote
 }
 
 /// What was read.

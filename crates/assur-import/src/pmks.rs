@@ -1,6 +1,8 @@
 //! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>), of its first
-//! form, with everything in words, and of the second one, in short. Both come to one [`Plan`].
+//! form, with everything in words, and of the second one, in short. Both come to one [`Plan`](plan::Plan).
+//! Also links of the PMKS before it ([`original`]).
 
+mod original;
 mod plan;
 mod readable;
 mod short;
@@ -9,7 +11,7 @@ use crate::{ImportProblem, Imported};
 
 /// Whether the query of a link has one of the forms.
 pub(crate) fn begins(query: &str) -> bool {
-    readable::begins(query) || short::begins(query)
+    readable::begins(query) || short::begins(query) || original::begins(query)
 }
 
 /// Reads what follows the `?` of a link to a host.
@@ -17,24 +19,28 @@ pub(crate) fn begins(query: &str) -> bool {
 /// # Errors
 /// The part that cannot be read.
 pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportProblem> {
-    let query = decoded(query);
+    let source = |program: &str| match host {
+        Some(host) => {
+            let plain = host.chars().filter(|c| !c.is_control());
+            format!("{program}, {}", plain.take(100).collect::<String>())
+        }
+        None => program.to_owned(),
+    };
+    if original::begins(query) {
+        return original::sketch(query, source("PMKS"))?.imported();
+    }
+    // The delimiters of an address stay encoded, as browsers leave them.
+    let query = decoded(query, b";/?:@&=+$,#");
     let plan = if readable::begins(&query) {
         readable::plan(&query)?
     } else {
         short::plan(&query)?
     };
-    let source = match host {
-        Some(host) => {
-            let plain = host.chars().filter(|c| !c.is_control());
-            format!("PMKS+, {}", plain.take(100).collect::<String>())
-        }
-        None => "PMKS+".to_owned(),
-    };
-    plan.sketch(source)?.imported()
+    plan.sketch(source("PMKS+"))?.imported()
 }
 
-/// What `%7C` and the like stand for; not of the marks that part an address, which browsers leave as they are.
-fn decoded(query: &str) -> String {
+/// A text with `%7C` and the like decoded, except the characters in `kept`.
+fn decoded(query: &str, kept: &[u8]) -> String {
     let hex = |byte: Option<&u8>| char::from(*byte?).to_digit(16);
     let mut bytes = Vec::with_capacity(query.len());
     let mut rest = query.as_bytes();
@@ -43,7 +49,7 @@ fn decoded(query: &str) -> String {
             (b'%', Some(high), Some(low)) => Some((high * 16 + low) as u8),
             _ => None,
         };
-        match byte.filter(|byte| !b";/?:@&=+$,#".contains(byte)) {
+        match byte.filter(|byte| !kept.contains(byte)) {
             Some(byte) => {
                 bytes.push(byte);
                 rest = &after[2..];

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::quoted;
+
 /// A problem; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
@@ -26,6 +28,34 @@ pub enum ImportProblem {
     ImportNumber { part: String, value: String },
     /// Two parts of one name, so that what names it is not told.
     ImportTwice { part: String },
+    /// A joint between wheels in a link of the first PMKS, which is not read.
+    ImportGears { part: String },
     /// There are no links in it.
     NothingImported,
+}
+
+impl ImportProblem {
+    /// A malformed part of a link.
+    pub(crate) fn part(part: &str) -> Self {
+        let part = quoted(part);
+        Self::LinkPart { part }
+    }
+
+    /// A value that is no finite number in range.
+    pub(crate) fn number(part: &str, value: &str) -> Self {
+        let [part, value] = [part, value].map(quoted);
+        Self::ImportNumber { part, value }
+    }
+
+    /// A joint between wheels.
+    pub(crate) fn gears(part: &str) -> Self {
+        let part = quoted(part);
+        Self::ImportGears { part }
+    }
+
+    /// A name of two parts.
+    pub(crate) fn twice(part: &str) -> Self {
+        let part = quoted(part);
+        Self::ImportTwice { part }
+    }
 }

@@ -126,6 +126,33 @@ impl Sketch {
         self.slides.len() - 1
     }
 
+    /// Adds two points of a body for the line of a slide through a place: the direction in radians, the distance a
+    /// fraction of the drawing's size.
+    pub(crate) fn guide(
+        &mut self,
+        names: [String; 2],
+        at: [f64; 2],
+        direction: f64,
+        size: f64,
+        of: Body,
+    ) -> [usize; 2] {
+        let half = 0.15 * if size > 0.0 { size } else { 1.0 };
+        // The cosine of 90° is 6e-17 in floating point.
+        let exact = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
+        let [x, y] = [exact(direction.cos()), exact(direction.sin())];
+        let end = |way: f64| [at[0] + way * x, at[1] + way * y];
+        let [from, to] = names;
+        let fixed = of == Body::Frame;
+        let line = [
+            self.helper(from, end(-half), fixed),
+            self.helper(to, end(half), fixed),
+        ];
+        if let Body::Bar(bar) = of {
+            self.bars[bar].joints.extend(line);
+        }
+        line
+    }
+
     /// The way of a slide as it is drawn, and the length of its line.
     pub(crate) fn way(&self, slide: usize) -> [f64; 2] {
         let Slide { joint, line, .. } = &self.slides[slide];
@@ -168,13 +195,8 @@ impl Sketch {
                 _ => {}
             }
         }
-        // What is fixed fixes what else it is joined to at two points.
         let mut still = Vec::new();
-        while let Some(bar) = (0..self.bars.len()).find(|bar| {
-            let Bar { joints, wheel, .. } = &self.bars[*bar];
-            let fixed = joints.iter().filter(|joint| self.joints[**joint].fixed);
-            into[*bar] == Body::Bar(*bar) && !wheel && fixed.count() > 1
-        }) {
+        while let Some(bar) = self.held(&into) {
             self.fix(&mut into, bar);
             // Two anchors with nothing else are how the frame is drawn.
             let told = |joint: &usize| !self.joints[*joint].own;
@@ -188,6 +210,23 @@ impl Sketch {
         (0..self.bars.len())
             .map(|bar| root(&into, Body::Bar(bar)))
             .collect()
+    }
+
+    /// The first bar that the frame holds: at two points, or at one point and by a slide.
+    fn held(&self, into: &[Body]) -> Option<usize> {
+        let mut slid = vec![false; self.bars.len()];
+        for slide in &self.slides {
+            let ends = [Body::Bar(slide.bar), slide.on].map(|body| root(into, body));
+            if let [Body::Bar(bar), Body::Frame] | [Body::Frame, Body::Bar(bar)] = ends {
+                slid[bar] = true;
+            }
+        }
+        (0..self.bars.len()).find(|bar| {
+            let Bar { joints, wheel, .. } = &self.bars[*bar];
+            let fixed = joints.iter().filter(|joint| self.joints[**joint].fixed);
+            let held = fixed.count() + usize::from(slid[*bar]);
+            into[*bar] == Body::Bar(*bar) && !wheel && held > 1
+        })
     }
 
     fn join(&mut self, into: &mut [Body], stays: usize, goes: usize) {

@@ -5,5 +5,7 @@
     reason = "that is how a test fails"
 )]
 
+mod bodies;
 mod damaged;
+mod original;
 mod published;

@@ -56,7 +56,7 @@ fn inputs(motion: &Motion, steps: usize) -> impl Iterator<Item = f64> {
 
 /// The points of every link keep the distances that are drawn, and every equation of its pairs is fulfilled, at every
 /// input; how many distances there are.
-fn keeps_its_lengths(name: &str, document: &LinkageDocument, motion: &Motion) -> usize {
+pub(crate) fn keeps_its_lengths(name: &str, document: &LinkageDocument, motion: &Motion) -> usize {
     let mechanism = motion.mechanism();
     let size = mechanism.size();
     let drawn = |point: &str| {

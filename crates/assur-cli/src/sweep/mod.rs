@@ -19,7 +19,7 @@ pub(crate) use grid::asked_for;
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Catalogue name or file.
-    name: String,
+    name: source::Name,
     /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of the range]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     step: Option<f64>,

@@ -32,7 +32,7 @@ fn a_link_is_a_name() {
         1 + 5,
         "{table}"
     );
-    let place = "https://app.pmksplus.com/: ";
+    let place = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.…: ";
     assert!(told.lines().all(|line| line.starts_with(place)), "{told}");
     assert_eq!(told.lines().count(), 3, "{told}");
     assert!(told.contains("Forces are left out: F1."), "{told}");
@@ -40,10 +40,40 @@ fn a_link_is_a_name() {
     let (status, said) = refused(&["sweep", cut]);
     assert_eq!(status, 2);
     assert!(said.contains("its check character does not fit"), "{said}");
+    assert!(said.starts_with(&format!("assur: {place}")), "{said}");
     let (status, said) = refused(&["sweep", "https://example.org/?a=b"]);
     let neither =
-        "assur: https://example.org/: This is neither a link of PMKS+ nor a file of Linkage.\n";
+        "assur: https://example.org/?a=b: This is neither a link of PMKS+ nor a file of Linkage.\n";
     assert_eq!((status, said.as_str()), (2, neither));
+}
+
+/// What is said of a link after it was read, and the sheet that has no other title, have its beginning too.
+#[test]
+fn a_link_is_never_said_whole() {
+    // The link without its driver does not move, which several sentences say.
+    let still = LINK.replace("MA,A,0,0", "KA,A,0,0");
+    let asked = [
+        vec!["structure", &still],
+        vec!["sweep", &still],
+        vec!["assemblies", &still],
+        vec!["circuits", &still],
+        vec!["mobility", &still],
+        vec!["sweep", LINK, "--assembly", "77"],
+        vec!["plot", LINK, "--svg", "-", "--assembly", "77"],
+    ];
+    for arguments in asked {
+        let (_, said) = refused(&arguments);
+        assert!(
+            said.contains("assur") && !said.contains("CP,1Tm"),
+            "{arguments:?}: {said}"
+        );
+    }
+    let [sheet, _] = both(&["plot", LINK, "--svg", "-"]);
+    let title = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.…</title>";
+    assert!(
+        sheet.contains(title) && !sheet.contains("CP,1Tm"),
+        "{sheet}"
+    );
 }
 
 #[test]

@@ -189,7 +189,8 @@ impl Conversion<'_> {
                 .and_then(|[from, to]| Some([self.joint(from)?, self.joint(to)?]));
             let ends = ends.filter(|ends| !ends.contains(&pin));
             let place = |joint: usize| self.sketch.joints[joint].at;
-            let ends = ends.filter(|[from, to]| place(*from) != place(*to));
+            // Half of the smallest positive number rounds to zero.
+            let ends = ends.filter(|[from, to]| distance(place(*from), place(*to)) / 2.0 > 0.0);
             let Some((line, on)) = ends.and_then(|ends| Some((ends, self.shared(ends)?))) else {
                 let point = self.sketch.joints[pin].name.clone();
                 self.sketch.left_out.push(LeftOut::Slideless { point });

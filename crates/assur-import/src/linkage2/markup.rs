@@ -58,10 +58,14 @@ impl<'a> Tag<'a> {
 
     /// What stands in an attribute will not do.
     pub(super) fn refused(&self, name: &str) -> ImportProblem {
-        ImportProblem::ImportNumber {
-            part: format!("{} {}, {name}", self.name, self.text("id")),
-            value: self.text(name).chars().take(40).collect(),
-        }
+        let [tag, id] = [self.name, self.text("id")].map(crate::quoted);
+        ImportProblem::number(&format!("{tag} {id}, {name}"), self.text(name))
+    }
+
+    /// The number of tags within its own tags, at any depth.
+    pub(super) fn mentions(&self) -> usize {
+        let inner = self.tags.iter();
+        inner.map(|tag| tag.tags.len() + tag.mentions()).sum()
     }
 
     /// The tags of a name in it.

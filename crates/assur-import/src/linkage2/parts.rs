@@ -90,6 +90,7 @@ impl Parts {
             ..Self::default()
         };
         crate::bounded(root.tags.len())?;
+        crate::bounded(root.mentions())?;
         for tag in root.all("connector") {
             if drawn(tag)? {
                 parts.drawn += 1;
@@ -102,7 +103,7 @@ impl Parts {
                 .any(|other| other.id == connector.id)
             {
                 let part = format!("connector {}", connector.id);
-                return Err(ImportProblem::ImportTwice { part });
+                return Err(ImportProblem::twice(&part));
             }
             parts.connectors.push(connector);
         }
@@ -168,7 +169,7 @@ impl Length {
         };
         Ok(Connector {
             id: required(tag, id(tag, "id")?, "id")?,
-            name: tag.text("name").trim().to_owned(),
+            name: crate::quoted(tag.text("name").trim()),
             at: [
                 required(tag, self.of(tag, "x")?, "x")?,
                 required(tag, self.of(tag, "y")?, "y")?,
@@ -215,7 +216,7 @@ impl Length {
         };
         Ok(Link {
             id: required(tag, id(tag, "id")?, "id")?,
-            name: tag.text("name").to_owned(),
+            name: crate::quoted(tag.text("name")),
             connectors: own,
             wheel: tag.is("gear"),
             stroke,

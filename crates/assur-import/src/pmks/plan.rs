@@ -57,12 +57,23 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// Refuses more parts, or more mentions of parts, than are read.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub(super) fn bounded(&self) -> Result<(), ImportProblem> {
+        let told = self.forces.len() + self.unknown.len();
+        crate::bounded(self.pins.len() + self.members.len() + told)?;
+        let mentions = |member: &Member| member.joints.len() + member.parts.len();
+        crate::bounded(self.members.iter().map(mentions).sum())
+    }
+
     /// The mechanism that is meant.
     ///
     /// # Errors
     /// Names that are given twice, or to nothing; places out of any range; too many parts.
     pub(super) fn sketch(self, source: String) -> Result<Sketch, ImportProblem> {
-        crate::bounded(self.pins.len() + self.members.len())?;
+        self.bounded()?;
         let mut sketch = Sketch {
             source,
             unit: self.unit,
@@ -71,14 +82,10 @@ impl Plan {
         for (k, pin) in self.pins.iter().enumerate() {
             let twice = self.pins[..k].iter().any(|other| other.id == pin.id);
             if twice {
-                let part = pin.id.clone();
-                return Err(ImportProblem::ImportTwice { part });
+                return Err(ImportProblem::twice(&pin.id));
             }
             if let Some(far) = pin.at.iter().find(|x| x.abs() > FARTHEST) {
-                return Err(ImportProblem::ImportNumber {
-                    part: pin.id.clone(),
-                    value: far.to_string(),
-                });
+                return Err(ImportProblem::number(&pin.id, &format!("{far:e}")));
             }
             sketch.joints.push(Joint {
                 name: pin.name.clone(),
@@ -105,9 +112,7 @@ impl Plan {
     /// The number of a joint.
     fn pin(&self, id: &str) -> Result<usize, ImportProblem> {
         let found = self.pins.iter().position(|pin| pin.id == id);
-        found.ok_or_else(|| ImportProblem::LinkPart {
-            part: id.to_owned(),
-        })
+        found.ok_or_else(|| ImportProblem::part(id))
     }
 
     /// Each prismatic pair with the pin that it guides. A pair of which no block tells that guides itself.
@@ -173,8 +178,7 @@ impl Plan {
                 }
             }
             if joints.is_empty() {
-                let part = member.id.clone();
-                return Err(ImportProblem::LinkPart { part });
+                return Err(ImportProblem::part(&member.id));
             }
             bars.push((sketch.bar(member.name.clone(), joints), member));
         }
@@ -199,9 +203,7 @@ impl Plan {
                 let line = [self.pin(from)?, self.pin(to)?];
                 let has = |bar: usize| line.iter().all(|end| sketch.bars[bar].joints.contains(end));
                 let carrier = found.map(|(bar, _)| *bar).filter(|bar| has(*bar));
-                let part = || ImportProblem::LinkPart {
-                    part: told.id.clone(),
-                };
+                let part = || ImportProblem::part(&told.id);
                 (Body::Bar(carrier.ok_or_else(part)?), line)
             }
             None => (Body::Frame, self.ground(sketch, told, size)),
@@ -224,30 +226,37 @@ impl Plan {
 
     /// Two points of the ground on the line of a pair.
     fn ground(&self, sketch: &mut Sketch, pair: &Pin, size: f64) -> [usize; 2] {
-        let angle = whole_degrees(pair.angle);
-        let half = 0.15 * if size > 0.0 { size } else { 1.0 };
-        // The cosine of 90° is 6e-17 in floating point.
-        let exact = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
-        let [x, y] = [exact(angle.cos()), exact(angle.sin())];
-        let end = |way: f64| [pair.at[0] + way * x, pair.at[1] + way * y];
-        let from = sketch.helper(pair.name.clone(), end(-half), true);
-        let to = sketch.helper(format!("{}′", pair.name), end(half), true);
-        [from, to]
+        let names = [pair.name.clone(), format!("{}′", pair.name)];
+        sketch.guide(names, pair.at, whole_degrees(pair.angle), size, Body::Frame)
     }
 
-    /// Links that meet at a welded joint are one; welded to the ground they do not move.
+    /// Makes one body of the links at each welded joint. Where a link there names the parts that are welded, only these
+    /// are one body, and the other links are hinged. On the ground the body turns about the joint, as a bell crank does;
+    /// a single link there is welded to the ground itself.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
-            let here = bars.iter().map(|(bar, _)| *bar);
-            let here: Vec<usize> = here
-                .filter(|bar| sketch.bars[*bar].joints.contains(&k))
-                .collect();
-            let pairs = here.windows(2).map(|pair| (pair[1], Body::Bar(pair[0])));
-            sketch.welds.extend(pairs);
-            if let (true, Some(first)) = (pin.grounded, here.first()) {
-                sketch.welds.push((*first, Body::Frame));
+            let here = bars
+                .iter()
+                .filter(|(bar, _)| sketch.bars[*bar].joints.contains(&k));
+            let here: Vec<(usize, &Member)> = here.copied().collect();
+            let of_parts = |(_, member): &(usize, &Member)| self.parts_at(member, pin) > 1;
+            if here.iter().any(of_parts) {
+                continue;
             }
+            if let (true, [(alone, _)]) = (pin.grounded, &here[..]) {
+                sketch.welds.push((*alone, Body::Frame));
+            }
+            let pairs = here.windows(2);
+            let pairs = pairs.map(|pair| (pair[1].0, Body::Bar(pair[0].0)));
+            sketch.welds.extend(pairs);
         }
+    }
+
+    /// The number of a link's parts at a joint.
+    fn parts_at(&self, member: &Member, pin: &Pin) -> usize {
+        let parts = self.members.iter();
+        let parts = parts.filter(|part| !part.root && member.parts.contains(&part.id));
+        parts.filter(|part| part.joints.contains(&pin.id)).count()
     }
 
     fn drive(
@@ -317,7 +326,7 @@ impl Plan {
         for (bar, member) in bars.iter().filter(|(_, member)| !member.parts.is_empty()) {
             let called = |id: &String| {
                 let part = self.members.iter().find(|part| part.id == *id);
-                part.map_or_else(|| id.clone(), |part| part.name.clone())
+                part.map_or_else(|| crate::quoted(id), |part| part.name.clone())
             };
             sketch.left_out.push(LeftOut::Welded {
                 link: sketch.bars[*bar].name.clone(),

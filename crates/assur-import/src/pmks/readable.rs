@@ -38,7 +38,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
         Some(&"in") => Some(LengthUnit::In),
         _ => None,
     };
-    let force = |line: &str| line.split(',').next().unwrap_or_default().to_owned();
+    let force = |line: &str| crate::quoted(line.split(',').next().unwrap_or_default());
     let mut plan = Plan {
         unit,
         rpm: if clockwise { -rpm } else { rpm },
@@ -47,6 +47,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
         forces: lines("f").map(force).collect(),
         unknown: Vec::new(),
     };
+    plan.bounded()?;
     // It does not say of what paths are drawn: of the points that join nothing.
     for pin in &mut plan.pins {
         let links = plan
@@ -60,9 +61,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
 
 /// `id,x,y,links,kind,ground,angle,friction,input,`, in later ones `id,x,y,links,kind,ground,angle,input`.
 fn pin(line: &str) -> Result<Pin, ImportProblem> {
-    let broken = || ImportProblem::LinkPart {
-        part: line.to_owned(),
-    };
+    let broken = || ImportProblem::part(line);
     let fields: Vec<&str> = line.split(',').collect();
     let [id, x, y, _, kind, ground, angle, ref rest @ ..] = fields[..] else {
         return Err(broken());
@@ -79,7 +78,7 @@ fn pin(line: &str) -> Result<Pin, ImportProblem> {
     };
     Ok(Pin {
         id: id.to_owned(),
-        name: id.to_owned(),
+        name: crate::quoted(id),
         at: [number(id, x)?, number(id, y)?],
         prismatic,
         grounded: yes(ground).ok_or_else(broken)?,
@@ -91,9 +90,7 @@ fn pin(line: &str) -> Result<Pin, ImportProblem> {
 
 /// `id,mass,inertia,x,y,joints,…`, in later ones `id,kind,mass,inertia,x,y,joints,…`.
 fn member(line: &str) -> Result<Member, ImportProblem> {
-    let broken = || ImportProblem::LinkPart {
-        part: line.to_owned(),
-    };
+    let broken = || ImportProblem::part(line);
     let fields: Vec<&str> = line.split(',').collect();
     let (block, rest) = match fields[..] {
         [_, "P", ref rest @ ..] => (true, rest),
@@ -109,7 +106,7 @@ fn member(line: &str) -> Result<Member, ImportProblem> {
     };
     Ok(Member {
         id: fields[0].to_owned(),
-        name: fields[0].to_owned(),
+        name: crate::quoted(fields[0]),
         block,
         root: true,
         mass: if block {
@@ -124,10 +121,7 @@ fn member(line: &str) -> Result<Member, ImportProblem> {
 
 fn number(part: &str, text: &str) -> Result<f64, ImportProblem> {
     let value = crate::number(text);
-    value.ok_or_else(|| ImportProblem::ImportNumber {
-        part: part.to_owned(),
-        value: text.to_owned(),
-    })
+    value.ok_or_else(|| ImportProblem::number(part, text))
 }
 
 fn yes(text: &str) -> Option<bool> {

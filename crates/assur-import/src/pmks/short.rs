@@ -51,9 +51,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     }
     // What was selected; what follows came later.
     let rest = sections.skip(1).filter(|section| !section.is_empty());
-    plan.unknown = rest
-        .map(|section| section.chars().take(40).collect())
-        .collect();
+    plan.unknown = rest.map(crate::quoted).collect();
     Ok(plan)
 }
 
@@ -73,9 +71,7 @@ fn digit(byte: u8) -> Option<i64> {
 
 /// A whole number.
 fn number(text: &str) -> Result<i64, ImportProblem> {
-    let broken = || ImportProblem::LinkPart {
-        part: text.to_owned(),
-    };
+    let broken = || ImportProblem::part(text);
     let (sign, digits) = match text.strip_prefix('0') {
         Some(rest) => (-1, rest),
         None => (1, text),
@@ -94,9 +90,7 @@ fn thousandths(text: &str) -> Result<f64, ImportProblem> {
 
 /// The fields of a section, with the flags at its beginning.
 fn fields(section: &str) -> Result<(i64, Vec<&str>), ImportProblem> {
-    let broken = || ImportProblem::LinkPart {
-        part: section.to_owned(),
-    };
+    let broken = || ImportProblem::part(section);
     let mut letters = section.chars();
     let flags = letters
         .next()
@@ -113,23 +107,19 @@ fn pin(section: &str) -> Result<Pin, ImportProblem> {
     let (flags, fields) = fields(section)?;
     let is = |bit: i64| flags >> bit & 1 == 1;
     let [id, name, x, y, angle, ref rest @ ..] = fields[..] else {
-        return Err(ImportProblem::LinkPart {
-            part: section.to_owned(),
-        });
+        return Err(ImportProblem::part(section));
     };
     let slot = match rest {
         ["", ..] | [] => None,
         [carrier, from, to, ..] => Some([*carrier, *from, *to].map(str::to_owned)),
         _ => {
-            return Err(ImportProblem::LinkPart {
-                part: section.to_owned(),
-            });
+            return Err(ImportProblem::part(section));
         }
     };
     let own = rest.get(3).filter(|rpm| !rpm.is_empty());
     Ok(Pin {
         id: id.to_owned(),
-        name: name.to_owned(),
+        name: crate::quoted(name),
         at: [thousandths(x)?, thousandths(y)?],
         prismatic: is(0),
         input: is(1),
@@ -147,9 +137,7 @@ fn pin(section: &str) -> Result<Pin, ImportProblem> {
 
 /// `[root][kind]id,name,mass,inertia,x,y,colour,joint,joint,…,,part,part,…`
 fn member(section: &str) -> Result<Member, ImportProblem> {
-    let broken = || ImportProblem::LinkPart {
-        part: section.to_owned(),
-    };
+    let broken = || ImportProblem::part(section);
     let mut letters = section.chars();
     let (root, kind) = (letters.next(), letters.next());
     let fields: Vec<&str> = letters.as_str().split(',').collect();
@@ -160,7 +148,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     let joints = rest.by_ref().take_while(|id| !id.is_empty()).collect();
     Ok(Member {
         id: id.to_owned(),
-        name: name.to_owned(),
+        name: crate::quoted(name),
         // Which of mass and inertia are chosen is told along with that.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
@@ -182,11 +170,9 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
 fn force(section: &str) -> Result<String, ImportProblem> {
     let (_, fields) = fields(section)?;
     let [_, _, name, ..] = fields[..] else {
-        return Err(ImportProblem::LinkPart {
-            part: section.to_owned(),
-        });
+        return Err(ImportProblem::part(section));
     };
-    Ok(name.to_owned())
+    Ok(crate::quoted(name))
 }
 
 fn unit(choices: &str) -> Option<LengthUnit> {

@@ -6,12 +6,18 @@ use crate::LeftOut;
 /// Cranks are back after so many turns of the first at most (docs/file-format.md).
 const MOST_TURNS: u32 = 24;
 
+/// Speed relative to the fastest driver below which a driver stands still.
+const STILL: f64 = 1e-9;
+
 /// The drivers, the first of which moves, each further one with its rate.
 pub(super) fn of(
     mut drivers: Vec<Driver>,
     left_out: &mut Vec<LeftOut>,
 ) -> Vec<(Driver, Option<f64>)> {
-    let Some(first) = drivers.iter().position(|driver| driver.speed != 0.0) else {
+    let fastest = drivers.iter().map(|driver| driver.speed.abs());
+    let still = STILL * fastest.fold(0.0, f64::max);
+    let moves = |driver: &Driver| driver.speed.abs() > still;
+    let Some(first) = drivers.iter().position(moves) else {
         return drivers.into_iter().map(|driver| (driver, None)).collect();
     };
     drivers[..=first].rotate_right(1);
@@ -85,5 +91,7 @@ mod tests {
         // 15.7 to 15 would be back after 150 turns.
         assert_eq!(cranks(&[15.0, 15.7]), (vec![None, Some(22.0 / 21.0)], 1));
         assert_eq!(cranks(&[0.0, 0.0]), (vec![None, None], 0));
+        // Nor one that is far slower than the others, to which these would have no rate.
+        assert_eq!(cranks(&[1e-308, 1e9]), (vec![None, Some(0.0)], 0));
     }
 }
