@@ -384,7 +384,7 @@ solutions: Array<SolutionSummary>,
 /**
  * Their numbers, from 1, in the order in which they are shown.
  */
-order: Array<number>, 
+shown: Array<number>, 
 /**
  * Whether the output's angles are probably given in the opposite sense.
  */

@@ -301,7 +301,7 @@ fn errors_of_the_output_are_those_of_the_poses() {
         let off = [Assembly::First, Assembly::Second].map(|assembly| {
             let pose = linkage.as_ref()?.pose::<1>(assembly, given.input).ok()?;
             let off = pose.rocker.value() - (given.output + PI);
-            Some((off + PI).rem_euclid(2.0 * PI) - PI).map(f64::abs)
+            Some(((off + PI).rem_euclid(2.0 * PI) - PI).abs())
         });
         match off {
             [Some(one), Some(other)] => {

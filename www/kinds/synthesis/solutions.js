@@ -115,8 +115,8 @@ export class SolutionsView {
  * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; of a
  *   family the member that is drawn
  */
-function listed({ solutions, order, drawn }) {
-  return order.length > 0 ? order.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];
+function listed({ solutions, shown, drawn }) {
+  return shown.length > 0 ? shown.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];
 }
 
 /**

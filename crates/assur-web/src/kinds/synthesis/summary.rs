@@ -21,7 +21,7 @@ pub(crate) struct SynthesisSummary<'a> {
     /// Those that are told apart by a number, in the order of their numbers.
     solutions: Vec<SolutionSummary>,
     /// Their numbers, from 1, in the order in which they are shown.
-    order: Vec<usize>,
+    shown: Vec<usize>,
     /// Whether the output's angles are probably given in the opposite sense.
     turned: bool,
     /// Which of them is drawn, from 1.
@@ -121,7 +121,7 @@ impl<'a> SynthesisSummary<'a> {
             motion: MotionSummary::new(moving),
             from,
             solutions,
-            order: options.order().iter().map(|number| number + 1).collect(),
+            shown: options.order().iter().map(|number| number + 1).collect(),
             turned: !document.free && task.output_is_turned(),
             number: number.map(|number| number + 1),
             drawn,
