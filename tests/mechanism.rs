@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
-use assur::mechanism::{Defect, Draft, DraftGear, Mechanism, Quantity};
+use assur::mechanism::{Defect, Draft, DraftDriver, DraftGear, Mechanism, Quantity, Singularity};
 use assur::motion::{DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
@@ -454,4 +454,86 @@ fn readings_of_a_four_bar_that_is_followed() {
             ratios => assert_eq!(ratios, [None, None]),
         }
     }
+}
+
+/// A drawing in a singular position, with hinges in one place, or beyond the range of a driven slide says so.
+#[test]
+fn drawings_that_do_not_begin_are_named() {
+    let links = |names: &[&str]| -> Vec<String> {
+        let names = names.iter().map(|name| (*name).to_owned());
+        names.collect()
+    };
+    let refused = |draft: &Draft| Mechanism::new(draft).unwrap_err();
+    // Crank and rod together just reach the guide.
+    let upright = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 0.0, 2.0)
+        .point("G", 4.0, 2.0)
+        .point("H", 5.0, 2.0)
+        .fixed(&["A", "G", "H"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("slider", &["C"])
+        .slide("slider", "C", "frame", ["G", "H"])
+        .crank("crank");
+    let singular = Defect::Singular {
+        links: links(&["rod", "slider"]),
+        singularity: Singularity::Perpendicular,
+    };
+    assert_eq!(refused(&upright), [singular]);
+    // The block is on the hinge of the lever along which it slides.
+    let on_the_hinge = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 1.0, 0.0)
+        .point("D", 1.0, 0.0)
+        .point("E", 3.0, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("block", &["B"])
+        .bar("lever", &["D", "E"])
+        .slide("block", "B", "lever", ["D", "E"])
+        .crank("crank");
+    let coincident = Defect::CoincidentHinges {
+        links: links(&["block", "lever"]),
+    };
+    assert_eq!(refused(&on_the_hinge), [coincident]);
+    let slide = |range: [f64; 2]| {
+        let mut draft = Draft::default()
+            .point("O", 0.0, 0.0)
+            .point("X", 1.0, 0.0)
+            .point("Y", 0.0, 1.0)
+            .point("F", 1.5, 0.0)
+            .point("H", 0.0, 2.0)
+            .fixed(&["O", "X", "Y"])
+            .bar("foot", &["F"])
+            .bar("ladder", &["F", "H"])
+            .bar("head", &["H"])
+            .slide("foot", "F", "frame", ["O", "X"])
+            .slide("head", "H", "frame", ["O", "Y"]);
+        draft.drivers.push(DraftDriver::Slide {
+            slide: 0,
+            range,
+            rate: 1.0,
+        });
+        draft
+    };
+    let foot = "foot".to_owned();
+    let reversed = Defect::Range {
+        link: foot.clone(),
+        range: [2.0, 1.0],
+    };
+    assert_eq!(refused(&slide([2.0, 1.0])), [reversed]);
+    let empty = Defect::Range {
+        link: foot.clone(),
+        range: [2.0, 2.0],
+    };
+    assert_eq!(refused(&slide([2.0, 2.0])), [empty]);
+    let endless = [Defect::NotFinite(foot.clone())];
+    assert_eq!(refused(&slide([1.0, f64::INFINITY])), endless);
+    let Defect::BeyondRange { link, at, range } = &refused(&slide([0.1, 0.3]))[0] else {
+        panic!("{:?}", refused(&slide([0.1, 0.3])));
+    };
+    assert_eq!((link, *range), (&foot, [0.1, 0.3]));
+    assert!((at - 1.5).abs() < 1e-15, "{at}");
 }

@@ -525,8 +525,8 @@ free: boolean,
  */
 member?: [number, number] | null, 
 /**
- * Which of several solutions, from 1; without it the best that is not held by the bounds of
- * the search.
+ * Which of several solutions, from 1, by ascending ΣJ; without it, of those that are not held by the bounds of
+ * the search, the one whose output is off by least.
  */
 solution?: number | null, 
 /**

@@ -378,9 +378,17 @@ export type SynthesisSummary = {
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
- * Those that are told apart by a number.
+ * Those that are told apart by a number, in the order of their numbers.
  */
 solutions: Array<SolutionSummary>, 
+/**
+ * Their numbers, from 1, in the order in which they are shown.
+ */
+shown: Array<number>, 
+/**
+ * Whether the output's angles are probably given in the opposite sense.
+ */
+turned: boolean, 
 /**
  * Which of them is drawn, from 1.
  */
@@ -455,6 +463,10 @@ gap: number,
  */
 sum: number, 
 /**
+ * By how much the output is off its given angles at most, radians; none where a position is not reached.
+ */
+output_error: number | null, 
+/**
  * Whether a length is at the end of what is searched.
  */
 at_bound: boolean, verdict: VerdictSummary | null, };
@@ -483,7 +495,7 @@ export type FoundSummary = {
  */
 starts: number, 
 /**
- * How many of them ended in the best.
+ * How many of them ended in the one that is shown first.
  */
 best: number, 
 /**
@@ -626,7 +638,11 @@ export type RatioSummary = { name: string, of: number, to: number, held: number,
  */
 largest: boolean, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
-export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, };
+export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
+/**
+ * Whether gears with profile shift may be built all the same.
+ */
+shifted: boolean, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
 export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };

@@ -82,7 +82,7 @@ impl Comparison<'_> {
             Ok(mechanism) => mechanism,
             Err(defects) => {
                 let kind = match &defects[..] {
-                    [Defect::Open { .. }] => "refused as open",
+                    [Defect::Open { .. } | Defect::Singular { .. }] => "refused as open",
                     [Defect::Misdrawn { .. }] => "refused as misdrawn",
                     _ => "refused",
                 };

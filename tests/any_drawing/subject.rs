@@ -49,8 +49,16 @@ impl Subject {
     pub(crate) fn new(seed: u64, parts: usize) -> Result<Self, Box<Refused>> {
         let draft = with_shapes(&Linkage::new(seed, parts).draft);
         let refused = |draft: Draft, defects: Vec<Defect>| {
-            let joined =
-                |defect: &Defect| matches!(defect, Defect::Open { .. } | Defect::Misdrawn { .. });
+            let joined = |defect: &Defect| {
+                matches!(
+                    defect,
+                    Defect::Open { .. }
+                        | Defect::Singular { .. }
+                        | Defect::CoincidentHinges { .. }
+                        | Defect::BeyondRange { .. }
+                        | Defect::Misdrawn { .. }
+                )
+            };
             let sound = defects.iter().any(joined) && {
                 let equations = Equations::new(&draft);
                 let condition = equations.condition(&equations.drawn());

@@ -288,7 +288,8 @@ async fn solutions_are_saved_as_csv() {
     let solutions = solved.options.solutions();
     assert_eq!(lines.len(), 1 + solutions.len(), "{text}");
     assert_eq!(lines[0][..3], ["l1", "l2", "l3"]);
-    for (line, solution) in lines[1..].iter().zip(solutions) {
+    for (line, number) in lines[1..].iter().zip(solved.options.order()) {
+        let solution = solutions[number];
         assert_eq!(line.len(), lines[0].len(), "{line:?}");
         let [crank, coupler, output, _] = solution.proportions.lengths(solved.task.frame().length);
         for (cell, expected) in line.iter().zip([coupler, output, crank]) {

@@ -1,7 +1,10 @@
 //! The least ΣJ against an optimiser that knows nothing of ours: a grid of all three lengths, and
 //! from its lowest places the simplex of Nelder and Mead (1965).
 
-use assur::synthesis::four_bar::{Position, Search, Surface, Task};
+use std::f64::consts::PI;
+
+use assur::synthesis::four_bar::{Options, Position, Search, Solution, Surface, Task};
+use assur::{Assembly, FourBar};
 
 use super::draw::{Dice, task};
 
@@ -280,5 +283,92 @@ fn free_starts_are_free() {
                 "{again} {least}"
             );
         }
+    }
+}
+
+/// By how much the output is off is what the poses of the four-bar have it, in the nearer assembly.
+#[test]
+fn errors_of_the_output_are_those_of_the_poses() {
+    let mut dice = Dice::new(206);
+    let (mut reached, mut missed) = (0, 0);
+    for _ in 0..500 {
+        let z = dice.proportions(3.0);
+        let given = Position::new(dice.angle(), dice.angle());
+        let solution = Solution::new(&task(&[given]), z);
+        let found = solution.output_error(&task(&[given]));
+        // What no four-bar can be made of closes nowhere.
+        let linkage = FourBar::new([z.input, z.coupler, z.output, 1.0]).ok();
+        let off = [Assembly::First, Assembly::Second].map(|assembly| {
+            let pose = linkage.as_ref()?.pose::<1>(assembly, given.input).ok()?;
+            let off = pose.rocker.value() - (given.output + PI);
+            Some(((off + PI).rem_euclid(2.0 * PI) - PI).abs())
+        });
+        match off {
+            [Some(one), Some(other)] => {
+                reached += 1;
+                let expected = one.min(other);
+                let error = found.unwrap();
+                assert!((error - expected).abs() < 1e-9, "{error} {expected}");
+            }
+            _ => {
+                missed += 1;
+                assert_eq!(found, None);
+            }
+        }
+    }
+    assert!(reached > 100 && missed > 30, "{reached} {missed}");
+}
+
+/// What is shown first is off by least of all that no bound holds, and numbers stay those of the sums.
+#[test]
+fn solutions_are_shown_by_their_error() {
+    let mut dice = Dice::new(207);
+    let mut others = 0;
+    for number in 0..30 {
+        let positions = drawn(&mut dice, number % 3, 6);
+        let options = Options::new(&task(&positions), false).unwrap();
+        let order = options.order();
+        let Options::Minima { minima, .. } = &options else {
+            panic!("{options:?}");
+        };
+        let key = |number: &usize| {
+            let one = &minima[*number];
+            (
+                !one.held.is_empty(),
+                one.output_error.unwrap_or(f64::INFINITY),
+            )
+        };
+        let keys: Vec<(bool, f64)> = order.iter().map(key).collect();
+        assert!(keys.is_sorted(), "{keys:?}");
+        assert_eq!(options.best(), order[0]);
+        assert!(minima.is_sorted_by(|a, b| a.value <= b.value));
+        let mut numbers = order.clone();
+        numbers.sort_unstable();
+        assert!(numbers.into_iter().eq(0..minima.len()));
+        others += usize::from(order[0] != 0);
+    }
+    assert!(others > 3, "{others}");
+}
+
+/// Angles of the output from D to C in place of C to D are known for what they are, exact or not.
+#[test]
+fn turned_outputs_are_told() {
+    let mut dice = Dice::new(208);
+    let mut done = 0;
+    while done < 60 {
+        let z = dice.proportions(4.0);
+        let Some(mut positions) = dice.taken(&z, 6) else {
+            continue;
+        };
+        done += 1;
+        for position in &mut positions {
+            position.output += dice.between(-1e-5, 1e-5);
+        }
+        assert!(!task(&positions).output_is_turned());
+        for position in &mut positions {
+            position.output += PI;
+        }
+        assert!(task(&positions).output_is_turned());
+        assert!(!task(&positions[..3]).output_is_turned());
     }
 }

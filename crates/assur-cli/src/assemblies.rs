@@ -8,6 +8,7 @@ use clap::Args;
 use crate::csv::{Cell, Csv};
 use crate::source::Name;
 use crate::sweep::asked_for;
+use crate::words::number;
 use crate::{Failure, source};
 
 /// What is asked for.
@@ -16,24 +17,38 @@ pub(crate) struct Asked {
     /// Catalogue name or file.
     name: Name,
     /// The input: degrees, of a driven slide a length [default: the drawn one]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,
+    /// Instead of the table, the linkage drawn in the assembly of this number, as a file
+    #[arg(long, value_name = "N")]
+    assemble: Option<usize>,
 }
 
-/// Writes the table; where there may be more assemblies standard error says so.
+/// Writes the table, or the drawing of one of the assemblies; where there may be more assemblies standard error says so.
 ///
 /// # Errors
 /// What is no mechanism; a number that is none; what cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
-    let moved = source::moved(&asked.name)?;
+    let at = |turns: bool| {
+        let at = asked.at.map(|at| asked_for("--at", at, turns));
+        Ok(at.transpose()?.map(|at| at.input))
+    };
+    let moved = source::laid_out(&asked.name, at)?;
     let output = moved.output(&asked.name)?;
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
-    let input = match asked.at {
-        Some(at) => asked_for("--at", at, mechanism.turns())?.input,
-        None => motion.home(),
-    };
+    let input = at(mechanism.turns())?.unwrap_or(motion.home());
     let found = mechanism.numbered(input, output);
+    if let Some(number) = asked.assemble {
+        let pose = number.checked_sub(1).and_then(|k| found.poses.get(k));
+        let none =
+            || source::no_assembly(&asked.name, mechanism, (number, found.poses.len()), input);
+        let pose = pose.ok_or_else(none)?;
+        let drawn = moved.document.redrawn(&mechanism.drawn_in(pose));
+        serde_json::to_writer_pretty(&mut *out, &drawn).map_err(io::Error::from)?;
+        writeln!(out)?;
+        return Ok(());
+    }
     let csv = Csv {
         decimal_comma: false,
     };

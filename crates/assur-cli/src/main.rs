@@ -57,6 +57,10 @@ enum Command {
     Sweep(sweep::Asked),
     /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
     /// with its dead points and change points.
+    ///
+    /// Then for each output its swing or stroke, its travel there and back and, where it goes there and back once a turn,
+    /// its time ratio (outputs are what the file plots, else all angles and what slides on the frame); the Grashof class of each four-bar; of each dyad RRR the minimum
+    /// transmission angle, of each dyad RRP the maximum pressure angle.
     Structure {
         /// Catalogue name or file.
         name: Name,
@@ -70,6 +74,9 @@ enum Command {
     /// first, or else the one that is placed last. Dyads are joined in closed form; the equations of groups of Class III
     /// and higher are solved over the complex numbers, so that none is missed. Then for each link LINK.angle, radians
     /// from 0 to 2π. Wheels in mesh stay as they are mounted.
+    ///
+    /// A linkage that does not close as it is drawn, as one of which lengths alone are known, has its assemblies too;
+    /// with --assemble N it is written to standard output drawn in the assembly of that number.
     Assemblies(assemblies::Asked),
     /// Shows every motion that the linkage can have, and which of them can be reached from each other.
     ///
@@ -86,7 +93,8 @@ enum Command {
     },
     /// Counts mobility and redundant constraints, and judges them by the rank of the constraints.
     ///
-    /// A scheme of links and pairs, or any linkage as one. Pairs are cut until every contour is open: W is the sum of
+    /// A scheme of links and pairs, or any linkage as one, also a drawing that is locked, lacks drivers or does not
+    /// close: it is taken where it is drawn. Pairs are cut until every contour is open: W is the sum of
     /// the freedoms of what is left, less the constraints of what was cut. q counts the constraints that are
     /// redundant in space. Where places and axes are known the rank tells how many motions there really are, which
     /// pairs carry redundant constraints, which links move by themselves, and which pairs to replace.

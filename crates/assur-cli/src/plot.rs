@@ -49,10 +49,7 @@ pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
             values: &|what| (what == "input").then(|| motion.home()),
         },
     );
-    let named = document.plots.iter();
-    let mut plotted: Vec<Quantity> = named
-        .filter_map(|name| Quantity::named(mechanism, name))
-        .collect();
+    let mut plotted = document.outputs(mechanism);
     if plotted.is_empty() {
         plotted.extend(document.output(mechanism).map(Quantity::Angle));
     }

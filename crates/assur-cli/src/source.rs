@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 
 use assur::circuits::NoAssembly;
-use assur::mechanism::LinkId;
+use assur::mechanism::{FRAME, LinkId, Mechanism, Quantity};
 use assur::mobility::{Cut, Scheme, SchemeDraft};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
@@ -74,11 +74,65 @@ pub(crate) fn moved(name: &Name) -> Result<Moved, Failure> {
 }
 
 fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
+    let document = whole
+        .linkage()
+        .map_err(|problems| refused(name, &problems))?;
+    let motion = whole
+        .motion()
+        .map_err(|problems| match refused(name, &problems) {
+            Failure::Input(said) if can_be_assembled(&document) => {
+                Failure::Input(format!("{said}\n{name}: {ASSEMBLE}"))
+            }
+            failure => failure,
+        })?;
+    Ok(Moved { document, motion })
+}
+
+/// What can be done where links can be joined, only not as they are drawn.
+const ASSEMBLE: &str = "`assur assemblies` lists the ways in which these links can be joined, `--at` at other inputs, \
+     and draws the linkage in one of them by `--assemble N`";
+
+/// Whether only the drawing is at fault.
+fn can_be_assembled(document: &LinkageDocument) -> bool {
+    document.assembly.is_none() && document.assembled(None).is_ok()
+}
+
+/// The same; a linkage that does not close as it is drawn is laid out in one of its assemblies by its dimensions
+/// alone, at the input that is asked for.
+///
+/// # Errors
+/// No such name or file; every reason why it is no mechanism even so.
+pub(crate) fn laid_out(
+    name: &Name,
+    asked: impl FnOnce(bool) -> Result<Option<f64>, Failure>,
+) -> Result<Moved, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    Ok(Moved {
-        document: whole.linkage().map_err(refuse)?,
-        motion: whole.motion().map_err(refuse)?,
-    })
+    let whole = any(name)?;
+    let document = whole.linkage().map_err(refuse)?;
+    let motion = match whole.motion() {
+        Ok(motion) => motion,
+        Err(problems) if document.assembly.is_some() => return Err(refuse(problems)),
+        Err(_) => {
+            let turns = document.drivers.first();
+            let turns = turns.is_none_or(|first| first.slide.is_none());
+            let input = asked(turns)?;
+            let found = document.assembled(input).map_err(refuse)?;
+            let Some(mechanism) = found else {
+                return match input {
+                    Some(input) => Err(unjoined(name, turns, input)),
+                    None => moving(name, &whole),
+                };
+            };
+            Motion::new(mechanism)
+        }
+    };
+    Ok(Moved { document, motion })
+}
+
+/// That there is no assembly at an input.
+fn unjoined(name: &str, turns: bool, input: f64) -> Failure {
+    let at = at(turns, input);
+    Failure::Input(format!("{name}: there is no assembly at {at}"))
 }
 
 impl Moved {
@@ -89,6 +143,22 @@ impl Moved {
     pub(crate) fn output(&self, name: &Name) -> Result<LinkId, Failure> {
         let output = self.document.output(self.motion.mechanism());
         output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
+    }
+
+    /// The quantities that the document plots, or else the angles of all links and the coordinates of what slides on the
+    /// frame.
+    pub(crate) fn outputs(&self) -> Vec<Quantity> {
+        let mechanism = self.motion.mechanism();
+        let outputs = self.document.outputs(mechanism);
+        if !outputs.is_empty() {
+            return outputs;
+        }
+        let on_frame = self.document.slides.iter();
+        let on_frame = on_frame.filter(|slide| slide.on == FRAME);
+        let sliding = on_frame.filter_map(|slide| mechanism.point(&slide.point));
+        let sliding = sliding.flat_map(|point| [Quantity::X(point), Quantity::Y(point)]);
+        let angles = mechanism.link_ids().map(Quantity::Angle);
+        angles.chain(sliding).collect()
     }
 }
 
@@ -106,18 +176,30 @@ pub(crate) fn in_assembly(
     let Moved { document, motion } = drawn;
     let mechanism = motion.mechanism();
     let input = input.unwrap_or(motion.home());
-    let none = |of: usize| {
-        let at = at(mechanism.turns(), input);
-        Failure::Input(match of {
-            0 => format!("{name}: there is no assembly at {at}"),
-            1 => format!("{name}: there is no assembly {number} at {at}, only 1"),
-            _ => format!("{name}: there is no assembly {number} at {at}, only 1 to {of}"),
-        })
-    };
+    let none = |of: usize| no_assembly(name, mechanism, (number, of), input);
     let index = number.checked_sub(1).unwrap_or(usize::MAX);
     let other = mechanism.in_numbered(input, output, index);
     let motion = Motion::new(other.map_err(|NoAssembly { of }| none(of))?);
     Ok(Moved { document, motion })
+}
+
+/// That at an input there is no assembly of a number, of so many.
+pub(crate) fn no_assembly(
+    name: &str,
+    mechanism: &Mechanism,
+    (number, of): (usize, usize),
+    input: f64,
+) -> Failure {
+    let at = at(mechanism.turns(), input);
+    match of {
+        0 => unjoined(name, mechanism.turns(), input),
+        1 => Failure::Input(format!(
+            "{name}: there is no assembly {number} at {at}, only 1"
+        )),
+        _ => Failure::Input(format!(
+            "{name}: there is no assembly {number} at {at}, only 1 to {of}"
+        )),
+    }
 }
 
 /// An input as people read it: degrees of a crank, else the way of a slide.
@@ -135,7 +217,8 @@ pub(crate) struct Schemed {
     pub(crate) cuts: Vec<Cut>,
 }
 
-/// The scheme of a name; a linkage as it is drawn.
+/// The scheme of a name; a linkage as it is drawn, also one that does not move. Why it does not is said beside the
+/// output, unless it only has too few drivers, on which the count does not depend.
 ///
 /// # Errors
 /// No such name or file; every reason why it is no scheme.
@@ -148,15 +231,43 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
         let cuts = document.cuts(&scheme).map_err(refuse)?;
         return Ok(Schemed { scheme, cuts });
     }
-    let motion = moving(name, &whole)?.motion;
-    let mechanism = motion.mechanism();
-    let pose = motion
-        .pose::<1>(motion.home())
-        .map_err(|reason| refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()]))?;
+    let document = whole.linkage().map_err(refuse)?;
+    let draft = match whole.motion() {
+        Ok(motion) => {
+            let mechanism = motion.mechanism();
+            let pose = motion.pose::<1>(motion.home()).map_err(|reason| {
+                refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()])
+            })?;
+            SchemeDraft::of(mechanism, &pose)
+        }
+        Err(problems) => {
+            document.check().map_err(refuse)?;
+            let draft = SchemeDraft::of_drawing(&document.draft());
+            let draft = draft.map_err(|defects| refuse(LinkageProblem::all(defects)))?;
+            unmoved(name, &problems)?;
+            draft
+        }
+    };
     let defective = |defects| refuse(SchemeProblem::all(defects));
-    let scheme = Scheme::new(&SchemeDraft::of(mechanism, &pose)).map_err(defective)?;
+    let scheme = Scheme::new(&draft).map_err(defective)?;
     let cuts = Vec::new();
     Ok(Schemed { scheme, cuts })
+}
+
+/// Says on standard error why a linkage does not move, a line for each reason other than too few drivers.
+fn unmoved(name: &str, problems: &[Problem]) -> Result<(), Failure> {
+    let words = Words::english()?;
+    for problem in problems {
+        let undriven = matches!(
+            problem,
+            Problem::Linkage(LinkageProblem::NoDriver | LinkageProblem::Underdriven { .. })
+        );
+        if !undriven {
+            // With standard error gone there is nobody left to tell.
+            let _ = writeln!(io::stderr(), "{name}: {}", words.sentence(problem)?);
+        }
+    }
+    Ok(())
 }
 
 /// What a name stands for, of any kind: a name of the catalogue, a link of another program, a file.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use assur::Grashof;
 use assur_import::LeftOut;
 use serde::{Deserialize, Serialize};
 use serde_json::{Error, Map, Value};
@@ -167,6 +168,20 @@ fn plain(detail: &str) -> String {
     found + &expected
 }
 
+/// Reads the number of an option.
+///
+/// # Errors
+/// A unit behind it, a decimal comma, or anything else that is no number.
+pub(crate) fn number(text: &str) -> Result<f64, String> {
+    let said = "give a number alone, as 0.5: without a unit, which `--help` tells, and with a decimal point";
+    text.trim().parse().map_err(|_| said.to_owned())
+}
+
+/// The name of a Grashof class.
+pub(crate) fn class(class: Grashof) -> String {
+    class.code().replace('_', "-")
+}
+
 /// A number with four digits that count.
 pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
@@ -296,6 +311,19 @@ mod tests {
             words.any(rust) || sentence.contains('?')
         });
         assert_eq!(rusty.collect::<Vec<_>>(), Vec::<&String>::new());
+    }
+
+    #[test]
+    fn numbers_of_options_have_no_units() {
+        for (text, value) in [("0.5", 0.5), ("-3", -3.0), (" 7 ", 7.0), ("1e-3", 1e-3)] {
+            assert_eq!(number(text), Ok(value));
+        }
+        for text in ["90deg", "90°", "1.5rad", "2 mm", "0,5", ""] {
+            assert!(
+                number(text).unwrap_err().contains("without a unit"),
+                "{text}"
+            );
+        }
     }
 
     #[test]

@@ -157,3 +157,36 @@ fn bad_input_names_the_condition() {
     assert_eq!(several.lines().count(), 2, "{several}");
     assert!(refused("--z1 20 --z4 60 --w1 1 --tie 4/2=1").contains("a tie is as 4/1=0.5"));
 }
+
+/// A real train with profile shift: nothing of magnets, and what its numbers mean.
+#[test]
+fn shifted_gears() {
+    let arguments = "--z1 9 --z2 31 --z4 72 --w1 1 --w4 0";
+    let lines = said(arguments);
+    assert!(
+        lines.contains("contact        coaxiality: 72.0 = 71.0: not met\n"),
+        "{lines}"
+    );
+    let note = "note           z4 has 1 tooth more than standard gears need for a common axis; gears with profile \
+                shift may still be built";
+    assert!(lines.lines().any(|line| line == note), "{lines}");
+    assert!(!lines.contains("magnets"), "{lines}");
+    // For programs there is all of it.
+    assert_eq!(
+        told(arguments)["conditions"]["magnets"]["room"]["met"],
+        true
+    );
+    let magnets = said(&format!("{arguments} --coupling magnets"));
+    assert!(
+        magnets.contains("magnets        room: ") && !magnets.contains("contact "),
+        "{magnets}"
+    );
+    // Three teeth are too many, and nothing is shifted where the axes are common.
+    assert!(!said("--z1 9 --z2 31 --z4 74 --w1 1 --w4 0").contains("profile shift"));
+    assert!(!said("--z1 9 --z2 31 --z4 71 --w1 1 --w4 0").contains("profile shift"));
+    assert!(!said("--z1 20 --z4 60 --w1 10 --w4 2").contains("magnets"));
+    assert!(
+        refused(&format!("{arguments} --coupling belt"))
+            .contains("a coupling is contact or magnets")
+    );
+}

@@ -261,3 +261,56 @@ fn bad_files_are_refused_with_every_reason() {
     );
     assert!(refused(&["no-such-name"]).contains("no such name"));
 }
+
+/// A linkage that is locked, and a drawing without a driver or with too few, are counted and have a rank.
+#[test]
+fn what_does_not_move_is_counted() {
+    let braced = {
+        let text = include_str!("../../assur-file/catalogue/class4-dwell.json");
+        let mut linkage: Value = serde_json::from_str(text).unwrap();
+        let links = linkage["links"].as_array_mut().unwrap();
+        links.push(json!({"name": "EH", "points": ["E", "H"]}));
+        Scratch::new("braced.json", &linkage.to_string())
+    };
+    let locked = told(&[braced.path()]);
+    assert_eq!(
+        [&locked["w"], &locked["rank_w"], &locked["w_planar"]],
+        [0, 0, 0]
+    );
+    let output = assur(&["mobility", braced.path()]);
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        complaint.contains("(W = 0); these links are locked: "),
+        "{complaint}"
+    );
+
+    // The third crank is redundant.
+    let data =
+        std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/linkages");
+    let third = told(&[data.join("third-crank.json").to_str().unwrap()]);
+    assert_eq!([&third["w"], &third["rank_w"]], [0, 1]);
+    assert_eq!(third["redundant_in_plane"][0]["count"], 1);
+
+    let text = include_str!("../../assur-file/catalogue/crank-rocker.json");
+    let mut linkage: Value = serde_json::from_str(text).unwrap();
+    linkage["drivers"] = json!([]);
+    let undriven = Scratch::new("undriven.json", &linkage.to_string());
+    let counted = told(&[undriven.path()]);
+    assert_eq!(
+        [&counted["n"], &counted["w"], &counted["rank_w"]],
+        [3, 1, 1]
+    );
+    assert_eq!(assur(&["mobility", undriven.path()]).stderr, b"");
+    // As a state of the page has it.
+    let state = include_str!("../../../tests/data/linkages/linkage-state.json");
+    let mut state: Value = serde_json::from_str(state).unwrap();
+    (state["format"], state["kind"]) = (json!(2), json!("draft"));
+    state["document"] = linkage.clone();
+    state.as_object_mut().unwrap().remove("lesson");
+    let state = Scratch::new("draft.json", &state.to_string());
+    assert_eq!(told(&[state.path()])["w"], 1);
+
+    linkage["links"][2]["points"][1] = json!("X");
+    let unknown = Scratch::new("unknown.json", &linkage.to_string());
+    assert!(refused(&[unknown.path()]).contains("Nothing has the name X"));
+}

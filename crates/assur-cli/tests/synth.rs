@@ -256,3 +256,54 @@ fn refusals() {
     let many: Vec<&str> = many.iter().map(String::as_str).collect();
     assert!(refused(&many).contains("65 positions are too many: no more than 64 are accepted"));
 }
+
+fn from_input(inputs: [f64; 5], outputs: [f64; 5], more: &[&str]) -> Vec<String> {
+    let positions = inputs.into_iter().zip(outputs);
+    let positions = positions.map(|(input, output)| format!("--position={output},{input}"));
+    let more = more.iter().map(|one| (*one).to_owned());
+    positions
+        .chain(["--frame=180".to_owned()])
+        .chain(more)
+        .collect()
+}
+
+/// Solutions come by how far the output is off, and those last that a bound holds.
+#[test]
+fn minima_by_the_error_of_the_output() {
+    let inputs = [40.0, 45.0, 50.0, 55.0, 60.0];
+    let outputs = [250.0, 256.0, 263.0, 271.0, 280.0];
+    let arguments = from_input(inputs, outputs, &[]);
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let found = json(&arguments);
+    let all = found["solutions"].as_array().unwrap();
+    let key = |one: &Value| {
+        let held = !one["held"].as_array().unwrap().is_empty();
+        // Where a position is not reached there is none.
+        (
+            held,
+            one["output_error_deg"].as_f64().unwrap_or(f64::INFINITY),
+        )
+    };
+    let keys: Vec<(bool, f64)> = all.iter().map(key).collect();
+    assert!(!keys[0].0 && (keys[0].1 - 0.127).abs() < 5e-4, "{keys:?}");
+    assert!(keys.is_sorted(), "{keys:?}");
+    let held = all
+        .iter()
+        .find(|one| one["held"] == serde_json::json!(["l2-least"]))
+        .unwrap();
+    assert!(
+        (number(&held["output_error_deg"]) - 0.549).abs() < 5e-4,
+        "{held}"
+    );
+    assert!((number(&held["l2"]) - 18.0).abs() < 1e-9);
+    // The sum that is made least is told as well: by it the order would be another one.
+    assert!(number(&held["sum"]) < number(&all[0]["sum"]));
+    assert_eq!(found["output_turned"], false);
+
+    let turned = outputs.map(|output| output - 180.0);
+    let arguments = from_input(inputs, turned, &[]);
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    assert_eq!(json(&arguments)["output_turned"], true);
+    let text = said(&arguments);
+    assert!(text.contains("with every PHI2 turned by 180°"), "{text}");
+}

@@ -213,6 +213,21 @@ fn defects_name_their_parts() {
             json!({"code": "with_itself", "link": "slider"}),
         ),
         (
+            "/drivers",
+            json!([{"slide": 0, "range": [2, 1]}]),
+            json!({"code": "range_reversed", "link": "slider", "from": 2.0, "to": 1.0}),
+        ),
+        (
+            "/drivers",
+            json!([{"slide": 0, "range": [2, 2]}]),
+            json!({"code": "range_empty", "link": "slider", "at": 2.0}),
+        ),
+        (
+            "/drivers",
+            json!([{"slide": 0, "range": [1, 1e300]}]),
+            json!({"code": "not_finite", "name": "slider"}),
+        ),
+        (
             "/drivers/0/crank",
             json!("rod"),
             json!({"code": "not_hinged", "links": ["rod", "frame"]}),

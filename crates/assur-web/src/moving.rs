@@ -220,10 +220,6 @@ impl Moving {
         &self.measures
     }
 
-    pub(crate) fn transmitting(&self) -> &[Quantity] {
-        &self.transmitting
-    }
-
     /// What is plotted first, if that is an output: how well a dyad transmits is none.
     pub(crate) fn plotted_output(&self) -> Option<Quantity> {
         self.plotted.first().copied().filter(|one| !one.is_folded())
@@ -232,10 +228,7 @@ impl Moving {
     /// The outputs that the document names, whatever is plotted now; of one that names none
     /// the first that is plotted.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
-        let mechanism = self.mechanism();
-        let named = self.document.plots.iter();
-        let named = named.filter_map(|name| Quantity::named(mechanism, name));
-        let named: Vec<Quantity> = named.collect();
+        let named = self.document.outputs(self.mechanism());
         if named.is_empty() {
             self.plotted_output().into_iter().collect()
         } else {
@@ -275,15 +268,7 @@ impl Moving {
             return Ok(document.clone());
         }
         let pose = self.pose(input)?;
-        let drawn = LinkageDocument::new(&self.mechanism().drawn_in(&pose));
-        Ok(LinkageDocument {
-            points: drawn.points,
-            links: drawn.links,
-            drivers: drawn.drivers,
-            tracers: drawn.tracers,
-            assembly: None,
-            ..document.clone()
-        })
+        Ok(document.redrawn(&self.mechanism().drawn_in(&pose)))
     }
 
     /// The pose at an input.

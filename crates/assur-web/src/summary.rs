@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad};
 use assur::motion::OutputProfile;
 use assur::structure::roman;
-use assur::{Cycle, Grashof, Swing};
+use assur::{Cycle, Swing};
 use assur_draw::Figure;
 use serde::Serialize;
 
@@ -253,23 +253,15 @@ impl<'a> MotionSummary<'a> {
                 one.base,
             ]
             .map(link),
-            grashof: grashof(one.grashof()),
+            grashof: one.grashof().code(),
         });
-        let transmissions = moving.transmitting().iter().filter_map(|angle| {
-            let (links, worst) = match angle {
-                Quantity::Transmission(dyad) => (dyad.links, motion.least_transmission(dyad)?),
-                Quantity::Pressure(dyad) => {
-                    ([dyad.rod, dyad.slider], motion.greatest_pressure(dyad)?)
-                }
-                _ => return None,
-            };
-            Some(TransmissionSummary {
-                what: angle.what(),
-                joint: angle.whose(mechanism).into_owned(),
-                links: links.map(|one| link(Some(one))),
-                worst: worst.angle,
-                input: worst.input,
-            })
+        let transmissions = motion.transmissions().into_iter();
+        let transmissions = transmissions.map(|dyad| TransmissionSummary {
+            what: dyad.quantity.what(),
+            joint: dyad.quantity.whose(mechanism).into_owned(),
+            links: dyad.links.map(|one| link(Some(one))),
+            worst: dyad.worst.angle,
+            input: dyad.worst.input,
         });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
             name: &handle.name,
@@ -411,16 +403,5 @@ fn between(swing: Swing) -> Option<Between> {
             max,
             stroke: swing.stroke()?,
         }),
-    }
-}
-
-pub(crate) fn grashof(class: Grashof) -> &'static str {
-    match class {
-        Grashof::CrankRocker => "crank_rocker",
-        Grashof::RockerCrank => "rocker_crank",
-        Grashof::DoubleCrank => "double_crank",
-        Grashof::DoubleRocker => "double_rocker",
-        Grashof::TripleRocker => "triple_rocker",
-        Grashof::ChangePoint => "change_point",
     }
 }

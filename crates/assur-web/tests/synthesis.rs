@@ -125,6 +125,21 @@ fn many_positions_are_searched() {
     assert!(sums.len() > 1 && sums.is_sorted(), "{sums:?}");
     let number = summary["number"].as_u64().unwrap() as usize;
     assert_eq!(solutions[number - 1]["at_bound"], false);
+    // They are shown by how far the output is off, those at a bound last.
+    let shown = summary["shown"].as_array().unwrap();
+    let shown: Vec<usize> = shown
+        .iter()
+        .map(|one| one.as_u64().unwrap() as usize)
+        .collect();
+    assert_eq!(shown[0], number);
+    let key = |number: &usize| {
+        let one = &solutions[number - 1];
+        let error = one["output_error"].as_f64().unwrap_or(f64::INFINITY);
+        (one["at_bound"].as_bool().unwrap(), error)
+    };
+    let keys: Vec<(bool, f64)> = shown.iter().map(key).collect();
+    assert!(keys.len() == sums.len() && keys.is_sorted(), "{keys:?}");
+    assert_eq!(summary["turned"], false);
     assert_eq!(
         solutions[number - 1]["lengths"],
         summary["drawn"]["lengths"]

@@ -60,10 +60,11 @@ export class ConditionsView {
  * @param {Condition} condition
  * @param {Words} words
  */
-function condition({ kind, left, right, met }, words) {
+function condition({ kind, left, right, met, shifted }, words) {
   const [one, other] = [left, right].map((value) => words.numbers.upTo(value, 4));
   const mark = make("b", { "data-holds": String(met) }, [met ? "✓" : "✗", make("span", { class: "unseen" }, [` ${words.text(met ? "build.met" : "build.unmet")}`])]);
-  return make("li", {}, [mark, make("span", {}, [words.text(`condition.${kind}`, { left: one, right: other })])]);
+  const said = words.text(`condition.${kind}`, { left: one, right: other });
+  return make("li", {}, [mark, make("span", {}, [shifted ? `${said} ${words.text("condition.shifted")}` : said])]);
 }
 
 /**

@@ -22,7 +22,7 @@ const EXACT = 5e-7;
 /** The columns of the file: lengths, starts, how far off it is, the verdict. */
 const COLUMNS = Object.freeze([
   "l1", "l2", "l3", "phi20_deg", "phi30_deg", "gap", "sum", "at_bound",
-  "passage", "order", "grashof", "input_turns", "transmission_deg", "size_ratio",
+  "passage", "order", "grashof", "input_turns", "transmission_deg", "size_ratio", "output_error_deg",
 ]);
 
 export class SolutionsView {
@@ -52,11 +52,12 @@ export class SolutionsView {
   render({ summary, words }) {
     if (this.#shown.same(summary, words)) return;
     this.#summary = summary;
-    const { from, found, number, wanted } = summary;
+    const { from, found, number, turned, wanted } = summary;
     const { best = 0, starts = 0 } = found ?? {};
-    write(this.#said, words.text(FROM[from], { best: words.numbers.exact(best), starts: words.numbers.exact(starts) }));
+    const said = words.text(FROM[from], { best: words.numbers.exact(best), starts: words.numbers.exact(starts) });
+    write(this.#said, turned ? `${said} ${words.text("solutions.turned")}` : said);
     const focused = this.#body.contains(document.activeElement) ? document.activeElement?.id : undefined;
-    this.#body.replaceChildren(...listed(summary).map((solution, i) => this.#row(solution, i + 1, from === "trial" ? 0 : (number ?? 1), words)));
+    this.#body.replaceChildren(...listed(summary).map(([n, solution]) => this.#row(solution, n, from === "trial" ? 0 : (number ?? 1), words)));
     if (focused) document.getElementById(focused)?.focus();
     this.#sayPrinted(summary, words);
     this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, summary.frame, words)));
@@ -100,9 +101,10 @@ export class SolutionsView {
 
   #save() {
     if (!this.#summary) return;
-    const lines = listed(this.#summary).map(({ lengths, starts, gap, sum, at_bound: bound, verdict: one }) => [
+    const lines = listed(this.#summary).map(([, { lengths, starts, gap, sum, at_bound: bound, output_error: off, verdict: one }]) => [
       ...lengths, ...starts.map(degrees), gap, sum, bound,
-      ...(one ? [one.passage, one.order, one.grashof, one.turns, degrees(one.transmission), one.size_ratio] : []),
+      ...(one ? [one.passage, one.order, one.grashof, one.turns, degrees(one.transmission), one.size_ratio] : ["", "", "", "", "", ""]),
+      off === null ? "" : degrees(off),
     ]);
     download(new Blob([COLUMNS, ...lines].map((cells) => `${cells.join(",")}\n`), { type: "text/csv" }), "solutions.csv");
   }
@@ -110,17 +112,18 @@ export class SolutionsView {
 
 /**
  * @param {Snapshot["summary"]} summary
- * @returns {readonly Solution[]} the solutions; of a family the member that is drawn
+ * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; of a
+ *   family the member that is drawn
  */
-function listed({ solutions, drawn }) {
-  return solutions.length > 0 ? solutions : [drawn];
+function listed({ solutions, shown, drawn }) {
+  return shown.length > 0 ? shown.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];
 }
 
 /**
  * @param {Solution} solution
  * @param {Words} words
  */
-function verdict({ verdict: one, gap, at_bound: bound }, words) {
+function verdict({ verdict: one, gap, output_error: off, at_bound: bound }, words) {
   const open = `${words.text("verdict.gap")} ${words.numbers.upTo(gap, 4)}`;
   if (!one) return `${words.text("verdict.none")}; ${open}`;
   return [
@@ -129,6 +132,7 @@ function verdict({ verdict: one, gap, at_bound: bound }, words) {
     `${words.text("verdict.order")} ${words.text(`verdict.${one.order}`)}`,
     `μ ≥ ${angle(one.transmission, words)}`,
     ...(bound ? [words.text("verdict.at_bound")] : []),
+    ...(off === null ? [] : [`${words.text("verdict.output_error")} ${angle(off, words)}`]),
     open,
   ].join("; ");
 }

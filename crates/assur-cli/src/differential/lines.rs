@@ -61,7 +61,7 @@ fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
 
 /// The conditions of gears in contact and of magnets, with their numbers.
 fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
-    for (coupling, conditions) in entries(told, "conditions") {
+    for (coupling, conditions) in shown(told, "conditions") {
         for (name, told) in conditions.as_object().into_iter().flatten() {
             let met = told["met"] == true;
             let met = if met { "met" } else { "not met" };
@@ -78,7 +78,7 @@ fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()>
 
 /// Numbers near by, where these cannot be built.
 fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
-    for (coupling, found) in entries(told, "suggestions") {
+    for (coupling, found) in shown(told, "suggestions") {
         if told["can_be_built"][coupling] == true {
             continue;
         }
@@ -90,6 +90,14 @@ fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()
         }
     }
     Ok(())
+}
+
+/// What a field has of each kind of coupling that is shown.
+fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
+    let couplings = entries(told, "couplings");
+    let mut all = entries(told, key);
+    all.retain(|(coupling, _)| couplings.iter().any(|(_, one)| one == coupling));
+    all
 }
 
 /// What is in a list, without names, or in a record; nothing where there is none.

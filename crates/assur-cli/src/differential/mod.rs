@@ -6,13 +6,14 @@ mod words;
 use std::io::Write;
 
 use assur::gears::train::{
-    Condition, Counts, Coupling, Differential, Drive, Input, Kind, Layout, Member, Ratio, Shaft,
-    Shafts, Train, TrainError,
+    Condition, ConditionKind, Counts, Coupling, Differential, Drive, Input, Kind, Layout, Member,
+    Ratio, Shaft, Shafts, Train, TrainError,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
 
 use crate::Failure;
+use crate::words::number;
 
 /// So many trains near by are shown.
 const SUGGESTIONS: usize = 5;
@@ -21,16 +22,17 @@ const SUGGESTIONS: usize = 5;
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Teeth or poles of the sun.
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z1: f64,
     /// Those of the ring; with --bevel of the second side wheel.
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z4: f64,
     /// Those of the satellite [default: of gears in contact, (z4 - z1)/2]
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z2: Option<f64>,
     /// Those of a stepped satellite's second wheel, which meets the ring.
     #[arg(
+        value_parser = number,
         long,
         value_name = "N",
         allow_hyphen_values = true,
@@ -42,19 +44,20 @@ pub(crate) struct Asked {
     #[arg(long, requires = "z2")]
     bevel: bool,
     /// Speed of the sun, in any unit; 0 holds it.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     w1: Option<f64>,
     /// Speed of the carrier.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     w3: Option<f64>,
     /// Speed of the ring.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     w4: Option<f64>,
     /// One shaft tied to another: 4/1=0.5 makes the ring half as fast as the sun.
     #[arg(long = "tie", value_name = "I/J=K", value_parser = tie)]
     ties: Vec<Input>,
     /// How many satellites there are, 1 to 6.
     #[arg(
+        value_parser = number,
         long,
         value_name = "K",
         default_value_t = 1.0,
@@ -63,6 +66,7 @@ pub(crate) struct Asked {
     satellites: f64,
     /// Module: a wheel's diameter over its number.
     #[arg(
+        value_parser = number,
         long,
         value_name = "M",
         default_value_t = 1.0,
@@ -71,15 +75,29 @@ pub(crate) struct Asked {
     module: f64,
     /// Of magnets: how far the satellites' axes are from the main one [default: with equal gaps]
     #[arg(
+        value_parser = number,
         long,
         value_name = "LENGTH",
         allow_hyphen_values = true,
         requires = "z2"
     )]
     axis_distance: Option<f64>,
+    /// How the wheels turn each other: conditions of the other kind are not shown [default: contact where the numbers of
+    /// teeth let gears mesh, with profile shift or without, magnets with --axis-distance, else both]
+    #[arg(long, value_name = "KIND", value_parser = coupling)]
+    coupling: Option<Coupling>,
     /// For programs.
     #[arg(long)]
     json: bool,
+}
+
+/// Reads a coupling.
+fn coupling(text: &str) -> Result<Coupling, String> {
+    match text {
+        "contact" => Ok(Coupling::Contact),
+        "magnets" => Ok(Coupling::Magnetic),
+        _ => Err("a coupling is contact or magnets".to_owned()),
+    }
 }
 
 /// Reads a tie.
@@ -107,6 +125,22 @@ impl Asked {
             (Some(z2), Some(step)) => Train::stepped([z1, z2, step, z4]).map(Some),
             (Some(z2), None) if self.bevel => Train::bevel([z1, z2, z4]).map(Some),
             (Some(z2), None) => Train::planar([z1, z2, z4]).map(Some),
+        }
+    }
+
+    /// The kinds of coupling whose conditions people are shown.
+    fn couplings(&self, layout: &Layout) -> Vec<Coupling> {
+        let both = [Coupling::Contact, Coupling::Magnetic];
+        let coaxial = layout.conditions(Coupling::Contact);
+        let coaxial = coaxial
+            .iter()
+            .find(|one| one.kind == ConditionKind::Coaxiality);
+        let meshes = coaxial.is_some_and(|one| one.met() || one.within_profile_shift());
+        match self.coupling {
+            Some(coupling) => vec![coupling],
+            None if self.axis_distance.is_some() => vec![Coupling::Magnetic],
+            None if meshes => vec![Coupling::Contact],
+            None => both.to_vec(),
         }
     }
 
@@ -173,11 +207,17 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     tell(of_differential(&differential));
     tell(of_counts(&counts));
     tell(match &layout {
-        Some(layout) => of_layout(layout, &speeds),
+        Some(layout) => {
+            let mut fields = of_layout(layout, &speeds);
+            fields["couplings"] = couplings(&asked.couplings(layout));
+            fields["notes"] = notes(layout);
+            fields
+        }
         None => {
             let assembly = conditions(&[differential.assembly(counts.satellites)]);
             json!({
                 "z2": null,
+                "couplings": couplings(asked.coupling.as_slice()),
                 "notes": [words::NO_CONTACT],
                 "conditions": {"contact": assembly.clone(), "magnets": assembly},
             })
@@ -263,6 +303,27 @@ fn of_layout(layout: &Layout, speeds: &Shafts) -> Value {
             })
         }),
     })
+}
+
+/// The names of couplings; where none is chosen, of both.
+fn couplings(all: &[Coupling]) -> Value {
+    let name = |coupling: &Coupling| match coupling {
+        Coupling::Contact => "contact",
+        Coupling::Magnetic => "magnets",
+    };
+    match all {
+        [] => json!(["contact", "magnets"]),
+        all => all.iter().map(name).collect(),
+    }
+}
+
+/// What else is said of a train.
+fn notes(layout: &Layout) -> Value {
+    let conditions = layout.conditions(Coupling::Contact).into_iter();
+    let shifted = conditions.filter(Condition::within_profile_shift);
+    shifted
+        .map(|one| words::shifted(one.left - one.right))
+        .collect()
 }
 
 fn teeth(train: &Train) -> Value {

@@ -6,6 +6,17 @@ use assur::gears::train::{ConditionKind, InputError, Member, Relation, Shaft, Tr
 pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
      without which the satellite's speed is unknown";
 
+/// That gears of which the ring has so many teeth more than those inside it may still be built.
+pub(super) fn shifted(teeth: f64) -> String {
+    let count = teeth.abs();
+    let noun = if count == 1.0 { "tooth" } else { "teeth" };
+    let more = if teeth > 0.0 { "more" } else { "fewer" };
+    format!(
+        "z4 has {count} {noun} {more} than standard gears need for a common axis; gears with profile shift may still \
+         be built"
+    )
+}
+
 /// The sentence of why numbers make no train.
 pub(super) fn train_error(error: &TrainError) -> String {
     match *error {

@@ -10,7 +10,7 @@ use assur_file::LinkageProblem;
 use clap::Args;
 
 use crate::csv::{Cell, Csv};
-use crate::words::Words;
+use crate::words::{Words, number};
 use crate::{Failure, source};
 use columns::Names;
 pub(crate) use grid::asked_for;
@@ -21,17 +21,18 @@ pub(crate) struct Asked {
     /// Catalogue name or file.
     name: source::Name,
     /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of the range]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     step: Option<f64>,
     /// Where rows begin, and steps are counted from: degrees, of a driven slide a length [default: where the motion
     /// begins, with steps counted from 0°]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     from: Option<f64>,
     /// Where rows end: degrees, of a driven slide a length [default: where the motion ends]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     to: Option<f64>,
     /// Rows at these inputs only: degrees, of a driven slide lengths
     #[arg(
+        value_parser = number,
         long,
         value_name = "X,X",
         value_delimiter = ',',
@@ -44,10 +45,10 @@ pub(crate) struct Asked {
     #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
     columns: Option<String>,
     /// Rates by time in place of derivatives, while the driver has this speed: rad/s, of a slide lengths/s
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     omega: Option<f64>,
     /// With the driver's acceleration, rad/s², of a slide lengths/s² [default: 0]
-    #[arg(long, value_name = "X", allow_hyphen_values = true, requires = "omega")]
+    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true, requires = "omega")]
     epsilon: Option<f64>,
     /// Angles of the columns in degrees, their derivatives too, and derivatives by a crank's angle by degrees of it
     #[arg(long)]

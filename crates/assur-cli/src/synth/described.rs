@@ -7,6 +7,7 @@ use assur::synthesis::four_bar::{ChangeKind, Family, Proportions, Range, Solutio
 use serde_json::{Map, Value, json};
 
 use super::words;
+use crate::words::class;
 
 /// What is said of a task.
 pub(super) struct Report {
@@ -104,7 +105,7 @@ pub(super) fn solution(task: &Task, solution: &Solution) -> Value {
             "passage": words::passage(verdict.passage),
             "assembly": verdict.assembly.map(|assembly| assembly as usize + 1),
             "order": words::order(verdict.order),
-            "class": words::class(verdict.grashof),
+            "class": class(verdict.grashof),
             "turns_fully": verdict.turns,
             "transmission_deg": verdict.transmission.to_degrees(),
             "transmission_between_deg": verdict.transmission_between.map(f64::to_degrees),

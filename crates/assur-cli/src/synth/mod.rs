@@ -6,13 +6,14 @@ mod words;
 use std::io::Write;
 
 use assur::synthesis::four_bar::{
-    Frame, Position, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
+    Frame, Options, Position, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
     five_positions,
 };
 use clap::Args;
 use serde_json::{Value, json};
 
 use crate::Failure;
+use crate::words::number;
 use described::Report;
 
 /// Of a family so many members are shown, and of a search so many minima.
@@ -27,6 +28,7 @@ pub(crate) struct Asked {
     positions: Vec<Degrees>,
     /// Length of the frame; all lengths are in its unit.
     #[arg(
+        value_parser = number,
         long,
         value_name = "L0",
         default_value_t = 1.0,
@@ -35,6 +37,7 @@ pub(crate) struct Asked {
     frame: f64,
     /// Direction of the frame, degrees from the x-axis, from the driver's fixed pivot to the output link's.
     #[arg(
+        value_parser = number,
         long,
         value_name = "PHI0",
         default_value_t = 0.0,
@@ -42,7 +45,7 @@ pub(crate) struct Asked {
     )]
     frame_angle: f64,
     /// Of two positions: the linkage with this length of the output link.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
     /// The starting angles of the output link and the driver are free (exact for five positions).
     #[arg(long)]
@@ -141,7 +144,14 @@ fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
             Some(other) => return Err(words::three(&other, task)),
             None => return Err(words::NO_POSITION.to_owned()),
         },
-        _ => many(&mut report, task, Search::new(task)),
+        _ => {
+            many(&mut report, task, Search::new(task));
+            let turned = task.output_is_turned();
+            report.set("output_turned", json!(turned));
+            if turned {
+                report.notes.push(words::TURNED.to_owned());
+            }
+        }
     }
     Ok(report)
 }
@@ -176,14 +186,19 @@ fn two(report: &mut Report, found: TwoPositions, asked: &Asked) -> Result<(), St
     Ok(())
 }
 
-fn many(report: &mut Report, task: &Task, mut search: Search) {
+fn many(report: &mut Report, task: &Task, search: Search) {
     report.kind = "least";
-    let minima = search.run();
-    let starts = search.progress().starts;
+    let options = Options::searched(search);
+    let order = options.order();
+    let Options::Minima { minima, starts } = options else {
+        return;
+    };
     report.set("starts", json!(starts));
-    let shown = minima.iter().take(SHOWN).map(|minimum| {
+    let shown = order.iter().take(SHOWN).map(|number| {
+        let minimum = &minima[*number];
         let mut described = described::solution(task, &minimum.solution);
         let square = task.frame().length.powi(2);
+        described["output_error_deg"] = json!(minimum.output_error.map(f64::to_degrees));
         described["sum"] = json!(minimum.value * square);
         described["reached"] = json!(minimum.reached);
         let held = minimum.held.iter().map(|bound| words::bound(*bound));

@@ -1,6 +1,5 @@
 //! What is said of tasks without a linkage, and the names of verdicts.
 
-use assur::Grashof;
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
 };
@@ -8,6 +7,8 @@ use serde_json::Value;
 
 pub(super) const NO_POSITION: &str = "there is no position";
 pub(super) const NO_FIVE: &str = "no four-bar takes up these five positions";
+pub(super) const TURNED: &str = "with every PHI2 turned by 180° the positions fit positive lengths: PHI2 is the \
+     direction from the output link's hinge with the coupler to its fixed pivot";
 pub(super) const ANY: &str = "the positions are mirror images of each other in the line of the frame: every \
      linkage that takes up the one takes up the other in its other assembly, whatever l2 and l3 are";
 pub(super) const ONE: &str = "one position: a linkage for every l2 and l3, with l1 as long as the gap that they \
@@ -41,7 +42,8 @@ pub(super) fn task_error(error: &TaskError) -> String {
 /// Why two positions have no linkage.
 pub(super) fn no_family(line: &Line) -> String {
     format!(
-        "no four-bar takes up both positions: {} has no positive lengths",
+        "no four-bar takes up both positions: {} has no positive lengths; PHI2 is the direction from the output link's \
+         hinge with the coupler to its fixed pivot, and angles half a turn on may have some",
         equation(line)
     )
 }
@@ -128,17 +130,6 @@ pub(super) fn order(order: Order) -> &'static str {
         Order::Falling => "falling",
         Order::Either => "either",
         Order::Mixed => "mixed",
-    }
-}
-
-pub(super) fn class(class: Grashof) -> &'static str {
-    match class {
-        Grashof::CrankRocker => "crank-rocker",
-        Grashof::RockerCrank => "rocker-crank",
-        Grashof::DoubleCrank => "double-crank",
-        Grashof::DoubleRocker => "double-rocker",
-        Grashof::TripleRocker => "triple-rocker",
-        Grashof::ChangePoint => "change-point",
     }
 }
 

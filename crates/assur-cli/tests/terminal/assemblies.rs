@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::run::{Table, data, said};
+use super::run::{Scratch, Table, data, refused, said};
 
 /// The golden table of the Class IV mechanism, in the order of its numbers.
 #[test]
@@ -142,4 +142,80 @@ fn circuits() {
     );
     let text = said(&["circuits", &data("linkages/driven-slide.json")]);
     assert!(text.contains("circuit 2, s = 0.5 to s = 2\n"), "{text}");
+}
+
+/// A linkage of which the lengths alone are known has its assemblies, and is drawn in one of them by its number.
+#[test]
+fn lengths_alone_are_assembled() {
+    let name = data("linkages/lengths-alone.json");
+    let (status, complaint) = refused(&["structure", &name]);
+    assert_eq!(status, 2);
+    assert!(complaint.contains("--assemble N"), "{complaint}");
+    let table = Table::of(&said(&["assemblies", &name, "--at", "60"]));
+    assert_eq!(table.rows.len(), 2);
+    // The same as those of the linkage that is drawn.
+    let drawn = Table::of(&said(&["assemblies", "crank-rocker", "--at", "60"]));
+    for number in ["1", "2"] {
+        let text = said(&["assemblies", &name, "--at", "60", "--assemble", number]);
+        let file = Scratch::with("assembled.json", &text);
+        let row = number.parse::<usize>().unwrap() - 1;
+        let again = Table::of(&said(&[
+            "sweep",
+            file.path(),
+            "--at",
+            "60",
+            "--columns",
+            "rocker.angle",
+        ]));
+        let turn = std::f64::consts::TAU;
+        let off =
+            again.number(0, "rocker.angle").rem_euclid(turn) - table.number(row, "rocker.angle");
+        assert!(off.abs() < 1e-12, "{off:e}");
+        let other = drawn.number(row, "rocker.angle") - table.number(row, "rocker.angle");
+        assert!(other.abs() < 1e-12, "{other:e}");
+        assert!(said(&["structure", file.path()]).contains("0° to 360°, repeats after 1 turn"));
+        // Lengths stay as they are given.
+        let document: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(document["links"][1]["length"], 6.0);
+    }
+    let (status, complaint) = refused(&["assemblies", &name, "--at", "60", "--assemble", "3"]);
+    assert_eq!(status, 2);
+    assert!(
+        complaint.contains("there is no assembly 3 at 60°, only 1 to 2"),
+        "{complaint}"
+    );
+}
+
+/// What moves as it is drawn is drawn in another of its assemblies as well; where there is none the input is told.
+#[test]
+fn a_drawing_of_another_assembly() {
+    for number in ["1", "2"] {
+        let text = said(&[
+            "assemblies",
+            "slider-crank",
+            "--at",
+            "30",
+            "--assemble",
+            number,
+        ]);
+        let file = Scratch::with("other.json", &text);
+        let table = Table::of(&said(&["assemblies", file.path(), "--at", "30"]));
+        let swept = said(&["sweep", file.path(), "--at", "30", "--columns", "rod.angle"]);
+        let off = Table::of(&swept)
+            .number(0, "rod.angle")
+            .rem_euclid(std::f64::consts::TAU)
+            - table.number(number.parse::<usize>().unwrap() - 1, "rod.angle");
+        assert!(off.abs() < 1e-12, "{off:e}");
+    }
+    let lengths = std::fs::read_to_string(data("linkages/lengths-alone.json")).unwrap();
+    let short = Scratch::with(
+        "short.json",
+        &lengths.replace("\"length\": 6 ", "\"length\": 0.5 "),
+    );
+    let (status, complaint) = refused(&["assemblies", short.path(), "--at", "180"]);
+    assert_eq!(status, 2);
+    assert!(
+        complaint.contains("there is no assembly at 180°"),
+        "{complaint}"
+    );
 }

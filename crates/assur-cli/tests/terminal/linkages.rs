@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::run::{Scratch, refused};
+use super::run::{Scratch, Table, refused, said};
 
 /// What is no mechanism is refused with the names of what is at fault.
 #[test]
@@ -188,6 +188,41 @@ fn bad_higher_groups_are_refused() {
         ),
     ];
     are_refused(&cases);
+}
+
+/// A link on a moving pivot that is driven against the frame is refused; what the sentence says is to be done keeps its
+/// direction.
+#[test]
+fn an_absolute_angle_on_a_moving_pivot() {
+    let arm = |driver: Value| {
+        json!({
+            "points": [
+                {"name": "A", "at": [0, 0]}, {"name": "B", "at": [2, 0]}, {"name": "C", "at": [2, 1]},
+            ],
+            "frame": ["A"],
+            "links": [{"name": "upper", "points": ["A", "B"]}, {"name": "lower", "points": ["B", "C"]}],
+            "drivers": [{"crank": "upper"}, driver],
+        })
+    };
+    let part = "Links lower, frame share no point at which they could be hinged. A wheel is hinged on its carrier, and a \
+                driver turns a link against one that it is hinged on, its base (base). Where the base is the first crank, \
+                the rate (rate) is that of the link itself less 1: −1 for a link that keeps its direction.";
+    are_refused(&[("absolute", arm(json!({"crank": "lower"})), part)]);
+    let kept = arm(json!({"crank": "lower", "base": "upper", "rate": -1}));
+    let file = Scratch::with("kept.json", &kept.to_string());
+    let table = said(&[
+        "sweep",
+        file.path(),
+        "--at",
+        "0,50,170,340",
+        "--columns",
+        "lower.angle",
+    ]);
+    let table = Table::of(&table);
+    for row in 0..4 {
+        let off = table.number(row, "lower.angle") - std::f64::consts::FRAC_PI_2;
+        assert!(off.abs() < 1e-14, "{row}: {off:e}");
+    }
 }
 
 /// Linkages are refused with status 2 and a sentence that has the given part.

@@ -1,5 +1,8 @@
 //! What is told of a mechanism.
 
+use std::f64::consts::PI;
+
+use assur::Swing;
 use serde_json::{Value, json};
 
 use super::run::{Scratch, data, refused, said};
@@ -104,4 +107,80 @@ fn ranges() {
 
     let slide = data("linkages/driven-slide.json");
     assert_eq!(told(&slide), ["range        0.5 to 2.0"]);
+}
+
+fn described(name: &str) -> Value {
+    serde_json::from_str(&said(&["structure", name, "--json"])).unwrap()
+}
+
+fn assert_near(value: &Value, expected: f64) {
+    let off = value.as_f64().unwrap() - expected;
+    assert!(
+        off.abs() < 1e-9 * (1.0 + expected.abs()),
+        "{value} {expected}"
+    );
+}
+
+/// Swing, travel, time ratio, Grashof class and minimum transmission angle by the closed forms of the four-bar.
+#[test]
+fn outputs_of_a_four_bar() {
+    let told = described("crank-rocker");
+    let linkage = assur::FourBar::new([2.0, 6.0, 4.5, 6.0]).unwrap();
+    let assembly = assur::Assembly::First;
+    let output = &told["outputs"][0];
+    assert_eq!(output["name"], "rocker.angle");
+    let Swing::Between { min, max } = linkage.swings(assembly)[0] else {
+        panic!("the rocker turns");
+    };
+    let swing = (max - min).to_degrees();
+    assert_near(&output["swing_deg"][0]["stroke"], swing);
+    assert_near(&output["travel_deg"][0], 2.0 * swing);
+    assert_near(&output["time_ratio"], linkage.time_ratio(assembly).unwrap());
+    assert_eq!(output["limits"].as_array().unwrap().len(), 2);
+    let links = json!(["crank", "coupler", "rocker", "frame"]);
+    assert_eq!(
+        told["four_bars"],
+        json!([{"links": links, "class": "crank-rocker"}])
+    );
+    let worst = &told["transmissions"][0];
+    let (angle, _) = linkage.worst_transmission();
+    assert_near(&worst["worst_deg"], angle.to_degrees());
+    assert_eq!([&worst["joint"], &worst["what"]], ["C", "transmission"]);
+    // The coupler as well is plotted.
+    assert_eq!(told["outputs"].as_array().unwrap().len(), 2);
+}
+
+/// A stroke has the unit of lengths; an output that is plotted by none is the one that numbers assemblies.
+#[test]
+fn outputs_of_slides() {
+    let told = described("slider-crank-offset");
+    let outputs = told["outputs"].as_array().unwrap();
+    let slider = outputs.iter().find(|one| one["name"] == "C.x").unwrap();
+    let stroke = 15_f64.sqrt() - 3_f64.sqrt();
+    assert_near(&slider["swing"][0]["stroke"], stroke);
+    assert_near(&slider["travel"][0], 2.0 * stroke);
+    let between = (1_f64 / 2.0).asin() - (1_f64 / 4.0).asin();
+    let ratio = (PI + between) / (PI - between);
+    assert_near(&slider["time_ratio"], ratio);
+    // The rod is inclined most where the crank is upright: sin = (r + e)/l.
+    let worst = &told["transmissions"][0];
+    assert_eq!(worst["what"], "pressure");
+    assert_near(&worst["worst_deg"], (2_f64 / 3.0).asin().to_degrees());
+    assert_eq!(told["four_bars"], json!([]));
+
+    let text = said(&["structure", "inverted-slider-crank"]);
+    let line = "output       lever.angle: swing 60° from 60° to 120°, travel 120°; time ratio 2";
+    assert!(text.lines().any(|one| one == line), "{text}");
+    // Where nothing is plotted: the angles, and the coordinates of what slides on the frame, without those that stay.
+    let driven = said(&["structure", &data("linkages/driven-slide.json")]);
+    let outputs = driven
+        .lines()
+        .filter_map(|line| line.strip_prefix("output       "));
+    let outputs: Vec<&str> = outputs.collect();
+    let [ladder, foot, head] = outputs[..] else {
+        panic!("{driven}");
+    };
+    assert!(ladder.starts_with("ladder.angle: swing "), "{ladder}");
+    assert_eq!(foot, "F.x: stroke 1.5 from 0.5 to 2, travel 3");
+    assert!(head.starts_with("H.y: stroke "), "{head}");
 }

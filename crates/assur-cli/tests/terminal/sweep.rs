@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::run::{Scratch, Table, data, said};
+use super::run::{Scratch, Table, assur, data, said};
 
 #[test]
 fn the_header_and_the_grid() {
@@ -164,4 +164,66 @@ fn several_arcs() {
     for (from, to) in [(0, last), (low, high)] {
         assert!((inputs[from] + inputs[to] - 360.0).abs() < 1e-9);
     }
+}
+
+/// The reason at a dead point is the one that `structure` gives, in every linkage of the catalogue.
+#[test]
+fn reasons_of_dead_points() {
+    let kinds = [
+        ("stretched", "Dead point: ", " in line"),
+        ("folded", "Dead point: ", " in line"),
+        (
+            "perpendicular",
+            "Dead point: ",
+            " perpendicular to its guide",
+        ),
+        ("singular", "Dead point: ", " in a singular position"),
+        ("parallel", "The guides of ", " are parallel"),
+    ];
+    let mut met = std::collections::BTreeSet::new();
+    let short = Scratch::with("short-rod.json", &short_rod().to_string());
+    let catalogue = said(&["list"]);
+    let platform = data("linkages/over-a-turn.json");
+    for name in catalogue.lines().chain([short.path(), &platform]) {
+        let output = assur(&["structure", name, "--json"]);
+        let Ok(told) = serde_json::from_slice::<Value>(&output.stdout) else {
+            continue;
+        };
+        let dead = told["dead_points"].as_array().unwrap();
+        if dead.is_empty() {
+            continue;
+        }
+        let table = Table::of(&said(&["sweep", name, "--step", "1e6"]));
+        for one in dead {
+            let at = ["phi_deg", "s"]
+                .into_iter()
+                .find_map(|key| one[key].as_f64());
+            let input = table.header[0].clone();
+            let mut rows = 0..table.rows.len();
+            let row = rows.find(|row| (table.number(*row, &input) - at.unwrap()).abs() < 1e-9);
+            let reason = table.rows[row.unwrap()][table.header.len() - 1..].join(",");
+            let kind = one["kind"].as_str().unwrap();
+            let (_, start, part) = *kinds.iter().find(|(known, ..)| *known == kind).unwrap();
+            assert!(
+                reason.contains(start) && reason.contains(part),
+                "{name} {kind}: {reason}"
+            );
+            met.insert(kind.to_owned());
+        }
+    }
+    for kind in ["stretched", "perpendicular", "singular"] {
+        assert!(met.contains(kind), "{met:?}");
+    }
+}
+
+/// A slider-crank whose rod is shorter than the crank.
+fn short_rod() -> Value {
+    let mut linkage: Value =
+        serde_json::from_str(&std::fs::read_to_string(data("linkages/slide.json")).unwrap())
+            .unwrap();
+    linkage["points"][1]["at"] = json!([2.9, 0.5]);
+    linkage["points"][2]["at"] = json!([3.8, 0]);
+    linkage["links"][0] = json!({"name": "crank", "points": ["A", "B"]});
+    linkage["links"][1] = json!({"name": "rod", "points": ["B", "C"]});
+    linkage
 }

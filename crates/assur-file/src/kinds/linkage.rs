@@ -5,7 +5,7 @@ mod check;
 mod draft;
 mod problem;
 
-use assur::mechanism::{LinkId, Mechanism, Quantity};
+use assur::mechanism::{Draft, LinkId, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -306,6 +306,29 @@ impl LinkageDocument {
         }
     }
 
+    /// The mechanism by its dimensions alone, drawn in one of its assemblies at an input; see
+    /// [`Mechanism::assembled`].
+    ///
+    /// # Errors
+    /// As of [`Self::mechanism`], other than that the drawing does not close. None where there is no assembly.
+    pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
+        self.check()?;
+        Mechanism::assembled(&self.draft(), input).map_err(LinkageProblem::all)
+    }
+
+    /// The same document with the linkage as it is drawn in another pose; no assembly is then named.
+    pub fn redrawn(&self, draft: &Draft) -> Self {
+        let drawn = Self::new(draft);
+        Self {
+            points: drawn.points,
+            links: drawn.links,
+            drivers: drawn.drivers,
+            tracers: drawn.tracers,
+            assembly: None,
+            ..self.clone()
+        }
+    }
+
     /// The motion of the mechanism.
     ///
     /// # Errors
@@ -324,15 +347,19 @@ impl LinkageDocument {
         }
     }
 
+    /// The quantities that the document plots: the outputs whose swing and time ratio are told.
+    pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
+        let named = self.plots.iter();
+        let named = named.filter_map(|name| Quantity::named(mechanism, name));
+        named.collect()
+    }
+
     /// The quantities, of one kind, that a choice of the page names: `angles` those
     /// the document asks for, else all angles; `LINK.angle`; a point, both of its
     /// coordinates. None where there is nothing of the name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
-            let asked = self.plots.iter();
-            let mut asked: Vec<Quantity> = asked
-                .filter_map(|name| Quantity::named(mechanism, name))
-                .collect();
+            let mut asked = self.outputs(mechanism);
             match asked.first().map(|one| one.is_angle()) {
                 Some(kind) => asked.retain(|one| one.is_angle() == kind),
                 None => asked = mechanism.link_ids().map(Quantity::Angle).collect(),

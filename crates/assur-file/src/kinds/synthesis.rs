@@ -36,8 +36,8 @@ pub struct SynthesisDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub member: Option<[f64; 2]>,
-    /// Which of several solutions, from 1; without it the best that is not held by the bounds of
-    /// the search.
+    /// Which of several solutions, from 1, by ascending ΣJ; without it, of those that are not held by the bounds of
+    /// the search, the one whose output is off by least.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub solution: Option<usize>,

@@ -22,6 +22,20 @@ pub enum Grashof {
     ChangePoint,
 }
 
+impl Grashof {
+    /// Its name in what programs read.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::CrankRocker => "crank_rocker",
+            Self::RockerCrank => "rocker_crank",
+            Self::DoubleCrank => "double_crank",
+            Self::DoubleRocker => "double_rocker",
+            Self::TripleRocker => "triple_rocker",
+            Self::ChangePoint => "change_point",
+        }
+    }
+}
+
 impl FourBar {
     /// Grashof's class; a change point is told apart within
     /// |s + l − p − q| ≤ 8 ε (s + l).

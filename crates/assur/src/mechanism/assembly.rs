@@ -214,7 +214,11 @@ impl Mechanism {
         match met {
             Some(Cause::Parallel) => Defect::ParallelGuides { links },
             Some(Cause::Apart { by } | Cause::OutOfReach { by }) => Defect::Open { links, by },
-            _ => Defect::Open { links, by: 0.0 },
+            Some(Cause::Undetermined) => Defect::CoincidentHinges { links },
+            _ => Defect::Singular {
+                links,
+                singularity: self.singularity(step),
+            },
         }
     }
 

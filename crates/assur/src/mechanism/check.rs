@@ -102,10 +102,15 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
         if let DraftDriver::Slide {
             range: [from, to], ..
         } = driver
-            && !(sound(*from) && sound(*to) && from < to)
-            && let Some(name) = draft.driven(driver)
+            && let Some(link) = draft.driven(driver)
         {
-            found.push(Defect::NotFinite(name.to_owned()));
+            let link = link.to_owned();
+            if !sound(*from) || !sound(*to) {
+                found.push(Defect::NotFinite(link));
+            } else if from >= to {
+                let range = [*from, *to];
+                found.push(Defect::Range { link, range });
+            }
         }
     }
 }
@@ -113,7 +118,7 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
 /// The points of a link, or of the frame: none twice, no two at one place.
 fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defect>) {
     // What is fixed to a link has its points where that one has them.
-    let own = draft.link(root_of(draft, link));
+    let own = draft.link(draft.root_of(link));
     let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
     let in_shape = |name: &String| {
         let (own, shape) = own?;
@@ -159,7 +164,7 @@ fn shape(link: &super::DraftLink, found: &mut Vec<Defect>) {
 /// Links fixed to others, slides, gears and drivers.
 fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     for link in &draft.links {
-        if root_of(draft, &link.name).is_empty() {
+        if draft.root_of(&link.name).is_empty() {
             found.push(Defect::WithItself(link.name.clone()));
         }
     }
@@ -171,9 +176,7 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     }
     for driver in &draft.drivers {
         match driver {
-            DraftDriver::Crank { link, base, .. }
-                if root_of(draft, link) == root_of(draft, base) =>
-            {
+            DraftDriver::Crank { link, base, .. } if draft.root_of(link) == draft.root_of(base) => {
                 found.push(Defect::WithItself(link.clone()));
             }
             DraftDriver::Crank { link, base, .. } if !hinged(draft, [link, base]) => {
@@ -229,13 +232,34 @@ fn meshing(draft: &Draft, gear: &DraftGear, found: &mut Vec<Defect>) {
     }
 }
 
+impl Draft {
+    /// Every reason why the draft is no linkage that can be said without the geometry of the whole; none where all that
+    /// it names is there and its numbers are sound.
+    pub fn defects(&self) -> Vec<Defect> {
+        defects(self)
+    }
+
+    /// The link that a link is fixed to in the end: itself, another, or the frame;
+    /// empty where it is fixed to itself over others.
+    pub(crate) fn root_of<'a>(&'a self, link: &'a str) -> &'a str {
+        let mut root = link;
+        for _ in 0..=self.links.len() {
+            match self.link(root).and_then(|link| link.fixed_to.as_deref()) {
+                Some(base) => root = base,
+                None => return root,
+            }
+        }
+        ""
+    }
+}
+
 /// Whether a link has a point, itself or by what is fixed to it or it is fixed to.
 fn has(draft: &Draft, link: &str, point: &String) -> bool {
-    let root = root_of(draft, link);
+    let root = draft.root_of(link);
     let mut links = draft
         .links
         .iter()
-        .filter(|other| root_of(draft, &other.name) == root);
+        .filter(|other| draft.root_of(&other.name) == root);
     root == FRAME && draft.frame.contains(point) || links.any(|other| other.points.contains(point))
 }
 
@@ -243,17 +267,4 @@ fn has(draft: &Draft, link: &str, point: &String) -> bool {
 fn hinged(draft: &Draft, links: [&str; 2]) -> bool {
     let shared = |point: &DraftPoint| links.iter().all(|link| has(draft, link, &point.name));
     draft.points.iter().any(shared)
-}
-
-/// The link that a link is fixed to in the end: itself, another, or the frame;
-/// empty where it is fixed to itself over others.
-fn root_of<'a>(draft: &'a Draft, link: &'a str) -> &'a str {
-    let mut root = link;
-    for _ in 0..=draft.links.len() {
-        match draft.link(root).and_then(|link| link.fixed_to.as_deref()) {
-            Some(base) => root = base,
-            None => return root,
-        }
-    }
-    ""
 }

@@ -1,7 +1,7 @@
 //! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::DraftTracer;
+use super::{DraftTracer, Singularity};
 use crate::gears::Mesh;
 use crate::{Point, Vector};
 
@@ -137,6 +137,22 @@ pub enum Defect {
     Unknown(String),
     /// A coordinate, a mass or a range that is not finite, or out of any range.
     NotFinite(String),
+    /// A driven slide whose range is given backwards, or is empty.
+    Range {
+        /// The link that slides.
+        link: String,
+        /// The range as given, of which the first number is not the lesser one.
+        range: [f64; 2],
+    },
+    /// A driven slide that is drawn outside its range, so far that the linkage does not close as it is drawn.
+    BeyondRange {
+        /// The link that slides.
+        link: String,
+        /// Its coordinate in the drawing.
+        at: f64,
+        /// Its range.
+        range: [f64; 2],
+    },
     /// A link without points.
     Bare(String),
     /// Two points of a link at one place.
@@ -230,9 +246,20 @@ pub enum Defect {
     Open {
         /// The links of the group.
         links: Vec<String>,
-        /// By how much they miss each other; zero where they are joined only in
-        /// line, at a dead point.
+        /// By how much they miss each other.
         by: f64,
+    },
+    /// Links that are drawn in a singular position, at a dead point.
+    Singular {
+        /// The links of the group.
+        links: Vec<String>,
+        /// The kind of singular position.
+        singularity: Singularity,
+    },
+    /// Links that may stand at any angle as drawn: two hinges coincide that only they join.
+    CoincidentHinges {
+        /// The links of the group.
+        links: Vec<String>,
     },
     /// A point that its links put elsewhere than it is drawn, too far for the
     /// drawing to tell the assembly.

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::body::Bodies;
+use super::draft::Defect;
 use super::plan::{Drawn, Placed};
 use super::resolved::{Driver, Resolved};
 use crate::Vector;
@@ -59,6 +60,23 @@ impl Bodies {
             Some((Anchor { body: base, local }, *hinge))
         })
     }
+}
+
+/// The driven slides that are drawn outside their range.
+pub(super) fn drawn_beyond_range(draft: &Resolved<'_>, bodies: &Bodies) -> Vec<Defect> {
+    let beyond = draft.drivers.iter().filter_map(|driver| {
+        let Driver::Slide { slide, range, .. } = driver else {
+            return None;
+        };
+        let at = bodies.slides[*slide].drawn_way();
+        let [from, to] = *range;
+        (!(from..=to).contains(&at)).then(|| Defect::BeyondRange {
+            link: draft.link_name(draft.driven(driver)).to_owned(),
+            at,
+            range: *range,
+        })
+    });
+    beyond.collect()
 }
 
 impl Placed<'_> {

@@ -4,6 +4,7 @@
 //! assembled, because only [`Mechanism::new`] makes it. It is solved Assur group
 //! by Assur group in the order that [`crate::structure`] finds.
 
+mod assembled;
 mod assemblies;
 mod assembly;
 mod body;
@@ -60,7 +61,7 @@ pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
 pub use crate::index::{BodyId, LinkId, PointId, StepId};
-pub use crate::position::{Cause, Method};
+pub use crate::position::{Cause, Method, Singularity};
 
 use crate::index::{Id, List};
 use crate::position::{
@@ -149,7 +150,10 @@ impl Mechanism {
             });
             settled.ok_or_else(|| redundancy.defects.clone())?;
         } else {
-            mechanism.settle()?;
+            mechanism.settle().map_err(|defects| {
+                let beyond = driver::drawn_beyond_range(&resolved, &bodies);
+                if beyond.is_empty() { defects } else { beyond }
+            })?;
         }
         let parts = constraint::Parts {
             draft: &resolved,
@@ -165,6 +169,19 @@ impl Mechanism {
             mechanism.shown = redundancy.shown;
         }
         Ok(mechanism)
+    }
+
+    /// The mechanism of a draft without surplus constraints, not joined yet, with its bodies and the links on them.
+    fn planned(
+        resolved: &Resolved<'_>,
+    ) -> Result<(Self, Bodies, List<LinkId, Placement>), Vec<Defect>> {
+        let (bodies, placements) = Bodies::new(resolved, None).map_err(|defect| vec![defect])?;
+        let (structure, redundancy) = structured::structured(resolved, &bodies)?;
+        if let Some(redundancy) = redundancy {
+            return Err(redundancy.defects);
+        }
+        let mechanism = Self::of(resolved, &bodies, &placements, structure, &[], None)?;
+        Ok((mechanism, bodies, placements))
     }
 
     /// The same not joined yet: which way its groups are is still open. Of a drawing of a known pose all angles are
@@ -349,6 +366,11 @@ impl Mechanism {
     pub fn links_of(&self, step: StepId) -> impl Iterator<Item = &str> {
         let bodies = self.steps[step].bodies().into_iter();
         bodies.map(|body| self.body_name(body))
+    }
+
+    /// The kind of singular position that a dead point of a step of the plan is.
+    pub fn singularity(&self, step: StepId) -> Singularity {
+        self.steps[step].singularity()
     }
 
     /// The diagonal of the drawing.

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use super::{PairDraft, PairKind, Point3, SchemeDraft, Vector3};
 use crate::gears::{GearPair, Wheel};
-use crate::mechanism::{DraftGear, DraftSlide, FRAME, LinkId, Mechanism, PointId, Pose};
+use crate::mechanism::{
+    Defect, Draft, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism, Pose,
+};
 use crate::{Point, Vector};
 
 /// The name of a contact of wheels in mesh: P, as textbooks have the pitch point.
@@ -21,15 +23,34 @@ impl SchemeDraft {
     /// wheels in mesh touch in P. Links that are fixed to each other are one; between wheels that mesh "as
     /// printed" there is an idler, as [`Mechanism::counts`] has it. Meshes of wheels about one centre have no place.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
+        Self::of_sound(&mechanism.drawn_in(pose))
+    }
+
+    /// The same of a linkage that need not move, with its pairs where they are drawn: one that is locked, has too few
+    /// drivers, or does not close.
+    ///
+    /// # Errors
+    /// What is named and is not there, and whatever else leaves no pairs to count.
+    pub fn of_drawing(draft: &Draft) -> Result<Self, Vec<Defect>> {
+        let defects = draft.defects();
+        if defects.is_empty() {
+            Ok(Self::of_sound(draft))
+        } else {
+            Err(defects)
+        }
+    }
+
+    /// The scheme of a draft of which all names are there.
+    fn of_sound(draft: &Draft) -> Self {
+        let own = draft.links.iter().filter(|link| link.fixed_to.is_none());
+        let own = own.map(|link| link.name.as_str());
         let mut parts = Parts {
-            mechanism,
-            pose,
+            draft,
             pairs: vec![],
             names: BTreeSet::new(),
-            links: mechanism.body_names().map(str::to_owned).collect(),
+            links: [FRAME].into_iter().chain(own).map(str::to_owned).collect(),
         };
-        let draft = mechanism.draft();
-        for point in mechanism.point_ids().take(draft.points.len()) {
+        for point in &draft.points {
             parts.hinge(point);
         }
         for slide in &draft.slides {
@@ -48,8 +69,7 @@ impl SchemeDraft {
 
 /// A scheme that is being made.
 struct Parts<'a> {
-    mechanism: &'a Mechanism,
-    pose: &'a Pose<1>,
+    draft: &'a Draft,
     pairs: Vec<PairDraft>,
     /// Names of pairs that are given.
     names: BTreeSet<String>,
@@ -58,44 +78,39 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    fn hinge(&mut self, point: PointId) {
-        let name = self.mechanism.point_name(point);
-        let links = self.joined(point);
+    fn hinge(&mut self, point: &DraftPoint) {
+        let links = self.joined(&point.name);
         if links.len() > 1 {
-            let place = self.place(point);
             self.pair(
-                name.to_owned(),
+                point.name.clone(),
                 PairKind::Revolute,
                 links,
-                Some(place),
+                Some(point.at),
                 Some(Vector3::z()),
             );
         }
     }
 
-    /// The names of the bodies that have a point.
-    fn joined(&self, point: PointId) -> Vec<String> {
-        let mechanism = self.mechanism;
-        let fixed = &mechanism.draft().frame;
-        let on_frame = fixed.iter().any(|name| name == mechanism.point_name(point));
-        let has = |link: &LinkId| mechanism.points_of(*link).contains(&point);
-        let roots = mechanism
-            .link_ids()
-            .filter(has)
-            .map(|link| mechanism.root_of(link));
-        let roots: BTreeSet<_> = roots.chain(on_frame.then_some(None)).collect();
-        let names = roots.into_iter();
-        names
-            .map(|root| {
-                root.map_or(FRAME, |link| mechanism.link_name(link))
-                    .to_owned()
-            })
+    /// The names of the bodies that have a point, in the order of the draft.
+    fn joined(&self, point: &String) -> Vec<String> {
+        let draft = self.draft;
+        let on_frame = draft.frame.contains(point).then_some(FRAME);
+        let has = |link: &&DraftLink| link.points.contains(point);
+        let roots = draft.links.iter().filter(has);
+        let roots: BTreeSet<&str> = roots
+            .map(|link| draft.root_of(&link.name))
+            .chain(on_frame)
+            .collect();
+        let bodies = draft.links.iter().map(|link| link.name.as_str());
+        let bodies = [FRAME].into_iter().chain(bodies);
+        bodies
+            .filter(|body| roots.contains(body))
+            .map(str::to_owned)
             .collect()
     }
 
     fn slide(&mut self, slide: &DraftSlide) {
-        let point = |name: &str| self.mechanism.point(name).map(|point| self.place(point));
-        let [from, to] = [&slide.line[0], &slide.line[1]].map(|name| point(name));
+        let [from, to] = slide.line.each_ref().map(|name| self.draft.place(name));
         let along = from.zip(to).map(|(from, to)| spatial(to - from));
         let links = [self.body(&slide.on), self.body(&slide.link)];
         let name = [&slide.point, &slide.link];
@@ -105,7 +120,7 @@ impl Parts<'_> {
             name,
             PairKind::Prismatic,
             links.into(),
-            point(&slide.point),
+            self.draft.place(&slide.point),
             along,
         );
     }
@@ -119,7 +134,7 @@ impl Parts<'_> {
             _ => None,
         };
         let line = centres.map_or(0.0, |[from, to]| (to - from).y.atan2((to - from).x));
-        // Of a mechanism the numbers of teeth are sound.
+        // Of a sound draft the numbers of teeth are.
         let Ok(pair) = GearPair::new(gear.teeth, gear.mesh, 1.0, line) else {
             return;
         };
@@ -176,27 +191,17 @@ impl Parts<'_> {
 
     /// The name of the body of a link.
     fn body(&self, link: &str) -> String {
-        let root = self
-            .mechanism
-            .link(link)
-            .and_then(|link| self.mechanism.root_of(link));
-        root.map_or(FRAME, |root| self.mechanism.link_name(root))
-            .to_owned()
+        self.draft.root_of(link).to_owned()
     }
 
     /// Where two bodies are hinged on each other.
     fn hinged(&self, one: &String, other: &String) -> Option<Point> {
-        let draft = self.mechanism.draft();
-        let mut points = self.mechanism.point_ids().take(draft.points.len());
+        let mut points = self.draft.points.iter();
         let joint = points.find(|point| {
-            let joined = self.joined(*point);
+            let joined = self.joined(&point.name);
             joined.contains(one) && joined.contains(other)
         });
-        joint.map(|point| self.place(point))
-    }
-
-    fn place(&self, point: PointId) -> Point {
-        self.mechanism.place(self.pose, point).place()
+        joint.map(|point| point.at)
     }
 }
 

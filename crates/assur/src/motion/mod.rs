@@ -35,7 +35,7 @@ pub use limits::LimitPosition;
 pub use placed::Placed;
 pub use profile::{Dwell, OutputProfile};
 pub use table::{Column, Row};
-pub use transmission::WorstTransmission;
+pub use transmission::{DyadTransmission, WorstTransmission};
 
 use std::cell::RefCell;
 use std::f64::consts::TAU;

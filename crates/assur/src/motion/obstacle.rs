@@ -8,7 +8,7 @@ use super::dead_point::{DeadPoint, DeadPointKind};
 use super::in_line::PASSED;
 use super::root::bisect;
 use crate::index::StepId;
-use crate::mechanism::Cause;
+use crate::mechanism::{Cause, Singularity};
 use crate::position::{State, Step};
 
 /// A singular pose is no farther ahead than this part where steps have become short: about a hundred of them.
@@ -105,15 +105,14 @@ impl Continuation<'_> {
         let mut probe: State<1> = self.mechanism.blank_state();
         let solved = self.solve(input, &mut probe);
         let [p, q] = probe.margins[step].map(|margin| margin.value());
-        let placing = &self.mechanism.steps()[step];
-        let kind = match (cause, placing.stretches_and_folds()) {
+        let kind = match (cause, self.mechanism.singularity(step)) {
             (Cause::Input, _) => DeadPointKind::Range,
             (Cause::Locked { .. }, _) => DeadPointKind::Locked,
-            _ if self.is_group(step) => DeadPointKind::Singular,
-            (Cause::Parallel, _) => DeadPointKind::Parallel,
-            (_, false) => DeadPointKind::Perpendicular,
-            (_, true) if p < q => DeadPointKind::Stretched,
-            (_, true) => DeadPointKind::Folded,
+            (_, Singularity::Group) => DeadPointKind::Singular,
+            (_, Singularity::Parallel) => DeadPointKind::Parallel,
+            (_, Singularity::Perpendicular) => DeadPointKind::Perpendicular,
+            (_, Singularity::InLine) if p < q => DeadPointKind::Stretched,
+            (_, Singularity::InLine) => DeadPointKind::Folded,
         };
         debug_assert!(solved.is_ok() || cause != Cause::Input);
         DeadPoint { input, kind, step }

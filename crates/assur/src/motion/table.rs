@@ -1,6 +1,6 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::{Input, Motion};
+use super::{DeadPointKind, Input, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
 /// A column: a quantity or one of its derivatives.
@@ -102,7 +102,10 @@ impl Motion {
         let dead = dead.map(|dead| Unsolved {
             input,
             step: dead.step,
-            cause: Cause::DeadPoint,
+            cause: match dead.kind {
+                DeadPointKind::Parallel => Cause::Parallel,
+                _ => Cause::DeadPoint,
+            },
         });
         let (mut values, reason) = match dead.map_or_else(|| self.pose::<3>(input), Err) {
             Ok(pose) => (self.values(columns, &pose, driven), None),

@@ -3,7 +3,7 @@
 use super::Motion;
 use super::features::turning_points;
 use crate::Jet;
-use crate::mechanism::{Quantity, RrpDyad, RrrDyad};
+use crate::mechanism::{LinkId, Quantity, RrpDyad, RrrDyad};
 
 /// What is beside an end of an arc, as a share of it.
 const BESIDE: f64 = 1e-12;
@@ -17,7 +17,39 @@ pub struct WorstTransmission {
     pub input: f64,
 }
 
+/// How well a dyad transmits over a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DyadTransmission {
+    /// The transmission angle of a dyad RRR, or the pressure angle of a dyad RRP.
+    pub quantity: Quantity,
+    /// The links of the dyad; of a dyad RRP the rod, then the slider.
+    pub links: [LinkId; 2],
+    /// The least transmission angle, or the greatest pressure angle.
+    pub worst: WorstTransmission,
+}
+
 impl Motion {
+    /// Of each dyad RRR the least transmission angle and of each dyad RRP the greatest pressure angle, in the order in
+    /// which the dyads are solved.
+    pub fn transmissions(&self) -> Vec<DyadTransmission> {
+        let transmitting = self.mechanism().transmitting().into_iter();
+        let worst = transmitting.filter_map(|quantity| {
+            let (links, worst) = match &quantity {
+                Quantity::Transmission(dyad) => (dyad.links, self.least_transmission(dyad)?),
+                Quantity::Pressure(dyad) => {
+                    ([dyad.rod, dyad.slider], self.greatest_pressure(dyad)?)
+                }
+                _ => return None,
+            };
+            Some(DyadTransmission {
+                quantity,
+                links,
+                worst,
+            })
+        });
+        worst.collect()
+    }
+
     /// The least transmission angle of a dyad: at an extremum of the cosine between
     /// its links, at the end of an arc, or where links pass through in line. None
     /// where there is no pose at all.

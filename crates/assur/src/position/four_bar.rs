@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::rrr::Triangle;
 use super::{
-    Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Solvable, State,
+    Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Singularity,
+    Solvable, State,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Assembly, FourBar, Unsolved, Vector};
@@ -167,7 +168,7 @@ impl Solvable for Closed {
         true
     }
 
-    fn stretches_and_folds(&self) -> bool {
-        true
+    fn singularity(&self) -> Singularity {
+        Singularity::InLine
     }
 }

@@ -116,6 +116,19 @@ pub(crate) struct Track {
     pub(crate) off: f64,
 }
 
+/// The kind of singular position that a dead point of a step is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Singularity {
+    /// The two links of a dyad RRR are in line.
+    InLine,
+    /// In a dyad with one slide a link, or the line between two hinges, is perpendicular to the guide.
+    Perpendicular,
+    /// The two guides of a dyad with two slides are parallel.
+    Parallel,
+    /// The Jacobian of a group that no closed form solves is singular.
+    Group,
+}
+
 /// Why a step of the plan finds no place for its links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {

@@ -1,7 +1,9 @@
 //! The dyad PRP: two links that slide along solved lines and are hinged on each
 //! other.
 
-use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State, Track, crossing};
+use super::{
+    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 
@@ -53,5 +55,9 @@ impl Solvable for Prp {
 
     fn rests_on(&self, body: BodyId) -> bool {
         self.tracks.iter().any(|track| track.line.body == body)
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Parallel
     }
 }

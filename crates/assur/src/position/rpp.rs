@@ -3,7 +3,9 @@
 
 use super::complex::{Complex, conjugate};
 use super::rpr::Side;
-use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State, Track, crossing};
+use super::{
+    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 
@@ -73,5 +75,9 @@ impl Solvable for Rpp {
 
     fn rests_on(&self, body: BodyId) -> bool {
         self.side.outer.body == body || self.track.line.body == body
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Parallel
     }
 }

@@ -1,7 +1,7 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
 use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Solvable, State};
+use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -97,6 +97,10 @@ impl Solvable for Rpr {
 
     fn passes(&self) -> bool {
         true
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Perpendicular
     }
 
     fn scale(&self) -> f64 {

@@ -3,7 +3,8 @@
 
 use super::complex::Complex;
 use super::{
-    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, Track, product,
+    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State, Track,
+    product,
 };
 use crate::Vector;
 use crate::index::{BodyId, StepId};
@@ -110,6 +111,10 @@ impl Solvable for Rrp {
 
     fn passes(&self) -> bool {
         true
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Perpendicular
     }
 
     fn scale(&self) -> f64 {

@@ -1,7 +1,9 @@
 //! The dyad RRR: two links hinged on each other and on two solved points.
 
 use super::complex::Complex;
-use super::{Arm, CLOSE, Cause, Dead, Enclosure, Given, Predictor, Solvable, State, clear};
+use super::{
+    Arm, CLOSE, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State, clear,
+};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -137,8 +139,8 @@ impl Solvable for Rrr {
         true
     }
 
-    fn stretches_and_folds(&self) -> bool {
-        true
+    fn singularity(&self) -> Singularity {
+        Singularity::InLine
     }
 
     fn square<const N: usize>(&self, [p, q]: [Jet<N>; 2]) -> Jet<N> {

@@ -3,7 +3,7 @@
 use super::margin::root;
 use super::{
     Cause, Closed, Crank, Dead, Enclosure, Geared, Group, Nearby, Predictor, Prp, Rpp, Rpr, Rrp,
-    Rrr, Slider, SmoothRoot, State,
+    Rrr, Singularity, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -100,15 +100,14 @@ pub(crate) trait Solvable {
         false
     }
 
-    /// Whether its links come into line in two ways, stretched and folded, each with
-    /// a margin of its own.
-    fn stretches_and_folds(&self) -> bool {
-        false
-    }
-
     /// The square that its closed form takes the root of, by its margins.
     fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
         margin
+    }
+
+    /// The kind of singular position that its dead points are.
+    fn singularity(&self) -> Singularity {
+        Singularity::Group
     }
 
     /// The size of the squares its margins are made of.
@@ -210,8 +209,8 @@ impl Step {
         ask!(self, kind => kind.passes())
     }
 
-    pub(crate) fn stretches_and_folds(&self) -> bool {
-        ask!(self, kind => kind.stretches_and_folds())
+    pub(crate) fn singularity(&self) -> Singularity {
+        ask!(self, kind => kind.singularity())
     }
 
     pub(crate) fn square<const N: usize>(&self, margins: [Jet<N>; 2]) -> Jet<N> {

@@ -1,7 +1,7 @@
 //! Everything that can be wrong with a linkage, as a code with parameters: paths of
 //! fields, names of links and points. The words are in `lang/`.
 
-use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Unsolved};
+use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
 use assur::motion::Refusal;
 use assur::synthesis::dwell::{DesignVariable, SearchError};
 use serde::Serialize;
@@ -44,6 +44,17 @@ pub enum LinkageProblem {
     UnknownName { name: String },
     /// A number of this point or link is not finite or out of any range.
     NotFinite { name: String },
+    /// A driven slide whose range is given backwards.
+    RangeReversed { link: String, from: f64, to: f64 },
+    /// A driven slide whose range begins and ends at one place.
+    RangeEmpty { link: String, at: f64 },
+    /// A driven slide that is drawn outside its range.
+    DrawnBeyondRange {
+        link: String,
+        at: f64,
+        from: f64,
+        to: f64,
+    },
     /// A link without points.
     Bare { link: String },
     /// Two points of a link at one place.
@@ -84,6 +95,12 @@ pub enum LinkageProblem {
     Open { links: Vec<String>, by: f64 },
     /// A drawing in which links are in line.
     OpenInLine { links: Vec<String> },
+    /// A drawing in which a link is perpendicular to its guide.
+    OpenPerpendicular { links: Vec<String> },
+    /// A drawing in which a group is in a singular position.
+    OpenSingular { links: Vec<String> },
+    /// A drawing in which hinges coincide, so that links may stand at any angle.
+    CoincidentHinges { links: Vec<String> },
     /// A point drawn elsewhere than its links put it.
     Misdrawn { point: String, by: f64 },
     /// The input is not a number, or outside the range of the driven slide.
@@ -98,10 +115,14 @@ pub enum LinkageProblem {
     GuidesParallel { links: Vec<String> },
     /// Links may stand at any angle.
     LinksUndetermined { links: Vec<String> },
-    /// Derivatives are unbounded.
+    /// Derivatives are unbounded: links are in line.
     LinksDeadPoint { links: Vec<String> },
     /// A redundant constraint of a link that does not hold where the others do.
     ConstraintBroken { link: String, by: f64 },
+    /// Derivatives are unbounded: a link is perpendicular to its guide.
+    LinksPerpendicular { links: Vec<String> },
+    /// Derivatives are unbounded: a group is in a singular position.
+    LinksSingular { links: Vec<String> },
     /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
     StandsStill { point: String },
     /// The same, as its path is straight here.
@@ -161,7 +182,12 @@ impl LinkageProblem {
             Cause::OutOfReach { by } => Self::OutOfReach { links, by },
             Cause::Parallel => Self::GuidesParallel { links },
             Cause::Undetermined => Self::LinksUndetermined { links },
-            Cause::DeadPoint => Self::LinksDeadPoint { links },
+            Cause::DeadPoint => match mechanism.singularity(unsolved.step) {
+                Singularity::InLine => Self::LinksDeadPoint { links },
+                Singularity::Perpendicular => Self::LinksPerpendicular { links },
+                Singularity::Parallel => Self::GuidesParallel { links },
+                Singularity::Group => Self::LinksSingular { links },
+            },
             Cause::Locked { body, by } => Self::ConstraintBroken {
                 link: mechanism.body_name(body).to_owned(),
                 by,
@@ -195,7 +221,14 @@ impl LinkageProblem {
             SearchError::Output => Self::NoOutput,
             SearchError::Rigid => Self::NothingMoves,
             SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
-            SearchError::Range(index) => Self::BadRange { name: name(index) },
+            SearchError::Range(index) => match variables.get(index).map(|one| one.range) {
+                Some([from, to]) if from > to => Self::RangeReversed {
+                    link: name(index),
+                    from,
+                    to,
+                },
+                _ => Self::BadRange { name: name(index) },
+            },
             SearchError::Blocked => Self::Blocked,
         }
     }
@@ -270,6 +303,16 @@ impl From<Defect> for LinkageProblem {
             Defect::Twice(name) => Self::Twice { name },
             Defect::Unknown(name) => Self::UnknownName { name },
             Defect::NotFinite(name) => Self::NotFinite { name },
+            Defect::Range {
+                link,
+                range: [from, to],
+            } if from > to => Self::RangeReversed { link, from, to },
+            Defect::Range { link, range } => Self::RangeEmpty { link, at: range[0] },
+            Defect::BeyondRange {
+                link,
+                at,
+                range: [from, to],
+            } => Self::DrawnBeyondRange { link, at, from, to },
             Defect::Bare(link) => Self::Bare { link },
             Defect::Coincident { link, points } => Self::Coincident { link, points },
             Defect::Repeated { link, point } => Self::Repeated { link, point },
@@ -288,8 +331,14 @@ impl From<Defect> for LinkageProblem {
             Defect::Undetermined { links } => Self::TrainUndetermined { links },
             Defect::Contradiction { links } => Self::MeshContradicts { links },
             Defect::Unsupported { links } => Self::Unsupported { links },
-            Defect::Open { links, by: 0.0 } => Self::OpenInLine { links },
             Defect::Open { links, by } => Self::Open { links, by },
+            Defect::Singular { links, singularity } => match singularity {
+                Singularity::InLine => Self::OpenInLine { links },
+                Singularity::Perpendicular => Self::OpenPerpendicular { links },
+                Singularity::Parallel => Self::ParallelGuides { links },
+                Singularity::Group => Self::OpenSingular { links },
+            },
+            Defect::CoincidentHinges { links } => Self::CoincidentHinges { links },
             Defect::Misdrawn { point, by } => Self::Misdrawn { point, by },
         }
     }

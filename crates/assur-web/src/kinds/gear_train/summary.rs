@@ -113,6 +113,8 @@ pub(crate) struct TrainConditionSummary {
     relation: &'static str,
     right: f64,
     met: bool,
+    /// Whether gears with profile shift may be built all the same.
+    shifted: bool,
 }
 
 #[derive(Serialize)]
@@ -373,6 +375,7 @@ impl TrainConditionSummary {
             },
             right: condition.right,
             met: condition.met(),
+            shifted: condition.within_profile_shift(),
         }
     }
 }

@@ -45,7 +45,7 @@ pub(crate) struct FamilyCurve {
 pub(crate) struct FoundSummary {
     /// From how many starts it went.
     starts: usize,
-    /// How many of them ended in the best.
+    /// How many of them ended in the one that is shown first.
     best: usize,
     /// l₂ and l₃ along the way to each of the solutions.
     paths: Vec<Vec<[f64; 2]>>,
@@ -100,7 +100,7 @@ impl FamilySummary {
 }
 
 impl FoundSummary {
-    pub(super) fn new(task: &Task, minima: &[Minimum], starts: usize) -> Self {
+    pub(super) fn new(task: &Task, (minima, best): (&[Minimum], usize), starts: usize) -> Self {
         let place = |proportions: &Proportions| {
             let [_, l2, l3] = lengths(task, *proportions);
             [l2, l3]
@@ -108,7 +108,7 @@ impl FoundSummary {
         let path = |minimum: &Minimum| minimum.path.iter().map(place).collect();
         Self {
             starts,
-            best: minima.first().map_or(0, |best| best.reached),
+            best: minima.get(best).map_or(0, |best| best.reached),
             paths: minima.iter().map(path).collect(),
             sum: PlaneSummary::sum(task),
         }

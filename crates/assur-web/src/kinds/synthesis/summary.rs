@@ -8,7 +8,7 @@ use super::options::{FamilySummary, FoundSummary};
 use super::plane::PlaneSummary;
 use super::wanted::{PrintedSummary, WantedSummary, angles};
 use crate::moving::Moving;
-use crate::summary::{MotionSummary, grashof};
+use crate::summary::MotionSummary;
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -18,8 +18,12 @@ pub(crate) struct SynthesisSummary<'a> {
     /// What there is to choose from.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
-    /// Those that are told apart by a number.
+    /// Those that are told apart by a number, in the order of their numbers.
     solutions: Vec<SolutionSummary>,
+    /// Their numbers, from 1, in the order in which they are shown.
+    shown: Vec<usize>,
+    /// Whether the output's angles are probably given in the opposite sense.
+    turned: bool,
     /// Which of them is drawn, from 1.
     number: Option<usize>,
     drawn: SolutionSummary,
@@ -49,6 +53,8 @@ pub(crate) struct SolutionSummary {
     gap: f64,
     /// ΣJ, in squares of the unit of lengths.
     sum: f64,
+    /// By how much the output is off its given angles at most, radians; none where a position is not reached.
+    output_error: Option<f64>,
     /// Whether a length is at the end of what is searched.
     at_bound: bool,
     verdict: Option<VerdictSummary>,
@@ -102,7 +108,7 @@ impl<'a> SynthesisSummary<'a> {
                 let all = minima.iter();
                 let all =
                     all.map(|one| SolutionSummary::new(task, &one.solution, !one.held.is_empty()));
-                let found = FoundSummary::new(task, minima, *starts);
+                let found = FoundSummary::new(task, (minima, options.best()), *starts);
                 ("found", all.collect(), None, Some(found))
             }
         };
@@ -115,6 +121,8 @@ impl<'a> SynthesisSummary<'a> {
             motion: MotionSummary::new(moving),
             from,
             solutions,
+            shown: options.order().iter().map(|number| number + 1).collect(),
+            turned: !document.free && task.output_is_turned(),
             number: number.map(|number| number + 1),
             drawn,
             frame: task.frame().length,
@@ -143,6 +151,7 @@ impl SolutionSummary {
             starts: [solution.output_start, solution.input_start],
             gap: solution.worst_residual() * length,
             sum: solution.defect(task) * length * length,
+            output_error: solution.output_error(task),
             at_bound,
             verdict: verdict.map(|verdict| VerdictSummary {
                 passage: match verdict.passage {
@@ -158,7 +167,7 @@ impl SolutionSummary {
                     Order::Either => "either",
                     Order::Mixed => "mixed",
                 },
-                grashof: grashof(verdict.grashof),
+                grashof: verdict.grashof.code(),
                 turns: verdict.turns,
                 transmission: verdict.transmission,
                 transmission_between: verdict.transmission_between,

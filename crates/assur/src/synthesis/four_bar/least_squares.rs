@@ -19,6 +19,8 @@ pub struct Minimum {
     pub solution: Solution,
     /// ΣJ with the weights of the task, in squares of the frame's length.
     pub value: f64,
+    /// By how much its output is off at most, radians: [`Solution::output_error`].
+    pub output_error: Option<f64>,
     /// The bounds that hold it; none of an inner minimum.
     pub held: Vec<Bound>,
     /// How many starts ended here.
@@ -255,8 +257,10 @@ impl<const N: usize> Descents<N> {
             } else {
                 [0.0; 2]
             };
+            let solution = Solution::started(task, proportions, angles);
             Minimum {
-                solution: Solution::started(task, proportions, angles),
+                output_error: solution.output_error(task),
+                solution,
                 value: found.value * weight,
                 held: held(task, &proportions),
                 reached: found.reached,

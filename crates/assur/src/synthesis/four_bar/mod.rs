@@ -31,6 +31,7 @@ mod linear;
 mod minimiser;
 mod objective;
 mod options;
+mod output_error;
 mod polynomial;
 mod ranges;
 mod ranking;

@@ -1,5 +1,7 @@
 //! What there is to choose from, by how many positions are given.
 
+use crate::sorting::sort_by;
+
 use super::{
     Family, Line, Minimum, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
     five_positions,
@@ -85,26 +87,30 @@ impl Options {
         }
     }
 
-    fn searched(mut search: Search) -> Self {
+    /// Where a search ends.
+    pub fn searched(mut search: Search) -> Self {
         Self::Minima {
             minima: search.run(),
             starts: search.progress().starts,
         }
     }
 
-    /// The number, from 0, of the best of the solutions that no bound holds, if there is one, else
-    /// of the best.
-    pub fn best(&self) -> usize {
-        match self {
-            Self::Minima { minima, .. } => {
-                let inner = minima.iter().position(|one| one.held.is_empty());
-                inner.unwrap_or(0)
-            }
-            Self::Family(_) | Self::Exact(_) => 0,
+    /// The numbers of the solutions, from 0, in the order in which they are shown: of minima those first whose output is
+    /// off by least, those last that a bound holds.
+    pub fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.solutions().len()).collect();
+        if let Self::Minima { minima, .. } = self {
+            sort_by(&mut order, |a, b| minima[*a].order(&minima[*b]));
         }
+        order
     }
 
-    /// Those that are told apart by a number, the best first.
+    /// The number, from 0, of the solution that is shown first.
+    pub fn best(&self) -> usize {
+        self.order().first().copied().unwrap_or(0)
+    }
+
+    /// Those that are told apart by a number, in the order of their numbers: of minima the least ΣJ first.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
             Self::Family(_) => Vec::new(),

@@ -1,4 +1,6 @@
-//! What a mechanism is made of, drivers and Assur groups, and over which inputs it moves.
+//! What a mechanism is made of, drivers and Assur groups, over which inputs it moves, and what its outputs do.
+
+mod outputs;
 
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -85,14 +87,31 @@ pub(crate) fn write<W: Write>(
     for change in list("change_points") {
         line(out, "change point", &at(change))?;
     }
+    for (key, said) in outputs::lines(&described, moved.motion.mechanism().size()) {
+        line(out, key, &said)?;
+    }
     Ok(())
 }
 
 /// An input for people.
 fn at(input: &Value) -> String {
     match input["phi_deg"].as_f64() {
-        Some(degrees) => format!("{}°", (degrees * 1e6).round() / 1e6 + 0.0),
+        Some(degrees) => rounded(degrees),
         None => input["s"].to_string(),
+    }
+}
+
+/// An angle for people, to a millionth of a degree.
+fn rounded(degrees: f64) -> String {
+    format!("{}°", (degrees * 1e6).round() / 1e6 + 0.0)
+}
+
+/// An input for programs, with its key: degrees of a crank, else the length of a driven slide.
+fn placed(mechanism: &Mechanism, input: f64) -> (&'static str, f64) {
+    if mechanism.turns() {
+        ("phi_deg", input.to_degrees())
+    } else {
+        ("s", input)
     }
 }
 
@@ -125,36 +144,29 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         }),
     });
     let at = |input: f64| {
-        if mechanism.turns() {
-            ("phi_deg", input.to_degrees())
-        } else {
-            ("s", input)
-        }
-    };
-    let placed = |input: f64| {
-        let (key, at) = at(input);
+        let (key, at) = placed(mechanism, input);
         json!({key: at})
     };
     let cycle = motion.cycle();
     let range = cycle.arcs().iter();
-    let range = range.map(|[from, to]| json!({"from": placed(*from), "to": placed(*to)}));
+    let range = range.map(|[from, to]| json!({"from": at(*from), "to": at(*to)}));
     let turns = cycle.period().filter(|_| cycle.is_full());
     let turns = turns.map(|period| (period / TAU).round() as u64);
     let ends = |of: fn(DeadPointKind) -> bool| -> Vec<Value> {
         let ends = motion.dead_points().iter().filter(|end| of(end.kind));
         let told = ends.map(|end| {
-            let (key, at) = at(end.input);
+            let (key, at) = placed(mechanism, end.input);
             let links: Vec<&str> = motion.links_at(end).collect();
             json!({key: at, "kind": end.kind.code(), "links": links})
         });
         told.collect()
     };
     let unfollowed = |kind: DeadPointKind| !kind.is_dead_point() && kind != DeadPointKind::Range;
-    let change_points = motion.change_points().iter().copied().map(placed);
+    let change_points = motion.change_points().iter().copied().map(at);
     let mobility = mechanism.mobility();
     let passive = mechanism.passive_wheels();
     let passive = passive.map(|wheel| mechanism.link_name(wheel));
-    json!({
+    let mut described = json!({
         "links": mechanism.links().collect::<Vec<_>>(),
         "drivers": drivers(mechanism),
         // Of a mechanism there are as many drivers as freedoms.
@@ -180,7 +192,11 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         // Where the motion goes on, but is followed no further.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
-    })
+    });
+    if let Value::Object(fields) = &mut described {
+        fields.append(&mut outputs::described(moved));
+    }
+    described
 }
 
 /// What is driven, and at which rates to the first.

@@ -1,0 +1,73 @@
+//! A linkage by its dimensions alone, drawn in one of its assemblies whatever its drawing shows.
+
+use super::check::CLOSEST;
+use super::draft::{Defect, Draft, DraftLink, extent};
+use super::resolved::Resolved;
+use super::{Mechanism, check};
+use crate::Vector;
+
+impl Mechanism {
+    /// The linkage of a draft, drawn in one of its assemblies at an input (radians, or the coordinate of a driven slide;
+    /// none: the drawn one). Places in the drawing count where a dimension is as drawn, and for the coordinates of
+    /// further drivers. None where the links cannot be joined at the input.
+    ///
+    /// # Errors
+    /// Every reason other than its drawing why the draft is no linkage.
+    pub fn assembled(draft: &Draft, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
+        let draft = draft.spread();
+        let defects = check::defects(&draft);
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let resolved = Resolved::new(&draft).map_err(|defect| vec![defect])?;
+        let (planned, ..) = Self::planned(&resolved)?;
+        let found = planned.found_at::<1>(input.unwrap_or(planned.home));
+        let mut poses = found.ways.iter();
+        Ok(poses.find_map(|(pose, _)| Self::new(&planned.drawn_in(pose)).ok()))
+    }
+}
+
+impl Draft {
+    /// The same with points drawn apart whose places tell nothing: those that are drawn on another point of a link, and
+    /// of which no dimension is as drawn.
+    fn spread(&self) -> Self {
+        let shapes = self.links.iter().filter_map(|link| link.shape.as_ref());
+        let lengths = shapes.map(|shape| extent(shape.iter().map(|at| at.coords)));
+        let size = lengths.fold(self.size(), f64::max);
+        let mut spread = self.clone();
+        for (index, point) in self.points.iter().enumerate() {
+            let has = |link: &&DraftLink| link.points.contains(&point.name);
+            let guides = self.slides.iter().flat_map(|slide| {
+                let own = [&slide.point];
+                own.into_iter().chain(&slide.line)
+            });
+            let is_free = self.links.iter().filter(has).all(|link| {
+                let own = link.shape.is_some() && link.fixed_to.is_none();
+                own && !self.is_base(&link.name)
+            });
+            let counts = self.frame.contains(&point.name) || !is_free;
+            if counts || guides.into_iter().any(|name| *name == point.name) {
+                continue;
+            }
+            let mut neighbours = self.links.iter().filter(has).flat_map(|link| &link.points);
+            let near = |name: &String| {
+                let other = self.place(name).filter(|_| *name != point.name);
+                other.is_some_and(|other| (other - point.at).norm() <= CLOSEST * size)
+            };
+            if neighbours.any(near) {
+                let (y, x) = (index as f64).sin_cos();
+                spread.points[index].at = point.at + Vector::new(x, y) * size;
+            }
+        }
+        spread
+    }
+
+    /// Whether another link is fixed to a link, where it is drawn on it.
+    fn is_base(&self, link: &str) -> bool {
+        let mut fixed = self
+            .links
+            .iter()
+            .filter_map(|other| other.fixed_to.as_ref());
+        fixed.any(|base| base == link)
+    }
+}

@@ -1,0 +1,92 @@
+//! By how much a linkage's output is off the given angles, and output angles that are given in the opposite sense.
+
+use std::cmp::Ordering;
+
+use super::closure::{Direction, dot};
+use super::linear::least_squares;
+use super::{Minimum, Proportions, Solution, Task};
+
+/// A side of a triangle that is too long by this part of the others closes it in line: rounding.
+const ROUNDING: f64 = 1e-12;
+/// The least number of positions of which least squares say anything.
+const OVERDETERMINED: usize = 4;
+
+impl Direction {
+    /// |Δφ₂|: by how much the output's angle is off at the given input, in the assembly in which it is less. With
+    /// d = e₀ − z₃e₃ from B to D, the output makes an angle ψ with d, on either side of it; by the law of cosines
+    /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None where the linkage cannot be closed at this input.
+    fn output_error(&self, proportions: Proportions) -> Option<f64> {
+        let Proportions {
+            coupler,
+            output,
+            input,
+        } = proportions;
+        let diagonal = self.gap(0.0, input);
+        let length = diagonal.norm();
+        let sides = [
+            (coupler - (length - output)) * (coupler + (length - output)),
+            (length + output - coupler) * (length + output + coupler),
+        ];
+        let rounding = ROUNDING * (length + output + coupler).powi(2);
+        if !sides.iter().all(|side| *side >= -rounding) {
+            return None;
+        }
+        let [opposite, adjacent] = sides.map(|side| side.max(0.0).sqrt());
+        let spread = 2.0 * opposite.atan2(adjacent);
+        let off = (self.output * diagonal.conj()).arg();
+        Some((off.abs() - spread).abs())
+    }
+}
+
+impl Solution {
+    /// The greatest |Δφ₂| over the positions of a task, radians: by how much the output is off its given angle at the
+    /// given input, in the nearer assembly. None where the linkage cannot be closed at one of the inputs.
+    pub fn output_error(&self, task: &Task) -> Option<f64> {
+        let starts = [self.output_start, self.input_start];
+        let mut errors = task
+            .directions(starts)
+            .map(|direction| direction.output_error(self.proportions));
+        errors.try_fold(0.0, |most: f64, error| Some(most.max(error?)))
+    }
+}
+
+impl Minimum {
+    /// The order in which minima are shown: what a bound holds last; before it those whose output is off by least, and
+    /// those last that miss a position altogether.
+    pub(super) fn order(&self, other: &Self) -> Ordering {
+        let key = |one: &Self| {
+            (
+                !one.held.is_empty(),
+                one.output_error.unwrap_or(f64::INFINITY),
+            )
+        };
+        let ((held, error), (other_held, other_error)) = (key(self), key(other));
+        let held = held.cmp(&other_held);
+        let error = held.then(error.total_cmp(&other_error));
+        error.then(self.value.total_cmp(&other.value))
+    }
+}
+
+impl Task {
+    /// Whether the output's angles are probably those of the opposite sense, from D to C: Freudenstein's equation
+    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over four positions or more, has a negative z₂ that
+    /// with every φ₂ turned by 180° would be a length within the ratios of the task, as z₁ and z₃ are.
+    pub fn output_is_turned(&self) -> bool {
+        if self.positions().len() < OVERDETERMINED {
+            return false;
+        }
+        let rows = self.directions([0.0; 2]).zip(self.positions());
+        let rows = rows.map(|(direction, position)| {
+            let Direction { output, input, .. } = direction;
+            let row = [input.re, output.re, 1.0, dot(output, input)];
+            row.map(|term| term * position.weight.sqrt()).to_vec()
+        });
+        let Some([u, v, c]) = least_squares::<3>(rows.collect()) else {
+            return false;
+        };
+        let [z2, z3] = [-u.recip(), v.recip()];
+        let z1 = (1.0 + z2 * z2 + z3 * z3 - 2.0 * z2 * z3 * c).sqrt();
+        let [least, greatest] = self.ratios();
+        [z1, z2, z3].iter().all(|z| (least..=greatest).contains(z))
+    }
+}
