@@ -130,7 +130,7 @@ pub(crate) fn laid_out(
 }
 
 /// That there is no assembly at an input.
-fn unjoined(name: &str, turns: bool, input: f64) -> Failure {
+fn unjoined(name: &Name, turns: bool, input: f64) -> Failure {
     let at = at(turns, input);
     Failure::Input(format!("{name}: there is no assembly at {at}"))
 }
@@ -185,7 +185,7 @@ pub(crate) fn in_assembly(
 
 /// That at an input there is no assembly of a number, of so many.
 pub(crate) fn no_assembly(
-    name: &str,
+    name: &Name,
     mechanism: &Mechanism,
     (number, of): (usize, usize),
     input: f64,
@@ -255,7 +255,7 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
 }
 
 /// Says on standard error why a linkage does not move, a line for each reason other than too few drivers.
-fn unmoved(name: &str, problems: &[Problem]) -> Result<(), Failure> {
+fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     let words = Words::english()?;
     for problem in problems {
         let undriven = matches!(
