@@ -1,5 +1,4 @@
-//! Which way the groups of a mechanism are joined: the assembly that is drawn, and
-//! all others at the drawn input.
+//! The assembly of a mechanism that is drawn: which way its groups are joined.
 
 use std::f64::consts::TAU;
 
@@ -21,14 +20,10 @@ const ASIDE: f64 = 1e-3;
 /// A wheel that is off by less, radians, is mounted as it is drawn: a whole turn of what turns it makes more, unless it
 /// has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
-/// No more assemblies are counted, and no more steps solved to find them: n groups
-/// can be put together in 2ⁿ ways, few of which may close.
-const MOST_ASSEMBLIES: usize = 256;
-const MOST_TRIES: usize = 1 << 14;
 
 impl Mechanism {
     /// The drawn pose as the one nearby.
-    fn drawn(&self) -> Nearby<'_> {
+    pub(super) fn drawn(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
@@ -56,7 +51,7 @@ impl Mechanism {
         }
     }
 
-    /// Finds the assembly that is drawn, and all others at the drawn input.
+    /// Finds the assembly that is drawn.
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
@@ -80,7 +75,6 @@ impl Mechanism {
         self.orientations = state.orientations();
         let places = state.natural.iter().map(|place| place.value());
         self.natural = places.flat_map(|place| [place.x, place.y]).collect();
-        self.assemblies = self.all_assemblies(&mut state);
         self.begin()
     }
 
@@ -189,26 +183,6 @@ impl Mechanism {
         farthest
     }
 
-    /// All assemblies at the drawn input in which motions can begin.
-    fn all_assemblies(&self, state: &mut State<1>) -> Vec<Signs> {
-        let mut search = Search {
-            mechanism: self,
-            signs: self.steps.alike(Sign::Plus),
-            found: Vec::new(),
-            tries: MOST_TRIES,
-        };
-        search.join(&self.steps.ids().collect::<Vec<_>>(), state);
-        let mut found = search.found;
-        // The search may have ended before it came to the drawn one.
-        if !found.contains(&self.signs) {
-            found.push(self.signs.clone());
-        }
-        let mut state = self.blank_state();
-        let whole = self.whole_closed_form();
-        found.retain(|signs| whole || self.entry(signs, &mut state).is_some());
-        found
-    }
-
     fn open(&self, step: StepId, met: Option<Cause>) -> Defect {
         let links: Vec<String> = self.links_of(step).map(str::to_owned).collect();
         match met {
@@ -216,30 +190,6 @@ impl Mechanism {
             Some(Cause::Apart { by } | Cause::OutOfReach { by }) => Defect::Open { links, by },
             _ => Defect::Open { links, by: 0.0 },
         }
-    }
-
-    /// How many assemblies there are at the drawn input.
-    pub fn assemblies(&self) -> usize {
-        self.assemblies.len()
-    }
-
-    /// Which of them is drawn, from 0.
-    pub fn drawn_assembly(&self) -> usize {
-        let others = self.assemblies.iter();
-        others.take_while(|signs| **signs != self.signs).count()
-    }
-
-    /// The same linkage drawn in one of its assemblies (0 … count − 1) at the drawn
-    /// input, or just next to it where assemblies meet in one pose. None where there
-    /// is no such assembly, or no drawing tells it from the others.
-    pub fn assembly(&self, number: usize) -> Option<Self> {
-        let signs = self.assemblies.get(number)?;
-        let mut state: Predictor = self.blank_state();
-        self.entries().into_iter().find_map(|input| {
-            let solved = self.solve(input, signs, self.drawn(), &mut state);
-            let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
-            other.ok().filter(|other| other.signs == *signs)
-        })
     }
 
     /// The same linkage drawn in this pose.
@@ -287,41 +237,13 @@ impl Mechanism {
     }
 
     /// The input at, or next to, the drawn one where the pose has derivatives.
-    fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
+    pub(super) fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
         let mut inputs = self.entries().into_iter();
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
     }
 
     /// The drawn input and those next to it.
-    fn entries(&self) -> [f64; 3] {
+    pub(super) fn entries(&self) -> [f64; 3] {
         [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
-    }
-}
-
-/// A search for all ways to join the groups.
-struct Search<'a> {
-    mechanism: &'a Mechanism,
-    signs: Signs,
-    found: Vec<Signs>,
-    /// How many steps may still be solved.
-    tries: usize,
-}
-
-impl Search<'_> {
-    /// Joins the groups of these steps in all ways.
-    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
-        let [step, rest @ ..] = steps else {
-            self.found.push(self.signs.clone());
-            return;
-        };
-        for sign in self.mechanism.joinings(*step) {
-            self.signs[*step] = *sign;
-            let solved = self.mechanism.try_step(*step, *sign, state);
-            self.tries = self.tries.saturating_sub(1);
-            if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
-                self.join(rest, state);
-            }
-        }
-        self.signs[*step] = Sign::Plus;
     }
 }

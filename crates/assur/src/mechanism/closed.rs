@@ -123,14 +123,6 @@ impl Mechanism {
         is_whole || self.closed_steps().any(swings)
     }
 
-    /// The number of the assembly in which the four-bar of the closed form is
-    /// joined so.
-    pub(crate) fn assembly_with(&self, assembly: Assembly) -> Option<usize> {
-        let step = self.closed_steps().next()?.step;
-        let mut signs = self.assemblies.iter();
-        signs.position(|signs| Assembly::from(signs[step]) == assembly)
-    }
-
     /// Whether another drawing shows the same linkage: the same names, steps, and
     /// places of joints on their bodies, within rounding.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {

@@ -26,6 +26,7 @@ mod quantity;
 mod rate;
 mod repeated;
 mod resolved;
+mod signed;
 mod slide;
 mod structured;
 mod tracer;
@@ -52,6 +53,7 @@ pub(crate) use neighbour::{Apart, Joined, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
+pub use signed::SignedAssemblies;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
@@ -103,7 +105,6 @@ pub struct Mechanism {
     /// The input and pose from which the motion is followed: the drawn ones, or
     /// those just next to them where the drawn pose is singular.
     start: (f64, Predictor),
-    assemblies: Vec<Signs>,
 }
 
 /// A moving link, or a part fixed to one.
@@ -198,7 +199,6 @@ impl Mechanism {
             start: (plan.home, blank),
             orientations: plan.orientations,
             natural: plan.natural,
-            assemblies: Vec::new(),
         };
         mechanism.count_turns_of_wheels();
         Ok(mechanism)
