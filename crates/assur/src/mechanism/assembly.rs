@@ -17,6 +17,8 @@ const MISDRAWN: f64 = 0.3;
 /// Where the drawn pose is singular the motion is followed from an input that is off
 /// by this, radians of a crank; of a slide's range the same part as of a turn.
 const ASIDE: f64 = 1e-3;
+/// So often the way back from an input beyond a dead point is doubled, from the rounding of the input on.
+const BACK: u32 = 24;
 /// A wheel that is off by less, radians, is mounted as it is drawn: a whole turn of what turns it makes more, unless it
 /// has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
@@ -93,16 +95,31 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Tells the drawn input by other whole turns, with the wheels mounted as they are drawn.
-    pub(crate) fn tell_by_turns(&mut self, home: f64) {
+    /// Counts the drawn input by other whole turns, with the wheels mounted as they are drawn. False, and nothing is
+    /// changed, where the links do not close at an input given so.
+    pub(crate) fn rebase_turns(&mut self, home: f64) -> bool {
+        // Drawn at a dead point an input is rounded anew, and may then lie just beyond it.
+        let unit = f64::EPSILON * home.abs().max(self.span());
+        let aside = (0..BACK).flat_map(|doubled| {
+            let off = unit * f64::from((1_u32 << doubled) - 1);
+            [off, -off]
+        });
+        let mut inputs = aside.map(|off| home + off);
+        inputs.any(|input| self.rebase_at(input))
+    }
+
+    fn rebase_at(&mut self, home: f64) -> bool {
+        let before = self.steps.clone();
         let mut state: State<1> = self.blank_state();
-        for step in self.steps.ids() {
+        for step in before.ids() {
             self.mount(step, home, &mut state);
             let given = self.given(step, home, self.signs[step]);
             if self.steps[step].put(&mut state, &given).is_err() {
-                return;
+                self.steps = before;
+                return false;
             }
         }
+        true
     }
 
     /// Mounts the wheels of a step as they are drawn. What turns them may be told by other whole turns than it is
