@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftGear, Mechanism, Quantity};
-use assur::motion::{DeadPointKind, Motion, OutputProfile};
+use assur::motion::{Column, DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
@@ -461,6 +461,62 @@ fn readings_of_a_four_bar_that_is_followed() {
         match ratios {
             [Some(found), Some(expected)] => assert!((found - expected).abs() < 1e-8),
             ratios => assert_eq!(ratios, [None, None]),
+        }
+    }
+}
+
+/// Where B lies on D coupler and rocker of a kite may stand at any angle: the row is the limit along the motion, smooth as
+/// the rows beside it, and the input is a change point.
+#[test]
+fn a_kite_passes_its_free_swing_smoothly() {
+    for (lengths, turns) in [
+        ([5.0; 4], 1),
+        ([1.0, 2.0, 2.0, 1.0], 2),
+        ([2.0, 1.25, 1.25, 2.0], 1),
+    ] {
+        for assembly in Assembly::ALL {
+            let draft = four_bar(lengths, 0.3, assembly);
+            let motion = Motion::new(Mechanism::new(&draft).unwrap());
+            let mechanism = motion.mechanism();
+            let quantities = ["crank.angle", "coupler.angle", "rocker.angle", "C.x", "C.y"];
+            let quantities = quantities.map(|name| Quantity::named(mechanism, name).unwrap());
+            let columns: Vec<Column> = Column::all(mechanism);
+            let swings = motion.cycle().contains(0.0);
+            assert!(swings);
+            for turn in 0..=turns {
+                let at = TAU * f64::from(turn);
+                let inputs = motion.change_points().iter();
+                let is_listed = inputs.copied().any(|input| input == at);
+                assert!(is_listed || turn == turns, "{lengths:?} {at}");
+                let row = motion.row(&columns, at);
+                assert_eq!(row.reason, None, "{lengths:?} {at}");
+                assert!(row.values.iter().all(Option::is_some));
+                // By Taylor's series from the pose itself and from both sides.
+                let step = 1e-3;
+                let here = motion.pose::<5>(at).unwrap();
+                for quantity in quantities {
+                    let jet = quantity.of(mechanism, &here);
+                    for by in [-step, step] {
+                        let Ok(beside) = motion.pose::<1>(at + by) else {
+                            continue;
+                        };
+                        let terms = (0..5).rev();
+                        let told = terms.fold(0.0, |sum, order| {
+                            sum * by / (order + 1) as f64 + jet.derivative(order)
+                        });
+                        let off = quantity.of(mechanism, &beside).value() - told;
+                        let off = if quantity.is_angle() {
+                            off - TAU * (off / TAU).round()
+                        } else {
+                            off
+                        };
+                        assert!(
+                            off.abs() < 1e-11,
+                            "{lengths:?} {assembly:?} {at} {by}: {off:e}"
+                        );
+                    }
+                }
+            }
         }
     }
 }
