@@ -32,7 +32,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         Some(at) => asked_for("--at", at, mechanism.turns())?.input,
         None => motion.home(),
     };
-    let found = mechanism.numbered(input, output);
+    let found = motion.assemblies_at(input, output);
     let csv = Csv {
         decimal_comma: false,
     };

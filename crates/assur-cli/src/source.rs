@@ -64,17 +64,18 @@ pub(crate) fn in_assembly(
     let Moved { document, motion } = drawn;
     let mechanism = motion.mechanism();
     let input = input.unwrap_or(motion.home());
-    let none = |of: usize| {
+    let none = |NoAssembly { of, whole }| {
         let at = at(mechanism.turns(), input);
+        let more = if whole { "" } else { ", and there may be more" };
         Failure::Input(match of {
-            0 => format!("{name}: there is no assembly at {at}"),
-            1 => format!("{name}: there is no assembly {number} at {at}, only 1"),
-            _ => format!("{name}: there is no assembly {number} at {at}, only 1 to {of}"),
+            0 => format!("{name}: there is no assembly at {at}{more}"),
+            1 => format!("{name}: there is no assembly {number} at {at}, only 1{more}"),
+            _ => format!("{name}: there is no assembly {number} at {at}, only 1 to {of}{more}"),
         })
     };
     let index = number.checked_sub(1).unwrap_or(usize::MAX);
-    let other = mechanism.in_numbered(input, output, index);
-    let motion = Motion::new(other.map_err(|NoAssembly { of }| none(of))?);
+    let other = motion.in_assembly(input, output, index);
+    let motion = Motion::new(other.map_err(none)?);
     Ok(Moved { document, motion })
 }
 
