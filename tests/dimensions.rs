@@ -317,10 +317,12 @@ fn every_assembly_of_the_catalogue() {
     for name in gallery() {
         let motion = motion(name);
         let mechanism = motion.mechanism();
-        for number in 0..mechanism.assemblies() {
-            let other = mechanism.assembly(number).unwrap();
-            let found = (other.drawn_assembly(), other.assemblies());
-            assert_eq!(found, (number, mechanism.assemblies()), "{name}");
+        let all = mechanism.signed_assemblies();
+        for number in 0..all.count() {
+            let other = all.assembly(number).unwrap();
+            let others = other.signed_assemblies();
+            let found = (others.drawn(), others.count());
+            assert_eq!(found, (number, all.count()), "{name}");
             assert_eq!(other.home(), mechanism.home(), "{name}");
         }
     }

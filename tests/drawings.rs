@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::fs;
 
-use assur::mechanism::Quantity;
-use assur::motion::{DeadPointKind, Features, Input, Motion};
+use assur::mechanism::{Cause, Mechanism, Quantity};
+use assur::motion::{Column, DeadPointKind, Features, Input, Motion};
 use assur_draw::{Figure, View};
 use assur_file::from_text;
 use assur_tests::files::root;
@@ -164,6 +164,63 @@ fn what_never_comes_back_is_said() {
     assert!(!motion.cycle().is_full());
     let kinds = motion.dead_points().iter().map(|dead| dead.kind);
     assert!(kinds.eq([DeadPointKind::Unfollowed; 2]));
+}
+
+/// Wheels on carriers, followed for 116 turns and then given up: the row at the drawn input is the drawing, and beyond
+/// what was followed there is no row but a reason.
+#[test]
+fn the_drawing_is_the_row_at_its_input() {
+    let motion = motion("drawn-turns-off");
+    let mechanism = motion.mechanism();
+    assert_eq!(motion.home(), 0.0);
+    let kinds = motion.dead_points().iter().map(|dead| dead.kind);
+    assert!(kinds.eq([DeadPointKind::Unfollowed; 2]));
+    let [from, to] = motion.cycle().arcs()[0];
+    assert!(from < -50.0 * TAU && to > 50.0 * TAU, "{from} {to}");
+    let pose = motion.pose::<1>(0.0).unwrap();
+    for (point, drawn) in mechanism.point_ids().zip(&mechanism.draft().points) {
+        let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
+        assert!(off < 1e-12, "{}: {off:e}", drawn.name);
+    }
+    let columns = Column::all(mechanism);
+    for degrees in [
+        -50_000.0,
+        -21_600.0,
+        21_600.0,
+        42_432.0,
+        43_200.0,
+        50_000.0_f64,
+    ] {
+        let row = motion.row(&columns, degrees.to_radians());
+        assert!(row.values.iter().all(Option::is_none), "{degrees}");
+        let reason = row.reason.map(|reason| reason.cause);
+        assert_eq!(reason, Some(Cause::Unfollowed), "{degrees}");
+    }
+    for end in [from, to] {
+        assert!(motion.pose::<1>(end).is_ok());
+        assert!(motion.pose::<1>(end + 1e-6 * end.signum()).is_err());
+    }
+}
+
+/// Where a crank goes to and fro over more than a turn its inputs are counted the same from whichever pose it is drawn in,
+/// and the row at the drawn one is the drawing.
+#[test]
+fn a_drawing_over_more_than_a_turn_is_its_row() {
+    let over = motion("range-over-a-turn");
+    let [from, to] = over.cycle().arcs()[0];
+    for k in 0..=40 {
+        let input = from + 1e-3 + (to - from - 2e-3) * f64::from(k) / 40.0;
+        let pose = over.pose::<1>(input).unwrap();
+        let drawn = over.mechanism().drawn_in(&pose);
+        let motion = Motion::new(Mechanism::new(&drawn).unwrap());
+        let mechanism = motion.mechanism();
+        assert!((motion.home() - input).abs() < 1e-9, "{k} {input}");
+        let pose = motion.pose::<1>(motion.home()).unwrap();
+        for (point, drawn) in mechanism.point_ids().zip(&drawn.points) {
+            let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
+            assert!(off < 1e-9, "{k} {input} {}: {off:e}", drawn.name);
+        }
+    }
 }
 
 /// A near-singular drawing ends in a bounded number of steps, with a reason that is no dead point.

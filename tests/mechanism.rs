@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, Draft, DraftDriver, DraftGear, Mechanism, Quantity, Singularity};
-use assur::motion::{DeadPointKind, Motion, OutputProfile};
+use assur::motion::{Column, DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
@@ -28,7 +28,7 @@ fn four_bar_is_the_closed_form() {
     for assembly in Assembly::ALL {
         let lengths = [0.37, 0.85, 0.55, 0.85];
         let mechanism = Mechanism::new(&four_bar(lengths, 1.0, assembly)).unwrap();
-        assert_eq!(mechanism.assemblies(), 2);
+        assert_eq!(mechanism.signed_assemblies().count(), 2);
         let motion = Motion::new(mechanism);
         let mechanism = motion.mechanism();
         assert!(motion.cycle().is_full());
@@ -88,7 +88,7 @@ fn swings_between_dead_points() {
     let linkage = FourBar::new(lengths).unwrap();
     let home = linkage.cycle().home();
     let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
-    let motion = Motion::new(mechanism.assembly(0).unwrap());
+    let motion = Motion::new(mechanism.signed_assemblies().assembly(0).unwrap());
     assert!(!motion.cycle().is_full());
     let [from, to] = linkage.cycle().arcs()[0];
     let ends: Vec<f64> = motion.dead_points().iter().map(|end| end.input).collect();
@@ -136,7 +136,7 @@ fn the_search_for_assemblies_is_bounded() {
             .bar(&format!("rocker{k}"), &[&shaft, &joint]);
     }
     let mechanism = Mechanism::new(&draft).unwrap();
-    assert!((1..=256).contains(&mechanism.assemblies()));
+    assert!((1..=256).contains(&mechanism.signed_assemblies().count()));
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
     let pose = motion.pose::<1>(motion.home()).unwrap();
@@ -226,12 +226,18 @@ fn each_assembly_is_a_drawing() {
             link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
         }
         let drawn = Mechanism::new(&draft).unwrap();
-        assert_eq!(drawn.assemblies(), 2);
-        assert!(drawn.assembly(2).is_none());
+        assert_eq!(drawn.signed_assemblies().count(), 2);
+        assert!(drawn.signed_assemblies().assembly(2).is_none());
         let mut found = Vec::new();
         for number in [0, 1] {
-            let other = drawn.assembly(number).unwrap();
-            assert_eq!([other.assemblies(), other.drawn_assembly()], [2, number]);
+            let other = drawn.signed_assemblies().assembly(number).unwrap();
+            assert_eq!(
+                [
+                    other.signed_assemblies().count(),
+                    other.signed_assemblies().drawn()
+                ],
+                [2, number]
+            );
             let motion = Motion::new(other);
             let pose = motion.pose::<1>(2.0).unwrap();
             let c = motion.mechanism().point("C").unwrap();
@@ -258,7 +264,10 @@ fn tracers_follow_their_links() {
     let [plain, mechanism] = [&bare, &draft].map(|draft| Mechanism::new(draft).unwrap());
     assert_eq!(mechanism.points().collect::<Vec<_>>()[4..], ["T", "F"]);
     assert_eq!(mechanism.structure(), plain.structure());
-    assert_eq!(mechanism.assemblies(), plain.assemblies());
+    assert_eq!(
+        mechanism.signed_assemblies().count(),
+        plain.signed_assemblies().count()
+    );
     let [coupler, rocker] = ["coupler", "rocker"].map(|link| mechanism.link(link).unwrap());
     let [b, c, t, f] = ["B", "C", "T", "F"].map(|point| mechanism.point(point).unwrap());
     assert_eq!(mechanism.points_of(coupler), plain.points_of(coupler));
@@ -536,4 +545,60 @@ fn drawings_that_do_not_begin_are_named() {
     };
     assert_eq!((link, *range), (&foot, [0.1, 0.3]));
     assert!((at - 1.5).abs() < 1e-15, "{at}");
+}
+
+/// Where B lies on D coupler and rocker of a kite may stand at any angle: the row is the limit along the motion, smooth as
+/// the rows beside it, and the input is a change point.
+#[test]
+fn a_kite_passes_its_free_swing_smoothly() {
+    for (lengths, turns) in [
+        ([5.0; 4], 1),
+        ([1.0, 2.0, 2.0, 1.0], 2),
+        ([2.0, 1.25, 1.25, 2.0], 1),
+    ] {
+        for assembly in Assembly::ALL {
+            let draft = four_bar(lengths, 0.3, assembly);
+            let motion = Motion::new(Mechanism::new(&draft).unwrap());
+            let mechanism = motion.mechanism();
+            let quantities = ["crank.angle", "coupler.angle", "rocker.angle", "C.x", "C.y"];
+            let quantities = quantities.map(|name| Quantity::named(mechanism, name).unwrap());
+            let columns: Vec<Column> = Column::all(mechanism);
+            let swings = motion.cycle().contains(0.0);
+            assert!(swings);
+            for turn in 0..=turns {
+                let at = TAU * f64::from(turn);
+                let inputs = motion.change_points().iter();
+                let is_listed = inputs.copied().any(|input| input == at);
+                assert!(is_listed || turn == turns, "{lengths:?} {at}");
+                let row = motion.row(&columns, at);
+                assert_eq!(row.reason, None, "{lengths:?} {at}");
+                assert!(row.values.iter().all(Option::is_some));
+                // By Taylor's series from the pose itself and from both sides.
+                let step = 1e-3;
+                let here = motion.pose::<5>(at).unwrap();
+                for quantity in quantities {
+                    let jet = quantity.of(mechanism, &here);
+                    for by in [-step, step] {
+                        let Ok(beside) = motion.pose::<1>(at + by) else {
+                            continue;
+                        };
+                        let terms = (0..5).rev();
+                        let told = terms.fold(0.0, |sum, order| {
+                            sum * by / (order + 1) as f64 + jet.derivative(order)
+                        });
+                        let off = quantity.of(mechanism, &beside).value() - told;
+                        let off = if quantity.is_angle() {
+                            off - TAU * (off / TAU).round()
+                        } else {
+                            off
+                        };
+                        assert!(
+                            off.abs() < 1e-11,
+                            "{lengths:?} {assembly:?} {at} {by}: {off:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 }

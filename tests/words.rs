@@ -615,6 +615,7 @@ fn every_problem_has_words() {
         "misdrawn",
         "beyond_range",
         "unreached",
+        "unfollowed",
         "links_apart",
         "out_of_reach",
         "guides_parallel",

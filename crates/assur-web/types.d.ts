@@ -157,9 +157,10 @@ traceable: boolean,
 becomes: readonly "scheme"[], };
 export type MotionSummary = { equations: Array<EquationSummary>, 
 /**
- * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
+ * all.
  */
-assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -198,9 +199,10 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
  */
 drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, 
 /**
- * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
+ * all.
  */
-assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -249,9 +251,10 @@ overlaps: Array<[number, number]>,
  */
 free_direction: number, equations: Array<EquationSummary>, 
 /**
- * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
+ * all.
  */
-assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -410,9 +413,10 @@ printed: PrintedSummary | null,
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, 
 /**
- * Which of the assemblies at the drawn input moves, from 1, and how many there are.
+ * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
+ * all.
  */
-assembly: number, assemblies: number, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */

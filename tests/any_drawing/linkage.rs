@@ -9,7 +9,7 @@ use super::places::Places;
 use crate::properties::random::Random;
 
 /// What a linkage is built of.
-const PARTS: [Part; 14] = [
+const PARTS: [Part; 15] = [
     Part::Rrr,
     Part::Rrr,
     Part::Rrp,
@@ -24,6 +24,7 @@ const PARTS: [Part; 14] = [
     Part::Planet,
     Part::Wheel,
     Part::Fixed,
+    Part::Train,
 ];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +40,7 @@ enum Part {
     Five,
     Wheel,
     Planet,
+    Train,
     Fixed,
 }
 
@@ -175,6 +177,7 @@ impl Linkage {
             }
             Part::Wheel => self.wheel(),
             Part::Planet => self.planet(),
+            Part::Train => self.train(),
             Part::Fixed => {
                 let on = self.random.below(self.draft.links.len());
                 let on = self.draft.links[on].name.clone();
@@ -208,6 +211,22 @@ impl Linkage {
         self.give(&carrier, &w);
         let planet = self.bar([Some(w), Some(v), None]);
         self.gear([FRAME.to_owned(), planet], &carrier);
+    }
+
+    /// Wheels on a link that turns on the frame, in mesh one with the other, the first with one that stands; what is drawn
+    /// by a point of theirs hangs on how often their carrier has turned.
+    fn train(&mut self) {
+        let Some((carrier, _)) = self.one_turning() else {
+            return self.add(Part::Rrr);
+        };
+        let mut mate = FRAME.to_owned();
+        for _ in 0..2 {
+            let [w, v] = [self.new_point(), self.new_point()];
+            self.give(&carrier, &w);
+            let wheel = self.bar([Some(w), Some(v), None]);
+            self.gear([mate, wheel.clone()], &carrier);
+            mate = wheel;
+        }
     }
 
     fn one_turning(&mut self) -> Option<(String, String)> {

@@ -1,8 +1,10 @@
 //! What holds of the rows of one motion: the row at the drawn input is the drawing, rows fulfil the
 //! equations of the linkage, neighbours follow from each other, and it ends in singular poses only.
 
+use std::f64::consts::TAU;
+
 use assur::mechanism::Pose;
-use assur::motion::DeadPointKind;
+use assur::motion::{Column, DeadPointKind};
 
 use super::equations::modulo_turn;
 use super::found::Tally;
@@ -31,6 +33,7 @@ pub(crate) fn hold(subject: &Subject, seed: u64, tally: &mut Tally) {
     let mut random = Random::new(82_000_000 + seed);
     let before = tally.failures.len();
     drawn(subject, tally);
+    given_up(subject, tally);
     equations(subject, tally);
     ends(subject, tally);
     repeats(subject, tally);
@@ -52,21 +55,58 @@ fn drawn(subject: &Subject, tally: &mut Tally) {
     if !determined(equations.condition(&equations.drawn()), error) {
         return tally.open("drawn pose");
     }
-    let Ok(pose) = motion.pose::<1>(home) else {
-        return tally.fail("drawn pose", format!("none at home {home}"), None);
-    };
-    let shown = Shown::of(motion.mechanism(), &pose);
-    let condition = equations.condition(&shown);
     if off > 8.0 * error {
         let text = format!("home is {home}, drawn at {drawn}");
         return tally.fail("drawn input", text, None);
     }
-    let allowed = 8.0 * error * condition.pose.max(1.0) * equations.size();
-    for (point, at) in subject.draft.points.iter().zip(&shown.points) {
-        let off = (point.at.coords - at[0]).norm();
-        if off.is_nan() || off > allowed {
-            let text = format!("{} off by {off:e}, allowed {allowed:e}", point.name);
-            return tally.fail("drawn row", text, None);
+    // As the motion counts it, and as it is drawn, where whole turns do not count; the end of a slide's range may be off
+    // by rounding.
+    let [from, to] = motion.cycle().arcs()[0];
+    let period = motion.cycle().period();
+    let is_counted = motion.mechanism().turns() && period.is_none_or(|period| to - from <= period);
+    let as_drawn = is_counted.then_some(drawn);
+    for input in [Some(home), as_drawn].into_iter().flatten() {
+        let Ok(pose) = motion.pose::<1>(input) else {
+            let text = format!("none at {input}, home is {home}");
+            return tally.fail("drawn pose", text, None);
+        };
+        let shown = Shown::of(motion.mechanism(), &pose);
+        let condition = equations.condition(&shown);
+        let allowed = 8.0 * error * condition.pose.max(1.0) * equations.size();
+        for (point, at) in subject.draft.points.iter().zip(&shown.points) {
+            let off = (point.at.coords - at[0]).norm();
+            if off.is_nan() || off > allowed {
+                let text = format!("{} off by {off:e}, allowed {allowed:e}", point.name);
+                return tally.fail("drawn row", text, None);
+            }
+        }
+    }
+}
+
+/// Where a motion is given up there is no row beyond; but that the angle of a crank whose single turns do not count tells
+/// its pose.
+fn given_up(subject: &Subject, tally: &mut Tally) {
+    let motion = &subject.motion;
+    let [from, to] = motion.cycle().arcs()[0];
+    let columns = Column::all(motion.mechanism());
+    let turns = motion.cycle().period();
+    for (end, sense) in [(from, -1.0), (to, 1.0)] {
+        let mut ends = motion.dead_points().iter();
+        if !ends.any(|dead| dead.input == end && dead.kind.is_given_up()) {
+            continue;
+        }
+        for beyond in [1e-9 * (to - from), 0.3, 1.0, TAU, 12.0 * TAU, to - from] {
+            let input = end + sense * beyond;
+            let row = motion.row(&columns, input);
+            let inside = |turns: f64| {
+                let wrapped = from + (input - from).rem_euclid(turns);
+                turns == TAU && to - from <= TAU && wrapped <= to + 1e-9
+            };
+            let is_told = row.values.iter().any(Option::is_some) || row.reason.is_none();
+            if is_told && !turns.is_some_and(inside) {
+                let text = format!("at {input}, followed from {from} to {to}");
+                return tally.fail("row beyond what is followed", text, None);
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use assur::circuits::NoAssembly;
 use assur::mechanism::Quantity;
 use clap::Args;
 
@@ -38,11 +39,16 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
     let input = at(mechanism.turns())?.unwrap_or(motion.home());
-    let found = mechanism.numbered(input, output);
+    let found = motion.assemblies_at(input, output);
     if let Some(number) = asked.assemble {
         let pose = number.checked_sub(1).and_then(|k| found.poses.get(k));
-        let none =
-            || source::no_assembly(&asked.name, mechanism, (number, found.poses.len()), input);
+        let none = || {
+            let none = NoAssembly {
+                of: found.poses.len(),
+                whole: found.whole,
+            };
+            source::no_assembly(&asked.name, mechanism, number, none, input)
+        };
         let pose = pose.ok_or_else(none)?;
         let drawn = moved.document.redrawn(&mechanism.drawn_in(pose));
         serde_json::to_writer_pretty(&mut *out, &drawn).map_err(io::Error::from)?;

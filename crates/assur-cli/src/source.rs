@@ -176,30 +176,28 @@ pub(crate) fn in_assembly(
     let Moved { document, motion } = drawn;
     let mechanism = motion.mechanism();
     let input = input.unwrap_or(motion.home());
-    let none = |of: usize| no_assembly(name, mechanism, (number, of), input);
+    let none = |none: NoAssembly| no_assembly(name, mechanism, number, none, input);
     let index = number.checked_sub(1).unwrap_or(usize::MAX);
-    let other = mechanism.in_numbered(input, output, index);
-    let motion = Motion::new(other.map_err(|NoAssembly { of }| none(of))?);
+    let other = motion.in_assembly(input, output, index);
+    let motion = Motion::new(other.map_err(none)?);
     Ok(Moved { document, motion })
 }
 
-/// That at an input there is no assembly of a number, of so many.
+/// That at an input there is no assembly of a number.
 pub(crate) fn no_assembly(
     name: &Name,
     mechanism: &Mechanism,
-    (number, of): (usize, usize),
+    number: usize,
+    NoAssembly { of, whole }: NoAssembly,
     input: f64,
 ) -> Failure {
     let at = at(mechanism.turns(), input);
-    match of {
-        0 => unjoined(name, mechanism.turns(), input),
-        1 => Failure::Input(format!(
-            "{name}: there is no assembly {number} at {at}, only 1"
-        )),
-        _ => Failure::Input(format!(
-            "{name}: there is no assembly {number} at {at}, only 1 to {of}"
-        )),
-    }
+    let more = if whole { "" } else { ", and there may be more" };
+    Failure::Input(match of {
+        0 => format!("{name}: there is no assembly at {at}{more}"),
+        1 => format!("{name}: there is no assembly {number} at {at}, only 1{more}"),
+        _ => format!("{name}: there is no assembly {number} at {at}, only 1 to {of}{more}"),
+    })
 }
 
 /// An input as people read it: degrees of a crank, else the way of a slide.

@@ -155,7 +155,7 @@ impl Chart {
         let runs = curves::sampled(cycle, sample);
         Self {
             axis: axis(cycle),
-            turns: cycle.period().is_some(),
+            turns: cycle.turns(),
             kind,
             settings,
             plots: curves::plots(&runs, cycle.is_full(), &series, settings),

@@ -422,7 +422,7 @@ fn plots_are_of_one_kind() {
 fn an_assembly_is_chosen() {
     let mut document = from_catalogue("jansen").unwrap().unwrap();
     let drawn = document.motion().unwrap();
-    let count = drawn.mechanism().assemblies();
+    let count = drawn.mechanism().signed_assemblies().count();
     let place = |document: &LinkageDocument| {
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
@@ -431,9 +431,9 @@ fn an_assembly_is_chosen() {
         mechanism.place(&pose, last).place()
     };
     let usual = place(&document);
-    document.assembly = Some(drawn.mechanism().drawn_assembly() + 1);
+    document.assembly = Some(drawn.mechanism().signed_assemblies().drawn() + 1);
     assert_eq!(place(&document), usual);
-    document.assembly = Some((drawn.mechanism().drawn_assembly() + 1) % count + 1);
+    document.assembly = Some((drawn.mechanism().signed_assemblies().drawn() + 1) % count + 1);
     assert_ne!(place(&document), usual);
     for wrong in [0, count + 1] {
         document.assembly = Some(wrong);

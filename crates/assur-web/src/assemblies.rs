@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::circuits::{Branch, Circuits, Meeting, Reach};
-use assur::mechanism::{Assemblies, LinkId};
+use assur::mechanism::{Assemblies, LinkId, Pose};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -50,7 +50,7 @@ impl Moving {
         let mechanism = self.mechanism();
         let following = &mut *self.following().borrow_mut();
         let found = match self.numbering() {
-            Some(output) => following.numbered(input, output),
+            Some(output) => following.numbered(self.motion(), input, output),
             None => following.at(input),
         };
         let shown = self.motion().pose(input).ok();
@@ -179,8 +179,7 @@ impl AllMotions {
     /// Where the assemblies at an input belong, and how the one with a number, from 0, leads to the others:
     /// `{branches, reached}`.
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
-        let assembled = self.circuits.at(input);
-        let branches: Vec<usize> = assembled.iter().map(|one| one.branch).collect();
+        let branches = self.branches_at(input).unwrap_or_default();
         let reached = branches.iter().map(|to| {
             let from = *branches.get(number)?;
             match self.circuits.reach(from, *to) {
@@ -195,6 +194,17 @@ impl AllMotions {
 }
 
 impl AllMotions {
+    /// Of each assembly at an input, in the order of their numbers, its branch; none where one is on no known branch.
+    fn branches_at(&self, input: f64) -> Option<Vec<usize>> {
+        let moving = self.document.linkage()?;
+        let mechanism = moving.mechanism();
+        let on_branches = self.circuits.at(input);
+        let poses: Vec<Pose<1>> = on_branches.iter().map(|one| one.pose.clone()).collect();
+        let (all, _) = moving.assembled(input);
+        let branch = |pose| Some(on_branches[mechanism.number_of(pose, &poses)?].branch);
+        all.poses.iter().map(branch).collect()
+    }
+
     fn pieces(&self, moving: &Moving, branch: &Branch) -> Vec<Vec<f64>> {
         let cycle = branch.motion.cycle();
         let turns = moving.mechanism().turns();

@@ -29,7 +29,7 @@ fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize>
 }
 
 /// Puts into each place what stood where `order` has it, cycle by cycle.
-fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
+pub(crate) fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
     for start in 0..order.len() {
         let mut place = start;
         while order[place] != start {

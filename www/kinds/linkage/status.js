@@ -19,8 +19,10 @@ const ENTRIES = Object.freeze({
   passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
-  "linkage-assembly": ({ assembly, assemblies }, words) =>
-    words.text("status.assembly_of", { number: words.numbers.exact(assembly), count: words.numbers.exact(assemblies) }),
+  "linkage-assembly": ({ assembly, assemblies, assemblies_whole: whole, home }, words, { coordinate }) => {
+    const [number, count] = [assembly, assemblies].map((one) => words.numbers.exact(one));
+    return words.text(whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
+  },
   "linkage-grashof": ({ four_bars: bars }, words) =>
     bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${listed(links, words)})` : "")).join("; "),
   "linkage-swing": ({ outputs }, words) => strokes(outputs, true, words),

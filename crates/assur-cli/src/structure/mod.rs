@@ -36,9 +36,19 @@ pub(crate) fn write<W: Write>(
         }
         other => other.to_string(),
     };
-    for key in ["links", "mobility", "class", "formula", "assemblies"] {
+    for key in ["links", "mobility", "class", "formula"] {
         writeln!(out, "{key:<12} {}", word(&described[key]))?;
     }
+    let more = match &described["assemblies_whole"] {
+        Value::Bool(true) => "",
+        _ => ", and there may be more",
+    };
+    let assemblies = format!(
+        "{} at {}{more}",
+        described["assemblies"],
+        at(&described["assemblies_at"])
+    );
+    writeln!(out, "{:<12} {assemblies}", "assemblies")?;
     if described["q"] != json!(0) {
         let [count, rank, q] = ["w_count", "w_rank", "q"].map(|key| &described[key]);
         let pairs = word(&described["redundant"]);
@@ -118,9 +128,9 @@ fn placed(mechanism: &Mechanism, input: f64) -> (&'static str, f64) {
 fn described(moved: &Moved, output: LinkId) -> Value {
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
-    let assemblies = mechanism.numbered(motion.home(), output).poses;
+    let assemblies = motion.assemblies_at(motion.home(), output);
     let drawn = motion.pose::<1>(motion.home()).ok();
-    let drawn = drawn.and_then(|pose| mechanism.number_of(&pose, &assemblies));
+    let drawn = drawn.and_then(|pose| mechanism.number_of(&pose, &assemblies.poses));
     let structure = mechanism.structure();
     let names = |links: &[usize]| -> Vec<String> {
         links
@@ -180,8 +190,10 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "formula": mechanism.formula(),
         // Wheels that repeat what others do, as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        // At the drawn input; in a singular pose that is drawn assemblies meet, and it is none.
-        "assemblies": assemblies.len(),
+        // Those that are known at the drawn input, numbered as `assur assemblies` numbers them, and whether these are all.
+        "assemblies": assemblies.poses.len(),
+        "assemblies_at": placed(motion.home()),
+        "assemblies_whole": assemblies.whole,
         "drawn_assembly": drawn.map(|number| number + 1),
         "steps": steps.collect::<Vec<_>>(),
         "turns_fully": cycle.is_full() && mechanism.turns(),

@@ -85,19 +85,18 @@ pub(super) fn inputs(
     Ok(Box::new(rows))
 }
 
-/// The first input that is asked for; where none is, that of the first row of a crank that turns fully, or the drawn one.
+/// The first input that is asked for, if one is.
 ///
 /// # Errors
 /// A number that is none.
-pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<f64, Failure> {
+pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failure> {
     let turns = motion.mechanism().turns();
     let first = match (asked.at.first(), asked.from) {
-        (Some(at), _) => asked_for("--at", *at, turns)?.input,
-        (None, Some(from)) => asked_for("--from", from, turns)?.input,
-        (None, None) if motion.cycle().is_full() => motion.cycle().axis()[0],
-        (None, None) => motion.home(),
+        (Some(at), _) => Some(asked_for("--at", *at, turns)?),
+        (None, Some(from)) => Some(asked_for("--from", from, turns)?),
+        (None, None) => None,
     };
-    Ok(first)
+    Ok(first.map(|first| first.input))
 }
 
 /// What is asked for, else the arcs of the motion.

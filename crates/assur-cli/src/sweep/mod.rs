@@ -59,9 +59,8 @@ pub(crate) struct Asked {
     /// 0,5 for 0.5, and a semicolon between cells
     #[arg(long)]
     decimal_comma: bool,
-    /// The assembly of this number at the first angle that is asked for, followed from there; `assur assemblies` numbers
-    /// them. Where none is asked for it is that at 0° of a crank that turns fully, else at the drawn input [default: the
-    /// one that is drawn]
+    /// The assembly of this number, followed from where it has it; `assur assemblies` numbers them. At the first angle that
+    /// is asked for by --at or --from, or else at the drawn input [default: the one that is drawn]
     #[arg(long, value_name = "N")]
     assembly: Option<usize>,
 }
@@ -75,7 +74,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let motion: Motion = match asked.assembly {
         Some(number) => {
             let first = grid::first(&drawn.motion, asked)?;
-            source::in_assembly(drawn, &asked.name, number, Some(first))?.motion
+            source::in_assembly(drawn, &asked.name, number, first)?.motion
         }
         None => drawn.motion,
     };

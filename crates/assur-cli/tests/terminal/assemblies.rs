@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::run::{Scratch, Table, data, refused, said};
+use super::run::{Scratch, Table, assur, data, refused, said};
 
 /// The golden table of the Class IV mechanism, in the order of its numbers.
 #[test]
@@ -218,4 +218,127 @@ fn a_drawing_of_another_assembly() {
         complaint.contains("there is no assembly at 180°"),
         "{complaint}"
     );
+}
+
+/// Standard output and standard error of a run that went well.
+fn told(arguments: &[&str]) -> [String; 2] {
+    let output = assur(arguments);
+    assert!(output.status.success(), "{arguments:?}");
+    [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap())
+}
+
+/// A linkage whose only group hangs in more ways than can be found: the pose that moves is always among those that are
+/// listed, and that there may be more is said everywhere.
+#[test]
+fn the_pose_that_moves_is_never_missing() {
+    let file = data("linkages/gripper.json");
+    for at in ["7.6", "7.65", "7.7", "7.8", "8", "8.2", "8.4"] {
+        let moving = Table::of(&said(&["sweep", &file, "--at", at]));
+        let [listed, complaint] = told(&["assemblies", &file, "--at", at]);
+        assert!(
+            complaint.contains(&format!("there may be more assemblies at s = {at}")),
+            "{complaint}"
+        );
+        let listed = Table::of(&listed);
+        let is_moving = |row: &usize| {
+            listed.header.iter().skip(1).all(|column| {
+                let off = listed.number(*row, column) - moving.number(0, column);
+                let turns = off / std::f64::consts::TAU;
+                (turns - turns.round()).abs() < 1e-9
+            })
+        };
+        assert_eq!((0..listed.rows.len()).filter(is_moving).count(), 1, "{at}");
+    }
+    let described: Value = serde_json::from_str(&said(&["structure", &file, "--json"])).unwrap();
+    assert_eq!(described["assemblies_whole"], false);
+    assert!(described["assemblies"].as_u64().unwrap() >= 1);
+    assert!(described["drawn_assembly"].as_u64().unwrap() >= 1);
+    let text = said(&["structure", &file]);
+    assert!(text.contains(", and there may be more\n"), "{text}");
+    let text = said(&["circuits", &file]);
+    assert!(text.contains("there may be more"), "{text}");
+    let (_, complaint) = refused(&["sweep", &file, "--assembly", "40"]);
+    assert!(complaint.contains(", and there may be more"), "{complaint}");
+}
+
+/// Numbers are those of `assur assemblies` at the same input, the drawn one where none is given: in the structure, of a
+/// table and of a plot.
+#[test]
+fn there_is_one_numbering() {
+    for file in [
+        data("linkages/two-numberings.json"),
+        "class4-dwell".to_owned(),
+        "jansen".to_owned(),
+    ] {
+        let described: Value =
+            serde_json::from_str(&said(&["structure", &file, "--json"])).unwrap();
+        let count = described["assemblies"].as_u64().unwrap() as usize;
+        let home = described["assemblies_at"]["phi_deg"].to_string();
+        assert_eq!(described["assemblies_whole"], true);
+        let all = Table::of(&said(&["assemblies", &file]));
+        assert_eq!(all.rows.len(), count, "{file}");
+        for k in 0..count {
+            let number = (k + 1).to_string();
+            said(&["plot", &file, "--assembly", &number, "--svg", "-"]);
+            // Without an input it is the one at the drawn input.
+            let swept = Table::of(&said(&["sweep", &file, "--assembly", &number]));
+            let at_home = Table::of(&said(&[
+                "sweep",
+                &file,
+                "--assembly",
+                &number,
+                "--at",
+                &home,
+            ]));
+            assert_eq!(swept.header, at_home.header);
+            for column in all.header.iter().skip(1) {
+                let off = all.number(k, column) - at_home.number(0, column);
+                let turns = off / std::f64::consts::TAU;
+                assert!((turns - turns.round()).abs() < 1e-9, "{file} {number}");
+            }
+        }
+        let beyond = (count + 1).to_string();
+        let (_, complaint) = refused(&["sweep", &file, "--assembly", &beyond]);
+        assert!(
+            complaint.contains(&format!("only 1 to {count}")),
+            "{complaint}"
+        );
+        let text = said(&["structure", &file]);
+        assert!(
+            text.contains(&format!("assemblies   {count} at ")),
+            "{text}"
+        );
+    }
+}
+
+/// A rhombus: where its crank lies on its frame coupler and rocker swing freely, and where it points away from it all links
+/// are in line. Both are change points, in the structure as among the motions, and at both there are rows.
+#[test]
+fn change_points_of_a_rhombus() {
+    let file = data("linkages/rhombus.json");
+    let described: Value = serde_json::from_str(&said(&["structure", &file, "--json"])).unwrap();
+    let points = |list: &Value| -> Vec<f64> {
+        let points = list.as_array().unwrap().iter();
+        points.map(|one| one["phi_deg"].as_f64().unwrap()).collect()
+    };
+    let near = |found: Vec<f64>| {
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!(found[0].abs() < 1e-13 && (found[1] - 180.0).abs() < 1e-13);
+    };
+    near(points(&described["change_points"]));
+    let motions: Value = serde_json::from_str(&said(&["circuits", &file, "--json"])).unwrap();
+    for branch in motions["branches"].as_array().unwrap() {
+        near(points(&branch["crossings"]));
+    }
+    let table = Table::of(&said(&["sweep", &file, "--at", "0,180,360"]));
+    for (row, turned) in [0.0, std::f64::consts::PI, std::f64::consts::TAU]
+        .into_iter()
+        .enumerate()
+    {
+        assert_eq!(table.cell(row, "reason"), "");
+        // A parallelogram: the coupler stays, the rocker goes with the crank.
+        assert!(table.number(row, "coupler.angle").abs() < 1e-14);
+        assert!((table.number(row, "rocker.angle") - turned).abs() < 1e-14);
+        assert!((table.number(row, "rocker.dangle") - 1.0).abs() < 1e-13);
+    }
 }

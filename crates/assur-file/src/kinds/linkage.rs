@@ -283,16 +283,17 @@ impl LinkageDocument {
         let Some(number) = self.assembly else {
             return Ok(drawn);
         };
-        if number == drawn.drawn_assembly() + 1 {
+        let all = drawn.signed_assemblies();
+        if number == all.drawn() + 1 {
             return Ok(drawn);
         }
-        let other = number.checked_sub(1).and_then(|k| drawn.assembly(k));
+        let other = number.checked_sub(1).and_then(|k| all.assembly(k));
         other.ok_or_else(|| {
             vec![Problem::OutOfRange {
                 field: "assembly".into(),
                 value: number as f64,
                 min: 1.0,
-                max: drawn.assemblies() as f64,
+                max: all.count() as f64,
             }]
         })
     }

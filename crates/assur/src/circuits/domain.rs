@@ -7,6 +7,8 @@ use crate::motion::Motion;
 
 /// Assemblies of a linkage of wheels are followed over so many turns.
 const MOST_TURNS: usize = 24;
+/// No more inputs of one motion are told for an input: wheels that carry nothing may take a million turns.
+const MOST_VISITS: usize = 256;
 
 /// The inputs at which there may be assemblies.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +75,7 @@ impl Domain {
         };
         let told = |k: f64| input + period * k;
         if let (true, Some(turns)) = (cycle.is_full(), cycle.period()) {
-            let visits = (turns / period).round().max(1.0) as usize;
+            let visits = (turns / period).round().clamp(1.0, MOST_VISITS as f64) as usize;
             return (0..visits).map(|k| cycle.wrap(told(k as f64))).collect();
         }
         let arcs = cycle.arcs().iter();
@@ -86,7 +88,7 @@ impl Domain {
                 .map(move |k| first + f64::from(k))
                 .take_while(move |k| *k <= last)
         });
-        visits.map(told).collect()
+        visits.take(MOST_VISITS).map(told).collect()
     }
 
     /// The ends of a motion, as inputs are told first.

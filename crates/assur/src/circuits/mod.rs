@@ -9,6 +9,7 @@
 mod domain;
 mod meetings;
 mod numbering;
+mod order;
 mod search;
 
 use crate::index::LinkId;

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use super::domain::Domain;
 use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Pose};
-use crate::motion::{DeadPointKind, Motion};
+use crate::motion::Motion;
 use crate::position::{Group, Step, Unreal};
 use crate::sorting::sort_by;
 
@@ -140,8 +140,8 @@ impl<'a> Search<'a> {
     }
 
     fn take(&mut self, motion: Motion) {
-        let known = |kind: DeadPointKind| kind.is_dead_point() || kind == DeadPointKind::Range;
-        self.whole &= motion.dead_points().iter().all(|dead| known(dead.kind));
+        let mut ends = motion.dead_points().iter();
+        self.whole &= !ends.any(|dead| dead.kind.is_given_up());
         self.samples += motion.samples() * self.mechanism.bodies().len();
         self.branches.push(motion);
     }

@@ -13,6 +13,8 @@ pub struct Cycle {
     /// turns of a crank (two, say, at a change point that carries one assembly
     /// over into the other); none for a driven slide.
     period: Option<f64>,
+    /// Whether the input is the angle of a crank.
+    turns: bool,
     full: bool,
     arcs: Vec<[f64; 2]>,
 }
@@ -23,6 +25,7 @@ impl Cycle {
         let period = TAU * turns as f64;
         Self {
             period: Some(period),
+            turns: true,
             full: true,
             arcs: vec![[0.0, period]],
         }
@@ -33,8 +36,17 @@ impl Cycle {
     pub(crate) fn swinging(arc: [f64; 2], period: Option<f64>) -> Self {
         Self {
             period,
+            turns: period.is_some(),
             full: false,
             arcs: vec![arc],
+        }
+    }
+
+    /// A crank that goes to and fro between two inputs, each of which is meant with the whole turns it is given by.
+    pub(crate) fn swinging_by_turns(arc: [f64; 2]) -> Self {
+        Self {
+            turns: true,
+            ..Self::swinging(arc, None)
         }
     }
 
@@ -56,9 +68,11 @@ impl Cycle {
         let later = other.arcs.iter().map(|arc| arc.map(|end| end + shift));
         let mut arcs: Vec<[f64; 2]> = self.arcs.iter().copied().chain(later).collect();
         sort_by(&mut arcs, |a, b| a[0].total_cmp(&b[0]));
-        let period = self.period;
-        let full = false;
-        (after || before).then_some((Self { period, full, arcs }, shift))
+        let joined = Self {
+            arcs,
+            ..self.clone()
+        };
+        (after || before).then_some((joined, shift))
     }
 
     /// Other ends for an arc.
@@ -71,8 +85,13 @@ impl Cycle {
         self.full
     }
 
-    /// What the input grows by until the motion repeats, or may be told by without another pose: whole turns of a
-    /// crank, none for a driven slide.
+    /// Whether the input is the angle of a crank; else it is the coordinate of a driven slide.
+    pub fn turns(&self) -> bool {
+        self.turns
+    }
+
+    /// Growth of the input after which the motion repeats, or an input outside the arcs stands for one inside: whole
+    /// turns of a crank. None for a driven slide, and for a crank whose whole turns count.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
@@ -185,6 +204,7 @@ impl FourBar {
         };
         Cycle {
             period: Some(TAU * f64::from(turns.unwrap_or(1))),
+            turns: true,
             full: turns.is_some(),
             arcs,
         }

@@ -96,11 +96,32 @@ impl FourBar {
         assembly: Assembly,
         crank: f64,
     ) -> Result<Pose<N>, Unsolved> {
+        if self.is_deltoid() {
+            let (sin, _) = half_angle::<1>(crank)?;
+            // The diagonal of a deltoid, l₅ = √Q.
+            let diagonal = sin.value().abs() * self.weight().sqrt();
+            if diagonal <= tolerance(&self.lengths) {
+                return Err(Unsolved::Undetermined { crank });
+            }
+        }
+        self.pose_along(assembly, crank)
+    }
+
+    /// The same along the motion of an assembly: where B lies on D its limit from both sides, which is one as the motion
+    /// is smooth there.
+    ///
+    /// # Errors
+    /// [`Unsolved`] with the angle and the reason.
+    pub fn pose_along<const N: usize>(
+        &self,
+        assembly: Assembly,
+        crank: f64,
+    ) -> Result<Pose<N>, Unsolved> {
         let crank = crank + 0.0; // −0 would carry its sign into a change point
         let (sin, cos) = half_angle(crank)?;
         let roots = self.area_roots(crank, sin, cos)?;
         let [diagonal, at_b, at_d] = if self.is_deltoid() {
-            self.deltoid_angles(assembly, crank, roots)?
+            self.deltoid_angles(assembly, crank, roots)
         } else {
             self.triangle_angles(assembly, crank, [sin, cos], roots)
         };
@@ -174,16 +195,13 @@ impl FourBar {
     }
 
     /// The same for a deltoid, where l₅ = √Q divides out: signed like the root,
-    /// it lets the motion pass smoothly near the crank angle at which B is on D.
+    /// it lets the motion pass smoothly through the crank angle at which B is on D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,
         crank: f64,
         [root_p, root_q]: [Jet<N>; 2],
-    ) -> Result<[Jet<N>; 3], Unsolved> {
-        if root_q.value().abs() <= tolerance(&self.lengths) {
-            return Err(Unsolved::Undetermined { crank });
-        }
+    ) -> [Jet<N>; 3] {
         let half = Jet::linear(0.5 * crank, 0.5);
         let interior = if self.changes_at_pi() {
             // All lengths equal: √P and √Q are cosine and sine of half the crank.
@@ -192,7 +210,7 @@ impl FourBar {
             root_p.atan2(root_q)
         };
         let interior = interior * assembly.sign();
-        Ok([half + -FRAC_PI_2, interior, interior])
+        [half + -FRAC_PI_2, interior, interior]
     }
 
     /// √P and √Q with the signs that keep a motion smooth; their product is 4S.

@@ -50,11 +50,6 @@ impl Following {
         let found = mechanism.found_with(input, Method::Usual, Some(groups), room);
         found.into()
     }
-
-    /// The linkage.
-    pub(crate) fn mechanism(&self) -> &Mechanism {
-        &self.mechanism
-    }
 }
 
 /// All that is found at an input, with derivatives.

@@ -1,5 +1,4 @@
-//! Which way the groups of a mechanism are joined: the assembly that is drawn, and
-//! all others at the drawn input.
+//! The assembly of a mechanism that is drawn: which way its groups are joined.
 
 use std::f64::consts::TAU;
 
@@ -18,17 +17,15 @@ const MISDRAWN: f64 = 0.3;
 /// Where the drawn pose is singular the motion is followed from an input that is off
 /// by this, radians of a crank; of a slide's range the same part as of a turn.
 const ASIDE: f64 = 1e-3;
+/// So often the way back from an input beyond a dead point is doubled, from the rounding of the input on.
+const BACK: u32 = 24;
 /// A wheel that is off by less, radians, is mounted as it is drawn: a whole turn of what turns it makes more, unless it
 /// has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
-/// No more assemblies are counted, and no more steps solved to find them: n groups
-/// can be put together in 2ⁿ ways, few of which may close.
-const MOST_ASSEMBLIES: usize = 256;
-const MOST_TRIES: usize = 1 << 14;
 
 impl Mechanism {
     /// The drawn pose as the one nearby.
-    fn drawn(&self) -> Nearby<'_> {
+    pub(super) fn drawn(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
@@ -56,7 +53,7 @@ impl Mechanism {
         }
     }
 
-    /// Finds the assembly that is drawn, and all others at the drawn input.
+    /// Finds the assembly that is drawn.
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
@@ -80,7 +77,6 @@ impl Mechanism {
         self.orientations = state.orientations();
         let places = state.natural.iter().map(|place| place.value());
         self.natural = places.flat_map(|place| [place.x, place.y]).collect();
-        self.assemblies = self.all_assemblies(&mut state);
         self.begin()
     }
 
@@ -99,16 +95,31 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Tells the drawn input by other whole turns, with the wheels mounted as they are drawn.
-    pub(crate) fn tell_by_turns(&mut self, home: f64) {
+    /// Counts the drawn input by other whole turns, with the wheels mounted as they are drawn. False, and nothing is
+    /// changed, where the links do not close at an input given so.
+    pub(crate) fn rebase_turns(&mut self, home: f64) -> bool {
+        // Drawn at a dead point an input is rounded anew, and may then lie just beyond it.
+        let unit = f64::EPSILON * home.abs().max(self.span());
+        let aside = (0..BACK).flat_map(|doubled| {
+            let off = unit * f64::from((1_u32 << doubled) - 1);
+            [off, -off]
+        });
+        let mut inputs = aside.map(|off| home + off);
+        inputs.any(|input| self.rebase_at(input))
+    }
+
+    fn rebase_at(&mut self, home: f64) -> bool {
+        let before = self.steps.clone();
         let mut state: State<1> = self.blank_state();
-        for step in self.steps.ids() {
+        for step in before.ids() {
             self.mount(step, home, &mut state);
             let given = self.given(step, home, self.signs[step]);
             if self.steps[step].put(&mut state, &given).is_err() {
-                return;
+                self.steps = before;
+                return false;
             }
         }
+        true
     }
 
     /// Mounts the wheels of a step as they are drawn. What turns them may be told by other whole turns than it is
@@ -189,26 +200,6 @@ impl Mechanism {
         farthest
     }
 
-    /// All assemblies at the drawn input in which motions can begin.
-    fn all_assemblies(&self, state: &mut State<1>) -> Vec<Signs> {
-        let mut search = Search {
-            mechanism: self,
-            signs: self.steps.alike(Sign::Plus),
-            found: Vec::new(),
-            tries: MOST_TRIES,
-        };
-        search.join(&self.steps.ids().collect::<Vec<_>>(), state);
-        let mut found = search.found;
-        // The search may have ended before it came to the drawn one.
-        if !found.contains(&self.signs) {
-            found.push(self.signs.clone());
-        }
-        let mut state = self.blank_state();
-        let whole = self.whole_closed_form();
-        found.retain(|signs| whole || self.entry(signs, &mut state).is_some());
-        found
-    }
-
     fn open(&self, step: StepId, met: Option<Cause>) -> Defect {
         let links: Vec<String> = self.links_of(step).map(str::to_owned).collect();
         match met {
@@ -220,30 +211,6 @@ impl Mechanism {
                 singularity: self.singularity(step),
             },
         }
-    }
-
-    /// How many assemblies there are at the drawn input.
-    pub fn assemblies(&self) -> usize {
-        self.assemblies.len()
-    }
-
-    /// Which of them is drawn, from 0.
-    pub fn drawn_assembly(&self) -> usize {
-        let others = self.assemblies.iter();
-        others.take_while(|signs| **signs != self.signs).count()
-    }
-
-    /// The same linkage drawn in one of its assemblies (0 … count − 1) at the drawn
-    /// input, or just next to it where assemblies meet in one pose. None where there
-    /// is no such assembly, or no drawing tells it from the others.
-    pub fn assembly(&self, number: usize) -> Option<Self> {
-        let signs = self.assemblies.get(number)?;
-        let mut state: Predictor = self.blank_state();
-        self.entries().into_iter().find_map(|input| {
-            let solved = self.solve(input, signs, self.drawn(), &mut state);
-            let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
-            other.ok().filter(|other| other.signs == *signs)
-        })
     }
 
     /// The same linkage drawn in this pose.
@@ -291,41 +258,13 @@ impl Mechanism {
     }
 
     /// The input at, or next to, the drawn one where the pose has derivatives.
-    fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
+    pub(super) fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
         let mut inputs = self.entries().into_iter();
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
     }
 
     /// The drawn input and those next to it.
-    fn entries(&self) -> [f64; 3] {
+    pub(super) fn entries(&self) -> [f64; 3] {
         [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
-    }
-}
-
-/// A search for all ways to join the groups.
-struct Search<'a> {
-    mechanism: &'a Mechanism,
-    signs: Signs,
-    found: Vec<Signs>,
-    /// How many steps may still be solved.
-    tries: usize,
-}
-
-impl Search<'_> {
-    /// Joins the groups of these steps in all ways.
-    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
-        let [step, rest @ ..] = steps else {
-            self.found.push(self.signs.clone());
-            return;
-        };
-        for sign in self.mechanism.joinings(*step) {
-            self.signs[*step] = *sign;
-            let solved = self.mechanism.try_step(*step, *sign, state);
-            self.tries = self.tries.saturating_sub(1);
-            if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
-                self.join(rest, state);
-            }
-        }
-        self.signs[*step] = Sign::Plus;
     }
 }

@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 use super::Mechanism;
 use crate::index::{BodyId, StepId};
 use crate::position::{Solvable, Step};
+use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved};
 
 /// A step that is a four-bar on the driven crank and the frame.
@@ -56,18 +57,24 @@ impl ClosedStep<'_> {
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.lead)
     }
 
-    /// The inputs of its change points within an arc, its end excluded.
+    /// The inputs of its change points within an arc, its end excluded, ascending: where motions cross in one pose, and
+    /// where coupler and rocker of a kite swing freely from one motion to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
-        let period = TAU * self.turns() as f64;
+        let turns = self.turns();
+        let period = TAU * turns as f64;
+        let crossings = self.linkage.change_points().into_iter();
+        let crossings = crossings.map(|point| point.crank - self.lead);
+        let swing = self.free_swing().into_iter();
+        let swings = swing.flat_map(|input| (0..turns).map(move |turn| input + TAU * turn as f64));
         let mut found = Vec::new();
-        for point in self.linkage.change_points() {
-            let input = point.crank - self.lead;
+        for input in crossings.chain(swings) {
             let mut at = from + (input - from).rem_euclid(period);
             while at < to {
                 found.push(at);
                 at += period;
             }
         }
+        sort_by(&mut found, f64::total_cmp);
         found
     }
 }
@@ -121,14 +128,6 @@ impl Mechanism {
         };
         let is_whole = multiple.factor.fract() == 0.0 && multiple.of != link;
         is_whole || self.closed_steps().any(swings)
-    }
-
-    /// The number of the assembly in which the four-bar of the closed form is
-    /// joined so.
-    pub(crate) fn assembly_with(&self, assembly: Assembly) -> Option<usize> {
-        let step = self.closed_steps().next()?.step;
-        let mut signs = self.assemblies.iter();
-        signs.position(|signs| Assembly::from(signs[step]) == assembly)
     }
 
     /// Whether another drawing shows the same linkage: the same names, steps, and

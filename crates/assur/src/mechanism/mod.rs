@@ -29,6 +29,7 @@ mod rate;
 mod redundant;
 mod repeated;
 mod resolved;
+mod signed;
 mod slide;
 mod structured;
 mod tracer;
@@ -57,6 +58,7 @@ pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
 pub use redundant::Mobility;
+pub use signed::SignedAssemblies;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
@@ -112,7 +114,6 @@ pub struct Mechanism {
     /// The input and pose from which the motion is followed: the drawn ones, or
     /// those just next to them where the drawn pose is singular.
     start: (f64, Predictor),
-    assemblies: Vec<Signs>,
 }
 
 /// A moving link, or a part fixed to one.
@@ -245,7 +246,6 @@ impl Mechanism {
             start: (plan.home, blank),
             orientations: plan.orientations,
             natural: plan.natural,
-            assemblies: Vec::new(),
         };
         mechanism.count_turns_of_wheels();
         Ok(mechanism)

@@ -36,9 +36,7 @@ impl Mixer {
     fn moved(&self, draft: &Draft) -> Result<Motion, Unmoved> {
         let mechanism = Mechanism::new(draft).map_err(Unmoved::Defects)?;
         // Where the drawing does not tell the assemblies apart, it is redrawn.
-        let assembly = mechanism.assembly_with(self.assembly);
-        let other = assembly.filter(|assembly| *assembly != mechanism.drawn_assembly());
-        let redrawn = other.and_then(|other| mechanism.assembly(other));
+        let redrawn = mechanism.with_four_bar(self.assembly);
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }
 }

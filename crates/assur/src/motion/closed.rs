@@ -13,25 +13,29 @@ impl Motion {
     /// The motion where the closed form of a four-bar is all there is: of a crank that
     /// cannot turn fully, over the arc that is drawn.
     pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
+        let arc = mechanism.closed_steps().next();
+        let arc = arc.and_then(|closed| closed.arc(mechanism.home()));
+        // The arc is told by whole turns so that it begins within [−π, π).
+        let turned = arc.map_or(0.0, |[from, _]| TAU * ((from + PI) / TAU).floor());
+        let home = mechanism.home();
+        let turned = if turned != 0.0 && mechanism.rebase_turns(home - turned) {
+            turned
+        } else {
+            0.0
+        };
         let closed = mechanism.closed_steps().next();
-        let arc = closed.and_then(|closed| closed.arc(mechanism.home()));
-        let (cycle, dead_points, turned) = match (arc, closed) {
+        let (cycle, dead_points) = match (arc, closed) {
             (Some(arc), Some(closed)) => {
-                // The arc is told by whole turns so that it begins within [−π, π).
-                let turned = TAU * ((arc[0] + PI) / TAU).floor();
                 let arc = arc.map(|end| end - turned);
                 let ends = arc.map(|end| dead_point(&closed, arc, end));
-                (Cycle::swinging(arc, Some(TAU)), ends.to_vec(), turned)
+                (Cycle::swinging(arc, Some(TAU)), ends.to_vec())
             }
             _ => {
                 let turns = closed.map_or(1, |closed| closed.turns());
-                (Cycle::turning(turns), Vec::new(), 0.0)
+                (Cycle::turning(turns), Vec::new())
             }
         };
-        let home = cycle.wrap(mechanism.home() - turned);
-        if turned != 0.0 {
-            mechanism.tell_by_turns(home);
-        }
+        let home = cycle.wrap(home - turned);
         let (signs, orientations) = mechanism.as_drawn();
         let knots = Knots::alone(home, signs, orientations);
         Self::of(mechanism, cycle, knots, dead_points, home)

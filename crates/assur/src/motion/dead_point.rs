@@ -32,7 +32,12 @@ impl DeadPointKind {
     /// Whether links of the linkage stand in the driver's way there: not where its range ends, or it is followed no
     /// further.
     pub fn is_dead_point(self) -> bool {
-        !matches!(self, Self::Range | Self::NearSingular | Self::Unfollowed)
+        !matches!(self, Self::Range) && !self.is_given_up()
+    }
+
+    /// Whether the motion goes on from there, or may do so, and is followed no further.
+    pub fn is_given_up(self) -> bool {
+        matches!(self, Self::NearSingular | Self::Unfollowed)
     }
 
     /// Its name in what programs read.

@@ -383,7 +383,7 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
     let turn = 2.0 * PI;
     let graded = |[from, to]: &[f64; 2]| {
         // A driven slide's way has no turns: it is one cell grid long.
-        let whole = cycle.period().map_or(to - from, |_| turn);
+        let whole = if cycle.turns() { turn } else { to - from };
         let cell = whole / GRID as f64;
         let count = ((to - from) / cell).ceil();
         let mut cranks: Vec<f64> = (0..=count as usize)

@@ -4,6 +4,7 @@
 mod change;
 mod closed;
 mod continuation;
+mod counted;
 mod cyclogram;
 mod dead_point;
 mod extremum;
@@ -42,9 +43,10 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::Cycle;
-use crate::mechanism::{Mechanism, Pose, Unsolved};
+use crate::mechanism::{Mechanism, Pose, Signs, Unsolved};
 use crate::position::Step;
 use continuation::{Continuation, End, GRID};
+use counted::range_between;
 use interpolation::Knots;
 
 /// So often the way back from an end to a pose is doubled, from the rounding of the input on.
@@ -66,7 +68,7 @@ pub struct Motion {
 
 impl Motion {
     /// The motion of a mechanism from its drawn pose; from another assembly, that of
-    /// the mechanism drawn in it, [`Mechanism::assembly`].
+    /// the mechanism drawn in it, [`Motion::in_assembly`].
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
             Self::in_closed_form(mechanism)
@@ -81,11 +83,10 @@ impl Motion {
         let mut forth = Continuation::new(&mechanism);
         let cell = mechanism.span() / GRID as f64;
         let mut knots = Knots::new(cell);
-        let mut turned = 0.0;
-        let (cycle, dead_points) = match forth.go(1.0, &mut knots) {
+        let full = match forth.go(1.0, &mut knots) {
             End::Closed(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
-                (Cycle::turning(turns), Vec::new())
+                Ok(Cycle::turning(turns))
             }
             End::Dead(last) => {
                 let mut back = Continuation::new(&mechanism);
@@ -100,24 +101,23 @@ impl Motion {
                 };
                 forth.smooth_roots.extend(back.smooth_roots);
                 knots.prepend(before);
-                let period = mechanism.period_of_arcs();
-                // The arc is told by whole periods so that it begins within half of one from 0.
-                let shift = period.map_or(0.0, |turn| turn * (first.input / turn + 0.5).floor());
-                knots.shift(-shift);
-                turned = shift;
-                let ends = [first, last].map(|end| DeadPoint {
-                    input: end.input - shift,
-                    ..end
-                });
-                let arc = ends.map(|end| end.input);
-                (Cycle::swinging(arc, period), ends.to_vec())
+                Err([first, last])
             }
         };
         let passed = forth.smooth_roots;
+        let (cycle, turned, dead_points) = match full {
+            Ok(cycle) => (cycle, 0.0, Vec::new()),
+            Err(ends) => {
+                let (cycle, turned) = range_between(&mut mechanism, ends);
+                knots.shift(-turned);
+                let counted = ends.map(|end| DeadPoint {
+                    input: end.input - turned,
+                    ..end
+                });
+                (cycle, turned, counted.to_vec())
+            }
+        };
         let home = cycle.wrap(mechanism.home() - turned);
-        if turned != 0.0 {
-            mechanism.tell_by_turns(home);
-        }
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
         let passed = passed.iter();
         motion.smooth(passed.map(|one| (one.step, one.input - turned)).collect());
@@ -191,6 +191,13 @@ impl Motion {
     /// The inputs over which it moves.
     pub fn cycle(&self) -> &Cycle {
         &self.cycle
+    }
+
+    /// Which way the groups are joined at an input.
+    pub(crate) fn signs_at(&self, input: f64) -> Signs {
+        let mut guess = Vec::new();
+        let (signs, _) = self.knots.near(self.cycle.wrap(input), &mut guess);
+        signs.clone()
     }
 
     /// How many samples it is kept in.

@@ -33,13 +33,25 @@ impl Motion {
         if !wrapped.is_finite() {
             return Err(unsolved((StepId::FIRST, Cause::Input)));
         }
+        let is_reached = self.cycle.contains(wrapped);
+        if !is_reached && self.is_given_up_before(wrapped) {
+            return Err(unsolved((StepId::FIRST, Cause::Unfollowed)));
+        }
         let (state, guess) = pose.parts();
         let (signs, near) = self.knots.near(wrapped, guess);
         let solved = self.mechanism.solve(wrapped, signs, near, state);
         solved.map_err(unsolved)?;
-        if !self.cycle.contains(wrapped) {
+        if !is_reached {
             return Err(unsolved((StepId::FIRST, Cause::Unreached)));
         }
         Ok(())
+    }
+
+    /// Whether the motion is given up on the way from the drawn pose to an input.
+    fn is_given_up_before(&self, input: f64) -> bool {
+        let mut ends = self.dead_points.iter();
+        ends.any(|end| {
+            end.kind.is_given_up() && (input - end.input) * (end.input - self.home) > 0.0
+        })
     }
 }

@@ -97,7 +97,7 @@ impl Closed {
     /// turned by their rounding.
     fn turn<const N: usize>(&self, state: &mut State<N>, sign: Sign) -> Result<(), Cause> {
         let crank = state.angle(self.crank).value() + self.lead;
-        let pose = self.linkage.pose::<N>(sign.into(), crank);
+        let pose = self.linkage.pose_along::<N>(sign.into(), crank);
         let pose = pose.map_err(|unsolved| match unsolved {
             Unsolved::NotAnAngle => Cause::Input,
             Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Cause::Apart { by },

@@ -160,4 +160,6 @@ pub enum Cause {
     },
     /// There is a pose, but the motion that is shown does not come there.
     Unreached,
+    /// The motion is given up before this input: whether it comes there is not known.
+    Unfollowed,
 }

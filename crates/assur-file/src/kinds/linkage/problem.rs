@@ -107,6 +107,8 @@ pub enum LinkageProblem {
     BeyondRange,
     /// The motion does not come here, though there is a pose.
     Unreached,
+    /// The motion is given up before it comes here.
+    Unfollowed,
     /// Links are too short, or too long, to meet.
     LinksApart { links: Vec<String>, by: f64 },
     /// A link does not reach its guide.
@@ -178,6 +180,7 @@ impl LinkageProblem {
         match unsolved.cause {
             Cause::Input => Self::BeyondRange,
             Cause::Unreached => Self::Unreached,
+            Cause::Unfollowed => Self::Unfollowed,
             Cause::Apart { by } => Self::LinksApart { links, by },
             Cause::OutOfReach { by } => Self::OutOfReach { links, by },
             Cause::Parallel => Self::GuidesParallel { links },

@@ -20,6 +20,8 @@ use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate, me
 
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
+/// So many hidden directions in which all solutions are found tell that these are all, where their number is not known.
+const AGREED: usize = 2;
 
 /// How all ways to join a group are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,6 +222,11 @@ impl Group {
     }
 }
 
+/// How many directions of a group of so many unknowns are hidden, unless its dimensions are special.
+fn directions_hidden(unknowns: usize) -> usize {
+    if unknowns < 4 { 1 } else { AGREED }
+}
+
 /// Bodies with the forms of their turns.
 type Turning = Vec<(BodyId, Affine)>;
 
@@ -233,13 +240,13 @@ fn vector(c: C) -> Vector {
 
 impl System {
     /// About how long it takes to solve, in microseconds: with n solutions, C(2m, m) for m unknowns, the determinant of
-    /// loops takes about n³/20, a path more than half a millisecond.
+    /// loops takes about n³/20 for each hidden direction, a path more than half a millisecond.
     fn work(&self, method: Method) -> usize {
         let solutions =
             (1..=self.unknowns).fold(1, |n: usize, k| n.saturating_mul(self.unknowns + k) / k);
         let by_loops = self.pairs.iter().all(|pair| matches!(pair, Pair::Unit(_)));
         if by_loops && method == Method::Usual {
-            solutions.saturating_pow(3) / 20
+            solutions.saturating_pow(3) / 20 * directions_hidden(self.unknowns)
         } else {
             solutions.saturating_mul(800)
         }
@@ -291,25 +298,40 @@ impl System {
     }
 
     /// Adds what the loops of a group of hinges tell; false where it is none. Where fewer are found than groups of
-    /// general dimensions have, all other directions are hidden as well: one may be lost to rounding, and those are that
-    /// have the hidden direction in common.
+    /// general dimensions have, further directions are hidden as well: one may be lost to rounding, and those are that
+    /// have the hidden direction in common. How many solutions there are in general is known of up to three unknowns; of
+    /// more, two directions in which all are found, and none is new in the second, tell that these are all.
     fn add_by_loops(&self, found: &mut Vec<Vec<C>>) -> bool {
+        self.directions_tried(found) > 0
+    }
+
+    /// The same; how many directions have been hidden.
+    fn directions_tried(&self, found: &mut Vec<Vec<C>>) -> usize {
+        let mut agreed = 0;
         for hidden in 0..2 * self.unknowns {
             let Some(candidates) = truss::candidates(self, hidden) else {
-                return hidden > 0;
+                return hidden;
             };
-            self.add(candidates, found);
+            let before = found.len();
+            let told = self.add(candidates, found);
+            let is_new = found.len() > before;
+            agreed = match told == found.len() {
+                true if is_new => 1,
+                true => agreed + 1,
+                false if is_new => 0,
+                false => agreed,
+            };
             let usual = match self.unknowns {
                 1 => found.len() == 2,
                 2 => found.len() == 6,
                 3 => matches!(found.len(), 14 | 16 | 18 | 20),
-                _ => false,
+                _ => agreed == AGREED,
             };
             if usual {
-                break;
+                return hidden + 1;
             }
         }
-        true
+        2 * self.unknowns
     }
 
     /// Adds what paths lead to. Of two that come close to each other one may be left for the other: then others lead to
@@ -324,9 +346,10 @@ impl System {
         }
     }
 
-    /// Adds what is new among guesses that are none else.
-    fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) {
+    /// Adds what is new among guesses that are none else; how many solutions the guesses lead to.
+    fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) -> usize {
         let mut room = Room::new(self.unknowns);
+        let mut told = vec![false; found.len()];
         for candidate in candidates {
             let Some(at) = self.polished(candidate, &mut room) else {
                 continue;
@@ -334,11 +357,16 @@ impl System {
             // With a solution its conjugate is one.
             let conjugate = conjugate(&at);
             for at in [at, conjugate] {
-                if !found.iter().any(|other| apart(other, &at) < ONE) {
-                    found.push(at);
+                match found.iter().position(|other| apart(other, &at) < ONE) {
+                    Some(known) => told[known] = true,
+                    None => {
+                        found.push(at);
+                        told.push(true);
+                    }
                 }
             }
         }
+        told.into_iter().filter(|told| *told).count()
     }
 
     /// The real solution that this is.

@@ -62,3 +62,17 @@ fn every_solution_of_general_directions() {
         }
     }
 }
+
+/// Of four unknowns the number of solutions in general is not known: two hidden directions that tell the same are enough,
+/// and the work that is reckoned with is theirs.
+#[test]
+fn two_directions_are_enough() {
+    for (unknowns, directions) in [(1, 2), (2, 1), (3, 1), (4, 2)] {
+        let (system, _) = Dice(unknowns as u64).system(unknowns);
+        let mut found = Vec::new();
+        let tried = system.directions_tried(&mut found);
+        assert!(tried <= directions, "{unknowns}: {tried}");
+    }
+    let (four, _) = Dice(7).system(4);
+    assert_eq!(four.work(super::Method::Usual), 2 * (70_usize.pow(3) / 20));
+}

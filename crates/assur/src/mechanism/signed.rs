@@ -1,0 +1,116 @@
+//! Assemblies by the signs of their dyads: by these, files and links of before give the number of an assembly. Nothing
+//! else does: readers number assemblies by the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
+
+use super::{Mechanism, Signs};
+use crate::Assembly;
+use crate::index::StepId;
+use crate::position::{Predictor, Sign, State};
+
+/// Greatest count of assemblies, and of steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may
+/// close.
+const MOST_ASSEMBLIES: usize = 256;
+const MOST_TRIES: usize = 1 << 14;
+
+/// The assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads; of groups of
+/// higher class the drawn way only. Beyond 256, or 16,384 steps solved, there are none but the drawn one.
+#[derive(Clone, Debug)]
+pub struct SignedAssemblies<'a> {
+    mechanism: &'a Mechanism,
+    all: Vec<Signs>,
+}
+
+impl SignedAssemblies<'_> {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The number of the drawn one, from 0.
+    pub fn drawn(&self) -> usize {
+        let others = self.all.iter();
+        others
+            .take_while(|signs| **signs != self.mechanism.signs)
+            .count()
+    }
+
+    /// The same linkage drawn in the assembly of a number, from 0, at the drawn input, or just next to it where
+    /// assemblies meet in one pose. None where there is no such assembly, or no drawing tells it from the others.
+    pub fn assembly(&self, number: usize) -> Option<Mechanism> {
+        self.mechanism.with_signs(self.all.get(number)?)
+    }
+}
+
+impl Mechanism {
+    /// The assemblies at the drawn input by their signs. They are found anew with each call, in up to some milliseconds.
+    pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
+        let mut search = Search {
+            mechanism: self,
+            signs: self.steps.alike(Sign::Plus),
+            found: Vec::new(),
+            tries: MOST_TRIES,
+        };
+        let steps: Vec<StepId> = self.steps.ids().collect();
+        search.join(&steps, &mut self.blank_state());
+        let mut all = search.found;
+        // The search may have ended before it came to the drawn one.
+        if !all.contains(&self.signs) {
+            all.push(self.signs.clone());
+        }
+        let mut state = self.blank_state();
+        let whole = self.whole_closed_form();
+        all.retain(|signs| whole || self.entry(signs, &mut state).is_some());
+        SignedAssemblies {
+            mechanism: self,
+            all,
+        }
+    }
+
+    /// The same linkage drawn with its four-bar in the other assembly. None where it is drawn so already, and where it
+    /// does not close or no drawing tells it.
+    pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
+        let step = self.closed_steps().next()?.step;
+        let mut signs = self.signs.clone();
+        if Assembly::from(signs[step]) == assembly {
+            return None;
+        }
+        signs[step] = signs[step].opposite();
+        self.with_signs(&signs)
+    }
+
+    fn with_signs(&self, signs: &Signs) -> Option<Self> {
+        let mut state: Predictor = self.blank_state();
+        self.entries().into_iter().find_map(|input| {
+            let solved = self.solve(input, signs, self.drawn(), &mut state);
+            let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
+            other.ok().filter(|other| other.signs == *signs)
+        })
+    }
+}
+
+/// A search for all ways to join the groups.
+struct Search<'a> {
+    mechanism: &'a Mechanism,
+    signs: Signs,
+    found: Vec<Signs>,
+    /// How many steps may still be solved.
+    tries: usize,
+}
+
+impl Search<'_> {
+    /// Joins the groups of these steps in all ways.
+    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
+        let [step, rest @ ..] = steps else {
+            self.found.push(self.signs.clone());
+            return;
+        };
+        for sign in self.mechanism.joinings(*step) {
+            self.signs[*step] = *sign;
+            let solved = self.mechanism.try_step(*step, *sign, state);
+            self.tries = self.tries.saturating_sub(1);
+            if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
+                self.join(rest, state);
+            }
+        }
+        self.signs[*step] = Sign::Plus;
+    }
+}

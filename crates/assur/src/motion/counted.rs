@@ -1,0 +1,36 @@
+//! The count of a crank's turns over a motion that turns back or is given up: by which whole turns its inputs are given,
+//! and whether an input outside its range stands for one inside.
+
+use std::f64::consts::TAU;
+
+use super::DeadPoint;
+use crate::Cycle;
+use crate::mechanism::Mechanism;
+
+/// The range between two ends, inputs as they were followed from the drawn one, and the whole turns by which they are
+/// counted back in it.
+///
+/// The range begins within half a period of 0, from whichever of its poses it was followed. Where the motion is given up
+/// at an end nothing is known beyond it: inputs are counted from the drawn one, and an input outside is brought into the
+/// range by whole turns only where these do not count, so that the angle of the crank tells its pose.
+pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
+    let [first, last] = ends.map(|end| end.input);
+    let given_up = ends.iter().any(|end| end.kind.is_given_up());
+    let period = mechanism
+        .period_of_arcs()
+        .filter(|period| !given_up || *period == TAU && last - first <= TAU);
+    let turned = period.map_or(0.0, |period| period * (first / period + 0.5).floor());
+    let home = mechanism.home() - turned;
+    let turned = if turned == 0.0 || mechanism.rebase_turns(home) {
+        turned
+    } else {
+        0.0
+    };
+    let arc = [first - turned, last - turned];
+    let range = if mechanism.turns() && period.is_none() {
+        Cycle::swinging_by_turns(arc)
+    } else {
+        Cycle::swinging(arc, period)
+    };
+    (range, turned)
+}
