@@ -192,7 +192,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "passive": passive.collect::<Vec<_>>(),
         // Those that are known at the drawn input, numbered as `assur assemblies` numbers them, and whether these are all.
         "assemblies": assemblies.poses.len(),
-        "assemblies_at": placed(motion.home()),
+        "assemblies_at": at(motion.home()),
         "assemblies_whole": assemblies.whole,
         "drawn_assembly": drawn.map(|number| number + 1),
         "steps": steps.collect::<Vec<_>>(),
