@@ -72,7 +72,7 @@ link: string, } | { "edit": "fix",
 /**
  * The point.
  */
-point: string, } | { "edit": "weld", 
+point: string, } | { "edit": "make_exact", } | { "edit": "weld", 
 /**
  * The links: the first is fixed to the second.
  */
@@ -169,4 +169,12 @@ export type End = { "point": string } | { "at": [number, number] } | { "on": [st
 export type Line = { "link": string } | { "toward": [number, number] };
 export type Outer = { "hinge": End } | { "slide": [string, [number, number]] } | { "level": [number, number] };
 export type Inner = "hinge" | "slide";
-export type Mend = { "drive": string } | { "release": string } | { "remove": string } | { "fix": string };
+export type Mend = { "drive": string } | { "release": string } | { "remove": string } | { "fix": string } | { "exact": { 
+/**
+ * The point that moves farthest.
+ */
+point: string, 
+/**
+ * By this length.
+ */
+by: number, } };

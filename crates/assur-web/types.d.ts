@@ -125,7 +125,11 @@ export type StructureSummary = { bounds: [number, number, number, number], count
 /**
  * Wheels whose meshes only repeat what the others do.
  */
-passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type CourseSummary = { 
 /**
  * What the input is: `angle`, `length` or `time`.
@@ -192,7 +196,11 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
 /**
  * Wheels whose meshes only repeat what the others do.
  */
-passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
  * What can drive it, by the links that are turned or slide.
@@ -234,7 +242,11 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
 /**
  * Wheels whose meshes only repeat what the others do.
  */
-passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
@@ -286,7 +298,11 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
 /**
  * Wheels whose meshes only repeat what the others do.
  */
-passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type DraftSummary = { 
 /**
  * Nothing does.
@@ -448,7 +464,11 @@ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: 
 /**
  * Wheels whose meshes only repeat what the others do.
  */
-passive: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SolutionSummary = { 
 /**
  * l₁, l₂, l₃.
@@ -652,7 +672,7 @@ export type MobilitySummary = { links: number, one_freedom: number, two_freedoms
 export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
 export type PullSummary = { value: number, max: number, };
 export type HaltSummary = { body: string, time: number, };
-export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, };
+export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, by_count: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type GroupSummary = { term: string, role: string, };
 export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
