@@ -186,6 +186,40 @@ fn lengths_alone_are_assembled() {
     );
 }
 
+/// A drawing that tells no assembly, and one in which the driven slide is beyond its range: what is wrong, and what can be
+/// done.
+#[test]
+fn a_drawing_that_tells_no_assembly() {
+    let lengths = std::fs::read_to_string(data("linkages/lengths-alone.json")).unwrap();
+    let mut linkage: Value = serde_json::from_str(&lengths).unwrap();
+    linkage["points"][3]["at"] = json!([20, -15]);
+    let misdrawn = Scratch::with("misdrawn.json", &linkage.to_string());
+    let (_, complaint) = refused(&["structure", misdrawn.path()]);
+    let part = "the drawing does not tell which assembly is meant. Draw the points nearer to their places.\n";
+    assert!(complaint.contains(part), "{complaint}");
+    assert!(complaint.contains("--assemble N"), "{complaint}");
+    let table = Table::of(&said(&["assemblies", misdrawn.path()]));
+    assert_eq!(table.rows.len(), 2);
+
+    let slide = std::fs::read_to_string(data("linkages/driven-slide.json")).unwrap();
+    let slide = slide.replace("\"range\": [0.5, 2]", "\"range\": [0.1, 0.3]");
+    let beyond = Scratch::with("beyond.json", &slide);
+    let (_, complaint) = refused(&["structure", beyond.path()]);
+    let part = "foot is drawn at 1.5, outside the range of its slide from 0.1 to 0.3";
+    assert!(complaint.contains(part), "{complaint}");
+    let text = said(&[
+        "assemblies",
+        beyond.path(),
+        "--at",
+        "0.2",
+        "--assemble",
+        "1",
+    ]);
+    let laid_out = Scratch::with("laid-out.json", &text);
+    let ranged = said(&["structure", laid_out.path()]);
+    assert!(ranged.contains("range        0.1 to 0.3\n"), "{ranged}");
+}
+
 /// What moves as it is drawn is drawn in another of its assemblies as well; where there is none the input is told.
 #[test]
 fn a_drawing_of_another_assembly() {
