@@ -602,3 +602,43 @@ fn a_kite_passes_its_free_swing_smoothly() {
         }
     }
 }
+
+/// By its dimensions alone a linkage is drawn in an assembly at an input, wherever its moving points are drawn; at an input
+/// that it does not reach there is none, and what else is wrong is named.
+#[test]
+fn assembled_by_dimensions_alone() {
+    let lengths = [2.0, 6.0, 4.5, 6.0];
+    let mut draft = four_bar(lengths, 1.0, Assembly::First);
+    for (link, length) in draft.links.iter_mut().zip(lengths) {
+        link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+    }
+    let places: Vec<Point> = draft.points.iter().map(|point| point.at).collect();
+    let origin = Point::origin();
+    for name in ["B", "C"] {
+        let point = draft.points.iter_mut().find(|point| point.name == name);
+        point.unwrap().at = origin;
+    }
+    assert!(Mechanism::new(&draft).is_err());
+    let mechanism = Mechanism::assembled(&draft, Some(1.0)).unwrap().unwrap();
+    assert!((mechanism.home() - 1.0).abs() < 1e-14);
+    let output = mechanism.link("rocker").unwrap();
+    let found = mechanism.numbered(1.0, output);
+    assert!(found.whole && found.poses.len() == 2);
+    let is_drawn = |pose: &_| {
+        let ids = mechanism.point_ids().zip(&places);
+        ids.into_iter()
+            .all(|(id, at)| (mechanism.place(pose, id).place() - at).norm() < 1e-13)
+    };
+    assert_eq!(found.poses.iter().filter(|pose| is_drawn(pose)).count(), 1);
+    // Each of them is a drawing of its own.
+    for pose in &found.poses {
+        let drawn = Mechanism::new(&mechanism.drawn_in(pose)).unwrap();
+        assert!((drawn.home() - 1.0).abs() < 1e-14);
+    }
+    // The coupler is too short to reach over here.
+    draft.links[1].shape = Some(vec![Point::origin(), Point::new(2.5, 0.0)]);
+    assert!(Mechanism::assembled(&draft, Some(3.1)).unwrap().is_none());
+    draft.drivers.clear();
+    let without = Mechanism::assembled(&draft, None).unwrap_err();
+    assert_eq!(without, [Defect::NoDriver]);
+}
