@@ -223,6 +223,28 @@ fn a_drawing_over_more_than_a_turn_is_its_row() {
     }
 }
 
+/// Two groups come to their dead points within a millionth of a degree: the motion ends at the first, by its name, and has
+/// a pose there.
+#[test]
+fn of_two_folds_the_first_ends_a_motion() {
+    let motion = motion("two-folds");
+    let [_, end] = motion.cycle().arcs()[0];
+    assert!(motion.pose::<1>(end).is_ok());
+    let dead = motion.dead_points()[1];
+    assert_eq!((dead.input, dead.kind), (end, DeadPointKind::Singular));
+    assert!((end.to_degrees() - 211.828_939).abs() < 1e-6, "{end}");
+    let links: Vec<&str> = motion.links_at(&dead).collect();
+    assert_eq!(links, ["k5", "k6", "k7", "b8"]);
+    // Its links turn ever faster: by the root of what is left.
+    let link = motion.mechanism().link("k5").unwrap();
+    let rate = |before: f64| {
+        let pose = motion.pose::<2>(end - before).unwrap();
+        motion.mechanism().angle(&pose, link).derivative(1)
+    };
+    let ratio = rate(1e-11) / rate(4e-11);
+    assert!((ratio - 2.0).abs() < 0.1, "{ratio}");
+}
+
 /// A near-singular drawing ends in a bounded number of steps, with a reason that is no dead point.
 #[test]
 fn nothing_hangs() {

@@ -43,6 +43,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::Cycle;
+use crate::index::StepId;
 use crate::mechanism::{Mechanism, Pose, Signs, Unsolved};
 use crate::position::Step;
 use continuation::{Continuation, End, GRID};
@@ -51,6 +52,10 @@ use interpolation::Knots;
 
 /// So often the way back from an end to a pose is doubled, from the rounding of the input on.
 const BACK: u32 = 24;
+/// Where there is none that near another group has come to its end before; it is doubled so often at most.
+const FARTHER: u32 = 40;
+/// So often the way between an input with a pose and one without is halved: down to rounding.
+const HALVINGS: usize = 64;
 
 /// The motion of a mechanism in one of its assemblies. A pose depends on the
 /// input alone: which way each group is joined at every input has been found out
@@ -170,17 +175,41 @@ impl Motion {
                 let mut inside = back
                     .map(|back| end + back)
                     .take_while(|input| (other - input) * (other - end) > 0.0);
-                inside
-                    .find(|input| self.pose::<1>(*input).is_ok())
-                    .unwrap_or(end)
+                let found = inside.find(|input| self.pose::<1>(*input).is_ok());
+                match found {
+                    Some(input) => (input, None),
+                    None => self.end_before(end, other, unit).unwrap_or((end, None)),
+                }
             });
             for dead in &mut self.dead_points {
                 if let Some(side) = arc.iter().position(|end| *end == dead.input) {
-                    dead.input = ends[side];
+                    let (input, step) = ends[side];
+                    (dead.input, dead.step) = (input, step.unwrap_or(dead.step));
                 }
             }
-            self.cycle.set_arc(index, ends);
+            self.cycle.set_arc(index, ends.map(|(input, _)| input));
         }
+    }
+
+    /// The last input with a pose before an end at which there is none, and the step that fails there: two groups may come
+    /// to their dead points so close to each other that the one looked for is not the first.
+    fn end_before(&self, end: f64, other: f64, unit: f64) -> Option<(f64, Option<StepId>)> {
+        let step = self.pose::<1>(end).err()?.step;
+        let sense = (other - end).signum();
+        let farther =
+            (BACK..FARTHER).map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32));
+        let mut within = farther.take_while(|input| (other - input) * sense > 0.0);
+        let mut inside = within.find(|input| self.pose::<1>(*input).is_ok())?;
+        let mut outside = end;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            if self.pose::<1>(middle).is_ok() {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        Some((inside, Some(step)))
     }
 
     /// The mechanism that moves.
