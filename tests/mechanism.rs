@@ -622,7 +622,7 @@ fn assembled_by_dimensions_alone() {
     let mechanism = Mechanism::assembled(&draft, Some(1.0)).unwrap().unwrap();
     assert!((mechanism.home() - 1.0).abs() < 1e-14);
     let output = mechanism.link("rocker").unwrap();
-    let found = mechanism.numbered(1.0, output);
+    let found = Motion::new(mechanism.clone()).assemblies_at(1.0, output);
     assert!(found.whole && found.poses.len() == 2);
     let is_drawn = |pose: &_| {
         let ids = mechanism.point_ids().zip(&places);

@@ -6,6 +6,7 @@ mod assemblies;
 mod circuits;
 mod csv;
 mod differential;
+mod exact;
 mod mobility;
 mod plot;
 mod source;
@@ -61,12 +62,18 @@ enum Command {
     /// Then for each output its swing or stroke, its travel there and back and, where it goes there and back once a turn,
     /// its time ratio (outputs are what the file plots, else all angles and what slides on the frame); the Grashof class of each four-bar; of each dyad RRR the minimum
     /// transmission angle, of each dyad RRP the maximum pressure angle.
+    ///
+    /// A drawing whose redundant constraints hold only nearly is locked; with --make-exact it is written to standard output
+    /// with its points moved by the least that lets it move, and standard error says by how much.
     Structure {
         /// Catalogue name or file.
         name: Name,
         /// For programs.
         #[arg(long)]
         json: bool,
+        /// Instead of the structure, the drawing made exact, as a file
+        #[arg(long, conflicts_with = "json")]
+        make_exact: bool,
     },
     /// Writes all assemblies at an input as a table (CSV): every way in which the links can be joined there.
     ///
@@ -182,7 +189,12 @@ fn run(command: Command) -> Result<(), Failure> {
             }
         }
         Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
-        Command::Structure { name, json } => {
+        Command::Structure {
+            name,
+            make_exact: true,
+            ..
+        } => exact::write(&mut out, &name)?,
+        Command::Structure { name, json, .. } => {
             structure::write(&mut out, &source::moved(&name)?, &name, json)?;
         }
         Command::Assemblies(asked) => assemblies::write(&mut out, &asked)?,

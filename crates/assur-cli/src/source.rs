@@ -83,9 +83,26 @@ fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
             Failure::Input(said) if can_be_assembled(&document) => {
                 Failure::Input(format!("{said}\n{name}: {ASSEMBLE}"))
             }
+            Failure::Input(said) => match document.draft().made_exact() {
+                Some(exact) => Failure::Input(format!(
+                    "{said}\n{name}: its redundant constraints nearly hold; `assur structure --make-exact` writes the drawing \
+                     for which they do (point {} moves by {:.2e})",
+                    exact.point, exact.by
+                )),
+                None => Failure::Input(said),
+            },
             failure => failure,
         })?;
     Ok(Moved { document, motion })
+}
+
+/// The document of a linkage, whether it moves or not.
+///
+/// # Errors
+/// No such name or file; what is no linkage.
+pub(crate) fn linkage(name: &Name) -> Result<LinkageDocument, Failure> {
+    let linkage = any(name)?.linkage();
+    linkage.map_err(|problems| refused(name, &problems))
 }
 
 /// What can be done where links can be joined, only not as they are drawn.

@@ -8,6 +8,7 @@ mod golden;
 mod imported;
 mod linkages;
 mod options;
+mod redundant;
 mod run;
 mod structure;
 mod sweep;

@@ -1,0 +1,29 @@
+//! A drawing whose redundant constraints hold only nearly, made exact.
+
+use std::io::{self, Write};
+
+use crate::source::Name;
+use crate::{Failure, source};
+
+/// Writes the exact drawing as a file; by how much its points move, to standard error.
+///
+/// # Errors
+/// No such name or file; a drawing that moves already, or that no small change lets move; what cannot be written.
+pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
+    let document = source::linkage(name)?;
+    let Some(exact) = document.draft().made_exact() else {
+        let said = "it moves as it is drawn, or no change of its points by a thousandth of its size lets it move";
+        return Err(Failure::Input(format!("{name}: {said}")));
+    };
+    serde_json::to_writer_pretty(&mut *out, &document.redrawn(&exact.draft))
+        .map_err(io::Error::from)?;
+    writeln!(out)?;
+    // With standard error gone there is nobody left to tell.
+    let _ = writeln!(
+        io::stderr(),
+        "{name}: point {} moves farthest, by {:.3e}",
+        exact.point,
+        exact.by
+    );
+    Ok(())
+}
