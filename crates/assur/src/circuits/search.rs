@@ -142,7 +142,7 @@ impl<'a> Search<'a> {
     fn take(&mut self, motion: Motion) {
         let known = |kind: DeadPointKind| kind.is_dead_point() || kind == DeadPointKind::Range;
         self.whole &= motion.dead_points().iter().all(|dead| known(dead.kind));
-        self.samples += motion.samples() * self.mechanism.bodies().len();
+        self.samples += motion.knot_count() * self.mechanism.bodies().len();
         self.branches.push(motion);
     }
 

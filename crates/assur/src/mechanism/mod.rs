@@ -48,7 +48,7 @@ pub(crate) use dyads::arms_of;
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
 pub use joints::Joint;
 pub use multiple::Multiple;
-pub(crate) use neighbour::{Apart, Joined, Setting};
+pub(crate) use neighbour::{Apart, Joined, NoNeighbour, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;

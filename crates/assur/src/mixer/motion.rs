@@ -39,6 +39,10 @@ impl Mixer {
         let assembly = mechanism.assembly_with(self.assembly);
         let other = assembly.filter(|assembly| *assembly != mechanism.drawn_assembly());
         let redrawn = other.and_then(|other| mechanism.assembly(other));
+        debug_assert!(
+            other.is_none() || redrawn.is_some(),
+            "an assembly that is listed"
+        );
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }
 }

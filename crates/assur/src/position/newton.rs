@@ -4,8 +4,8 @@
 use super::group::{Group, Term};
 use super::work::Work;
 use super::{Cause, Complex, Equation, Nearby, State};
+use crate::Vector;
 use crate::index::StepId;
-use crate::{Jet, Vector};
 
 /// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
@@ -66,7 +66,7 @@ impl Group {
             *left = [equation.left(&work.values, &work.given), rate];
         }
         let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
-        state.margins[step] = [Jet::constant(determinant); 2];
+        state.margins[step] = self.told(work, determinant);
         self.suited(work.planned, &work.spare).solve(
             &work.jacobian,
             &mut work.left,
