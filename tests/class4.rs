@@ -162,7 +162,7 @@ fn with_fk(length: f64) -> Motion {
 
 fn output(motion: &Motion) -> OutputProfile<'_> {
     let mechanism = motion.mechanism();
-    OutputProfile::new(motion, Quantity::named(mechanism, "CD.angle").unwrap())
+    OutputProfile::new(motion, Quantity::named(mechanism, "CD.angle").unwrap()).unwrap()
 }
 
 /// The table of the adjustable cyclogram: FK, the dwell within 0.1° and the stroke.
@@ -253,7 +253,8 @@ fn dwells_at_the_bounds() {
     let crank = OutputProfile::new(
         &motion,
         Quantity::named(motion.mechanism(), "AB.angle").unwrap(),
-    );
+    )
+    .unwrap();
     assert!(crank.strokes().is_empty());
     assert_eq!(crank.cyclogram(0.1).len(), 1);
     let profile = output(&motion);

@@ -152,7 +152,10 @@ fn ends_are_poses(motion: &Motion, at: &str) {
     }
     for link in &mechanism.draft().links {
         let link = mechanism.link(&link.name).unwrap();
-        for swing in OutputProfile::new(motion, Quantity::Angle(link)).swings() {
+        for swing in OutputProfile::new(motion, Quantity::Angle(link))
+            .unwrap()
+            .swings()
+        {
             if let Swing::Between { min, max } = swing {
                 assert!(min <= max && (max - min).is_finite(), "{at}: {min} {max}");
             }
@@ -265,7 +268,7 @@ fn every_driver_of_the_catalogue() {
         let motion = motion(name);
         let mechanism = motion.mechanism();
         for link in mechanism.drivable() {
-            let driver = motion.driver(link).unwrap();
+            let driver = motion.driver(link).unwrap().unwrap();
             for input in inputs(&motion) {
                 let at = format!("{name} {link} at {input}");
                 let changed = motion.driven_by(&driver, input);
@@ -306,7 +309,7 @@ fn a_driver_at_its_dead_point() {
         .find(|point| point.name == "D");
     let frame = d.unwrap().at - a;
     let input = limit + frame.y.atan2(frame.x);
-    let rocker = motion.driver("rocker").unwrap();
+    let rocker = motion.driver("rocker").unwrap().unwrap();
     let changed = motion.driven_by(&rocker, input).unwrap();
     assert!(changed.motion.pose::<3>(changed.input).is_ok());
 }

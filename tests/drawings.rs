@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use assur::mechanism::{Cause, Mechanism, Quantity};
-use assur::motion::{Column, DeadPointKind, Features, Input, Motion};
+use assur::motion::{Column, DeadPointKind, Input, Motion, OutputProfile, TooManyTurns};
 use assur_draw::{Figure, View};
 use assur_file::from_text;
 use assur_tests::files::root;
@@ -153,8 +153,16 @@ fn motions_of_very_many_turns_are_drawn() {
     for side in figure.bounds() {
         assert!((rim..rim + 3.0).contains(&side.abs()), "{side}");
     }
+    // Extrema are not looked for over so many turns, and that is told apart from there being none.
+    let not_searched = TooManyTurns {
+        turns: 974_153,
+        most: 256,
+    };
     let found = motion.features(&[Quantity::X(tip)], Input::ANALOGUES);
-    assert!(found[0].iter().all(|order| *order == Features::default()));
+    assert_eq!(found, Err(not_searched));
+    let profile = OutputProfile::new(&motion, Quantity::X(tip));
+    assert_eq!(profile.err(), Some(not_searched));
+    assert_eq!(motion.searchable(), Err(not_searched));
 }
 
 /// What takes more turns than can be followed is not called closed.

@@ -142,7 +142,7 @@ fn a_rate_that_never_closes_is_said() {
 fn either_crank_may_be_the_input() {
     let rate = 0.5;
     let one = motion(&five_bar(rate));
-    let driver = one.driver("ED").unwrap();
+    let driver = one.driver("ED").unwrap().unwrap();
     let other = one.driven_by(&driver, one.home()).unwrap();
     let mechanism = other.motion.mechanism();
     assert_eq!(mechanism.rates().collect::<Vec<f64>>(), [1.0, 1.0 / rate]);

@@ -86,7 +86,7 @@ fn lengthened(by: f64) -> Motion {
 /// The longest dwell of CD within so many degrees.
 fn dwell(motion: &Motion, tolerance_deg: f64) -> Dwell {
     let output = Quantity::named(motion.mechanism(), "CD.angle").unwrap();
-    let profile = OutputProfile::new(motion, output);
+    let profile = OutputProfile::new(motion, output).unwrap();
     profile.dwell(tolerance_deg.to_radians()).unwrap()
 }
 
@@ -96,7 +96,10 @@ fn length_deg(motion: &Motion, tolerance_deg: f64) -> f64 {
 
 fn stroke(motion: &Motion) -> f64 {
     let output = Quantity::named(motion.mechanism(), "CD.angle").unwrap();
-    OutputProfile::new(motion, output).stroke().unwrap()
+    OutputProfile::new(motion, output)
+        .unwrap()
+        .stroke()
+        .unwrap()
 }
 
 /// The length that "Show it" gives to FK.

@@ -414,7 +414,7 @@ fn readings_of_a_four_bar_that_is_followed() {
         let [dyad] = mechanism.rrr_dyads()[..] else {
             panic!("one dyad")
         };
-        let least = motion.least_transmission(&dyad).unwrap();
+        let least = motion.least_transmission(&dyad).unwrap().unwrap();
         let (worst, _) = linkage.worst_transmission();
         assert!(
             (least.angle - worst).abs() < 1e-6,
@@ -431,7 +431,7 @@ fn readings_of_a_four_bar_that_is_followed() {
             );
         }
         let rocker = Quantity::named(mechanism, "rocker.angle").unwrap();
-        let profile = OutputProfile::new(&motion, rocker);
+        let profile = OutputProfile::new(&motion, rocker).unwrap();
         // Of two arcs it is followed over the drawn one.
         let mut limits = linkage.limits(Assembly::First);
         limits.retain(|limit| motion.cycle().contains(limit.crank));

@@ -125,7 +125,7 @@ fn extrema_of_fig_4() {
 fn found(mixer: &Mixer, name: &str, input: Input) -> [Features; 3] {
     let motion = mixer.motion().unwrap();
     let quantity = Quantity::named(motion.mechanism(), name).unwrap();
-    let found = motion.features(&[quantity], input);
+    let found = motion.features(&[quantity], input).unwrap();
     found.into_iter().next().unwrap()
 }
 
@@ -216,7 +216,8 @@ fn zeros_of_an_angle_that_turns() {
             let linkage = FourBar::new(lengths).unwrap();
             let rocker = |crank| linkage.pose::<5>(assembly, crank).unwrap().rocker;
             let motion = |crank: f64| Some(vec![rocker(crank)]);
-            let [value, ..] = &features(&linkage.cycle(), &motion, &[1.0], Input::ANALOGUES)[0];
+            let [value, ..] =
+                &features(&linkage.cycle(), &motion, &[1.0], Input::ANALOGUES).unwrap()[0];
             let sweep: Vec<f64> = (0..=3600)
                 .map(|i| rocker(f64::from(i) * std::f64::consts::TAU / 3600.0).value())
                 .collect();

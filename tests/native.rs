@@ -23,4 +23,5 @@ mod positions;
 mod properties;
 mod structure;
 mod synthesis;
+mod whole_motion;
 mod words;

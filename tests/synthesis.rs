@@ -46,7 +46,7 @@ fn checked(found: &Mechanism) -> [f64; 2] {
     let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full() && motion.dead_points().is_empty());
     assert!(motion.singularity_margin().abs() >= 1e-3);
-    let profile = OutputProfile::new(&motion, Quantity::named(mechanism, OUTPUT).unwrap());
+    let profile = OutputProfile::new(&motion, Quantity::named(mechanism, OUTPUT).unwrap()).unwrap();
     let values = (0..3600).map(|k| {
         let pose = motion
             .pose::<1>(f64::from(k) * 0.1_f64.to_radians())

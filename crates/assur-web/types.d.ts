@@ -140,6 +140,10 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
+/**
  * The numbers of links, by which their angles are called.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
@@ -173,6 +177,10 @@ moves: "angle" | "length" | "time",
  * The number by which it is called.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -219,6 +227,10 @@ moves: "angle" | "length" | "time",
  * The number by which it is called.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -275,6 +287,10 @@ moves: "angle" | "length" | "time",
  * The number by which it is called.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -441,6 +457,10 @@ moves: "angle" | "length" | "time",
  * The number by which it is called.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
 /**
  * The numbers of links, by which their angles are called.
  */
@@ -635,6 +655,10 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
+/**
  * The numbers of links, by which their angles are called.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
@@ -677,8 +701,9 @@ export type CycleSummary = { start: number, end: number, full: boolean, arcs: Ar
 export type GroupSummary = { term: string, role: string, };
 export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
-export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number, input: number, };
-export type OutputSummary = { name: string, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
+export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
+export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
+export type UnsearchedSummary = { turns: number, most: number, };
 export type Between = { min: number, max: number, stroke: number, };
 export type LimitSummary = { input: number, value: number, };
 export type ListedSummary = { name: string, 

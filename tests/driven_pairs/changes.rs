@@ -54,7 +54,7 @@ fn a_cylinder_as_the_input_or_not() {
         ["boom", "lower", "piston", "plunger"]
     );
     let input = motion.home() + 0.1;
-    let driver = motion.driver("plunger").unwrap();
+    let driver = motion.driver("plunger").unwrap().unwrap();
     let other = motion.driven_by(&driver, input).unwrap();
     assert_eq!(
         other.motion.mechanism().rates().collect::<Vec<f64>>(),

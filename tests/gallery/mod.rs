@@ -227,7 +227,9 @@ fn at(motion: &Motion, name: &str, degrees: f64) -> [f64; 4] {
 
 /// Inputs and values between which a quantity goes to and fro.
 fn strokes(motion: &Motion, name: &str) -> Vec<[[f64; 2]; 2]> {
-    OutputProfile::new(motion, quantity(motion, name)).strokes()
+    OutputProfile::new(motion, quantity(motion, name))
+        .unwrap()
+        .strokes()
 }
 
 /// The whole stroke of a quantity.

@@ -221,12 +221,12 @@ fn peaucellier() {
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
     // Its derivatives are rounding alone, and are not taken for anything else.
     let axes = ["E.x", "E.y"].map(|name| quantity(&motion, name));
-    let [across, along] = &motion.features(&axes, Input::ANALOGUES)[..] else {
+    let [across, along] = &motion.features(&axes, Input::ANALOGUES).unwrap()[..] else {
         panic!("two quantities");
     };
     let levels = across.each_ref().map(|order| order.level);
     assert_near(levels[0].unwrap(), x, 1e-12, "x");
-    let profile = OutputProfile::new(&motion, axes[0]);
+    let profile = OutputProfile::new(&motion, axes[0]).unwrap();
     let swings: Vec<Option<f64>> = profile.swings().into_iter().map(Swing::stroke).collect();
     assert_eq!(swings, [Some(0.0)]);
     assert_eq!(levels[1..], [Some(0.0), Some(0.0)]);

@@ -57,6 +57,7 @@ fn of_a_crank_rocker() {
         let transmission = quantity(&motion, &name);
         let [value, rate, _] = motion
             .features(&[transmission], Input::ANALOGUES)
+            .unwrap()
             .swap_remove(0);
         assert_eq!(
             (value.zeros.len(), value.extrema.len()),
@@ -66,7 +67,7 @@ fn of_a_crank_rocker() {
         let Quantity::Transmission(dyad) = transmission else {
             panic!("{transmission:?}");
         };
-        let least = motion.least_transmission(&dyad).unwrap();
+        let least = motion.least_transmission(&dyad).unwrap().unwrap();
         let extrema = value.extrema.iter().map(|extremum| extremum.value);
         assert_near(
             extrema.fold(FRAC_PI_2, f64::min),
@@ -112,10 +113,11 @@ fn of_slides() {
     let Quantity::Pressure(dyad) = quantity(&motion, "C.pressure") else {
         panic!("a pressure angle");
     };
-    let greatest = motion.greatest_pressure(&dyad).unwrap();
+    let greatest = motion.greatest_pressure(&dyad).unwrap().unwrap();
     assert_near(greatest.angle, (2.0_f64 / 3.0).asin(), 1e-13, "greatest");
     let [value, ..] = motion
         .features(&[Quantity::Pressure(dyad)], Input::ANALOGUES)
+        .unwrap()
         .swap_remove(0);
     // At 270° the rod touches the way's direction and turns back.
     let [greatest, least] = &value.extrema[..] else {
@@ -156,7 +158,7 @@ fn of_every_mechanism() {
                 Quantity::Pressure(dyad) => motion.greatest_pressure(&dyad),
                 other => panic!("{other:?}"),
             };
-            let worst = worst.unwrap().angle;
+            let worst = worst.unwrap().unwrap().angle;
             for k in 1..90 {
                 let pose = motion.pose::<3>(from + (to - from) * f64::from(k) / 90.0);
                 let value = angle.of(mechanism, &pose.unwrap()).value();

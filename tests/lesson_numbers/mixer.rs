@@ -46,7 +46,10 @@ fn transmission(linkage: &FourBar) -> f64 {
 fn rocker(case: Case) -> [Features; 3] {
     let motion = mixer(case).motion().unwrap();
     let angle = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
-    motion.features(&[angle], Input::ANALOGUES).swap_remove(0)
+    motion
+        .features(&[angle], Input::ANALOGUES)
+        .unwrap()
+        .swap_remove(0)
 }
 
 /// The extremum farthest from zero.

@@ -184,7 +184,7 @@ proptest! {
 /// The profile of the angle of a link.
 fn profile<'a>(motion: &'a Motion, link: &str) -> OutputProfile<'a> {
     let quantity = Quantity::named(motion.mechanism(), &format!("{link}.angle"));
-    OutputProfile::new(motion, quantity.unwrap())
+    OutputProfile::new(motion, quantity.unwrap()).unwrap()
 }
 
 proptest! {
@@ -223,7 +223,7 @@ proptest! {
             prop_assert!((found - expected).abs() < bound, "{linkage:?}: {found} {expected}");
         }
         let (worst, at) = linkage.worst_transmission();
-        let least = motion.least_transmission(&dyad).unwrap();
+        let least = motion.least_transmission(&dyad).unwrap().unwrap();
         prop_assert!(
             (least.angle - worst).abs() <= bound,
             "{linkage:?} {assembly:?}: {least:?}, {worst} at {at}"

@@ -36,7 +36,10 @@ fn jump(f: &dyn Fn(f64) -> Option<[f64; 2]>, from: f64, to: f64, coarse: f64) ->
 fn extrema(linkage: &FourBar, assembly: Assembly) -> [Vec<Extremum>; 2] {
     let motion = mixer(linkage, assembly).motion().unwrap();
     let rocker = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
-    let [_, first, second] = motion.features(&[rocker], Input::ANALOGUES).swap_remove(0);
+    let [_, first, second] = motion
+        .features(&[rocker], Input::ANALOGUES)
+        .unwrap()
+        .swap_remove(0);
     [first, second].map(|order| order.extrema)
 }
 
@@ -242,7 +245,7 @@ proptest! {
         }
         let input = Input { speed, acceleration };
         let motion = |crank: f64| Some(vec![linkage.pose::<5>(assembly, crank).ok()?.rocker]);
-        let found = features(&cycle, &motion, &[1.0], input);
+        let found = features(&cycle, &motion, &[1.0], input).unwrap();
         let [start, end] = cycle.axis();
         let scales = [1.0, speed.abs(), speed * speed + acceleration.abs()];
         for (order, (features, scale)) in found[0].iter().zip(scales).enumerate() {

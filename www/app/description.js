@@ -155,7 +155,7 @@ function positions({ summary, coordinate, input, words }) {
  */
 function plots(snapshot, { panels, against }) {
   if (against) return described(against, snapshot);
-  const { summary: { listed }, coordinate, place, words } = snapshot;
+  const { summary: { listed, unsearched }, coordinate, place, words } = snapshot;
   const { x0, x1 } = panels[0] ?? {};
   const ends = x0 === undefined ? Object.values(coordinate.axis(place)) : [x0, x1].map((input) => coordinate.place(input));
   const [from, to] = ends.map((end) => coordinate.written(end, words, 1));
@@ -169,7 +169,8 @@ function plots(snapshot, { panels, against }) {
     });
     return `${titled(panel, coordinate, words)}: ${curves.join("; ")}.`;
   });
-  return [axis, ...told].join(" ");
+  const [turns, most] = [unsearched?.turns, unsearched?.most].map((count) => words.numbers.exact(count ?? 0));
+  return [axis, ...told, ...(unsearched ? [words.text("plots.unsearched", { turns, most })] : [])].join(" ");
 }
 
 /**

@@ -166,7 +166,7 @@ function counted(value, quantity) {
 function wholeOf(name, whole, summary) {
   if (whole === "worst") {
     const worst = "transmissions" in summary ? summary.transmissions.find(({ joint, what }) => `${joint}.${what}` === name)?.worst : undefined;
-    return worst === undefined ? null : degrees(worst);
+    return worst === undefined || worst === null ? null : degrees(worst);
   }
   const output = summary.moves === null ? undefined : summary.outputs.find((one) => one.name === name);
   if (whole === "time_ratio") return output?.time_ratio ?? null;

@@ -19,6 +19,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use assur_file::LinkageProblem;
 use clap::{Parser, Subcommand};
 use source::Name;
 
@@ -217,6 +218,11 @@ fn run(command: Command) -> Result<(), Failure> {
                 None => drawn,
             };
             let text = plot::svg(&moved, &name)?;
+            if let Err(turns) = moved.motion.searchable() {
+                let said = words::Words::english()?.sentence(&LinkageProblem::from(turns))?;
+                // With standard error gone there is nobody left to tell.
+                let _ = writeln!(io::stderr(), "{name}: zeros and extrema: {said}");
+            }
             if svg.as_os_str() == "-" {
                 out.write_all(text.as_bytes())?;
             } else {

@@ -124,6 +124,8 @@ fn filled(place: &str, value: &Value) -> String {
             let all: Vec<String> = all.iter().map(|one| filled(place, one)).collect();
             all.join(", ")
         }
+        // A count has all its digits.
+        Value::Number(count) if count.is_u64() => count.to_string(),
         other => match other.as_f64() {
             Some(phi) if place == "phi" => format!("{}°", short(phi.to_degrees())),
             Some(number) => short(number),

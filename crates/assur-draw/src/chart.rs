@@ -20,9 +20,9 @@ use assur::motion::{Features, Input};
 
 use crate::list::{ROLES, Role};
 pub use against::{Against, Axis, Field, Passed};
-pub(crate) use curves::sampled;
 pub use curves::{At, Mark, MarkKind, Sample};
 use curves::{Plot, Range};
+pub(crate) use curves::{sampled, sampling};
 pub use ticks::Tick;
 
 /// Units of a backend's whole-numbered coordinates to a pixel of the reader:
@@ -83,8 +83,8 @@ pub struct Series {
     pub name: String,
     /// Whose colour its curves have.
     pub role: Role,
-    /// Zeros and extrema of it and of its first two derivatives.
-    pub features: [Features; 3],
+    /// Zeros and extrema of it and of its first two derivatives; none where they were not looked for.
+    pub features: Option<[Features; 3]>,
 }
 
 /// How a motion is plotted.
@@ -143,22 +143,21 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart of quantities of one kind over a cycle: `sample` gives them, in
-    /// the order of `series`, at a crank angle.
+    /// The chart of quantities of one kind over a cycle, from unbroken runs of samples that have them in the order of
+    /// `series`.
     pub fn new(
         cycle: &Cycle,
         kind: Kind,
         series: Vec<Series>,
-        sample: &dyn Fn(f64) -> Option<Sample>,
+        runs: &[Vec<At>],
         settings: Settings,
     ) -> Self {
-        let runs = curves::sampled(cycle, sample);
         Self {
             axis: axis(cycle),
             turns: cycle.turns(),
             kind,
             settings,
-            plots: curves::plots(&runs, cycle.is_full(), &series, settings),
+            plots: curves::plots(runs, cycle.is_full(), &series, settings),
             series,
         }
     }
@@ -255,7 +254,11 @@ impl Chart {
                 levels: self
                     .series
                     .iter()
-                    .map(|s| s.features[order].level)
+                    .map(|s| {
+                        s.features
+                            .as_ref()
+                            .and_then(|features| features[order].level)
+                    })
                     .collect(),
                 points: Vec::new(),
             };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad};
-use assur::motion::OutputProfile;
+use assur::motion::{OutputProfile, TooManyTurns};
 use assur::structure::roman;
 use assur::{Cycle, Swing};
 use assur_draw::Figure;
@@ -47,6 +47,8 @@ pub(crate) struct CourseSummary<'a> {
     pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
     pub(crate) change_points: &'a [f64],
     pub(crate) outputs: Vec<OutputSummary>,
+    /// Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+    pub(crate) unsearched: Option<UnsearchedSummary>,
     /// The numbers of links, by which their angles are called.
     pub(crate) numbers: &'a BTreeMap<String, String>,
     pub(crate) listed: Vec<ListedSummary<'a>>,
@@ -105,6 +107,14 @@ pub(crate) struct CycleSummary {
     pub(crate) arcs: Vec<[f64; 2]>,
 }
 
+/// After how many turns the motion repeats, and how many are searched at most.
+#[derive(Clone, Copy, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct UnsearchedSummary {
+    turns: usize,
+    most: usize,
+}
+
 /// A term of the structural formula, and the colour its links have by it.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -130,7 +140,7 @@ pub(crate) struct FourBarSummary<'a> {
 }
 
 /// The least transmission angle of a dyad RRR or the greatest pressure angle of a dyad RRP, at the inner joint, and where
-/// it is.
+/// it is; none of a motion that is not searched.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TransmissionSummary<'a> {
@@ -138,16 +148,17 @@ pub(crate) struct TransmissionSummary<'a> {
     what: &'static str,
     joint: String,
     links: [&'a str; 2],
-    worst: f64,
-    input: f64,
+    worst: Option<f64>,
+    input: Option<f64>,
 }
 
 /// What an output does over the motion. Swings are one for every arc of it, none
-/// where it turns on and on; turns are there and back, per cycle.
+/// where it turns on and on; turns are there and back, per cycle. Where it was not `searched` there is none of it.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
     name: String,
+    searched: bool,
     swing: Vec<Option<Between>>,
     turns: Vec<f64>,
     limits: Vec<LimitSummary>,
@@ -262,8 +273,8 @@ impl<'a> MotionSummary<'a> {
             what: dyad.quantity.what(),
             joint: dyad.quantity.whose(mechanism).into_owned(),
             links: dyad.links.map(|one| link(Some(one))),
-            worst: dyad.worst.angle,
-            input: dyad.worst.input,
+            worst: dyad.worst.map(|worst| worst.angle),
+            input: dyad.worst.map(|worst| worst.input),
         });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
             name: &handle.name,
@@ -277,17 +288,21 @@ impl<'a> MotionSummary<'a> {
             let name = one.name(mechanism, 0);
             (name, OutputProfile::new(motion, *one))
         });
-        let profiles: Vec<(String, OutputProfile<'_>)> = profiles.collect();
+        let profiles: Vec<(String, Result<OutputProfile<'_>, TooManyTurns>)> = profiles.collect();
         let first = moving.plotted_output().map(|plotted| {
             let known = outputs.iter().position(|output| *output == plotted);
             let summed = |profile: &OutputProfile<'_>| {
                 ProfileSummary::new(mechanism, plotted, profile, moving.document().band)
             };
             match known {
-                Some(index) => summed(&profiles[index].1),
-                None => summed(&OutputProfile::new(motion, plotted)),
+                Some(index) => profiles[index].1.as_ref().ok().map(summed),
+                None => OutputProfile::new(motion, plotted)
+                    .ok()
+                    .as_ref()
+                    .map(summed),
             }
         });
+        let unsearched = motion.searchable().err();
         let course = CourseSummary {
             moves: if mechanism.turns() { "angle" } else { "length" },
             input: moving.input_number(),
@@ -296,8 +311,10 @@ impl<'a> MotionSummary<'a> {
             dead_points: dead_points.collect(),
             change_points: motion.change_points(),
             outputs: (profiles.iter())
-                .map(|(name, profile)| OutputSummary::new(name, profile))
+                .map(|(name, profile)| OutputSummary::new(name, profile.as_ref().ok()))
                 .collect(),
+            unsearched: unsearched
+                .map(|TooManyTurns { turns, most }| UnsearchedSummary { turns, most }),
             numbers: moving.numbers(),
             listed: (moving.listed().into_iter())
                 .map(|quantity| ListedSummary::new(moving, quantity))
@@ -324,7 +341,7 @@ impl<'a> MotionSummary<'a> {
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
             points: mechanism.points().collect(),
-            profile: first,
+            profile: first.flatten(),
         }
     }
 }
@@ -367,21 +384,23 @@ impl<'a> ListedSummary<'a> {
 }
 
 impl OutputSummary {
-    fn new(name: &str, profile: &OutputProfile<'_>) -> Self {
-        let limits = profile.limits().into_iter();
+    /// What its profile says; of a motion that is not searched, the name alone.
+    fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
+        let limits = profile.map(OutputProfile::limits).unwrap_or_default();
+        let swings = profile.map(OutputProfile::swings).unwrap_or_default();
+        let travels = profile.map(OutputProfile::travels).unwrap_or_default();
         Self {
             name: name.to_owned(),
-            swing: profile.swings().into_iter().map(between).collect(),
-            turns: (profile.travels().into_iter())
-                .map(|travel| travel / TAU)
-                .collect(),
-            limits: limits
+            searched: profile.is_some(),
+            swing: swings.into_iter().map(between).collect(),
+            turns: travels.into_iter().map(|travel| travel / TAU).collect(),
+            limits: (limits.into_iter())
                 .map(|limit| LimitSummary {
                     input: limit.input,
                     value: limit.value,
                 })
                 .collect(),
-            time_ratio: profile.time_ratio(),
+            time_ratio: profile.and_then(OutputProfile::time_ratio),
         }
     }
 }

@@ -39,7 +39,7 @@ use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
 use crate::summary::{
     Between, CountsSummary, CourseSummary, CycleSummary, DeadPointSummary, FourBarSummary,
     GroupSummary, HandleSummary, LimitSummary, ListedSummary, MotionSummary, OutputSummary,
-    StructureSummary, TransmissionSummary,
+    StructureSummary, TransmissionSummary, UnsearchedSummary,
 };
 use crate::table::{SweepColumn, SweepDimension, SweepQuantity, SweepRow, SweepTable};
 
@@ -109,6 +109,7 @@ fn the_scripts_know_what_crosses_the_border() {
         FourBarSummary::decl(&config),
         TransmissionSummary::decl(&config),
         OutputSummary::decl(&config),
+        UnsearchedSummary::decl(&config),
         Between::decl(&config),
         LimitSummary::decl(&config),
         ListedSummary::decl(&config),

@@ -74,7 +74,7 @@ fn speed() {
         "engine, all extrema of a motion",
         1,
         Box::new(move || {
-            black_box(moving.features(&[rocker], Input::ANALOGUES));
+            let _ = black_box(moving.features(&[rocker], Input::ANALOGUES));
         }),
     ));
     let family = family();

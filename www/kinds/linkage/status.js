@@ -38,6 +38,7 @@ const ENTRIES = Object.freeze({
   "linkage-dead": ({ dead_points: dead }, words, { coordinate }) =>
     dead.map(({ input, kind, links }) => `${coordinate.short(input, words, 2)} ${words.text(`dead.${kind}`)} (${listed(links, words)})`).join("; "),
   "linkage-change": ({ change_points: points }, words, { coordinate }) => points.map((input) => coordinate.short(input, words, 2)).join(", "),
+  "linkage-unsearched": ({ unsearched }, words) => (unsearched ? words.text("status.unsearched_why", counted(unsearched, words)) : ""),
 });
 
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
@@ -45,6 +46,7 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-assembly": "assembly", "linkage-grashof": "grashof", "linkage-swing": "swing-rocker", "linkage-stroke": "stroke",
   "linkage-time-ratio": "time-ratio",
   "linkage-transmission": "transmission", "linkage-pressure": "pressure", "linkage-range": "range", "linkage-dead": "dead-points", "linkage-change": "change-points",
+  "linkage-unsearched": "unsearched",
 }));
 
 /** @returns {StatusLine<Snapshot>} */
@@ -72,7 +74,7 @@ function coloured(groups, words) {
  */
 function strokes(outputs, angles, words) {
   const said = (/** @type {number} */ stroke) => (angles ? angle(stroke, words) : words.length(words.numbers.short(stroke)));
-  return outputs.filter(({ name, swing }) => name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
+  return outputs.filter(({ name, searched, swing }) => searched && name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
     `${swing.map((one) => said(one?.stroke ?? 0)).join(", ")} (${called(name.replace(/\.angle$/, ""), words)})`,
   ).join("; ");
 }
@@ -85,7 +87,15 @@ function strokes(outputs, angles, words) {
  */
 function worst(transmissions, what, words) {
   const found = transmissions.filter((one) => one.what === what);
-  return found.map((one) => `${angle(one.worst, words)} (${subscript(one.joint)})`).join("; ");
+  return found.flatMap((one) => (one.worst === null ? [] : [`${angle(one.worst, words)} (${subscript(one.joint)})`])).join("; ");
+}
+
+/**
+ * @param {NonNullable<Summary["unsearched"]>} unsearched
+ * @param {Words} words
+ */
+function counted({ turns, most }, words) {
+  return { turns: words.numbers.exact(turns), most: words.numbers.exact(most) };
 }
 
 /**

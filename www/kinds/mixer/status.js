@@ -36,7 +36,7 @@ const ENTRIES = Object.freeze({
   }),
   ratio: ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] }),
   "time-ratio": ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
-  transmission: ({ transmissions: [{ worst }] }, words) => angleEntry(worst, words),
+  transmission: ({ transmissions: [{ worst }] }, words) => (worst === null ? null : angleEntry(worst, words)),
   range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
   "dead-points": ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words),
   "change-points": ({ change_points: points }, words) => anglesEntry(points, words),

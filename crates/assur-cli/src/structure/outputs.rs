@@ -2,7 +2,7 @@
 
 use assur::Swing;
 use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, Quantity};
-use assur::motion::{Motion, OutputProfile};
+use assur::motion::{Motion, OutputProfile, TooManyTurns};
 use serde_json::{Map, Value, json};
 
 use super::{at, placed, rounded};
@@ -32,10 +32,12 @@ pub(super) fn described(moved: &Moved) -> Map<String, Value> {
             "joint": dyad.quantity.whose(mechanism),
             "what": dyad.quantity.what(),
             "links": dyad.links.map(|link| mechanism.link_name(link)),
-            "worst_deg": dyad.worst.angle.to_degrees(),
+            "worst_deg": dyad.worst.map(|worst| worst.angle.to_degrees()),
         });
-        let (key, input) = placed(mechanism, dyad.worst.input);
-        told[key] = json!(input);
+        if let Some(worst) = dyad.worst {
+            let (key, input) = placed(mechanism, worst.input);
+            told[key] = json!(input);
+        }
         told
     });
     [
@@ -53,11 +55,18 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
 }
 
 /// An output: on each arc of the motion its least and greatest value, none where it turns on and on, and its travel
-/// there and back; its limit positions; its time ratio, where it goes there and back once a turn. Angles in degrees. Then
-/// whether it moves at all.
+/// there and back; its limit positions; its time ratio, where it goes there and back once a turn. Angles in degrees. Of a
+/// motion of too many turns to be searched for extrema nothing but how many turns it has. Then whether it moves at all.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
-    let profile = OutputProfile::new(motion, quantity);
+    let profile = match OutputProfile::new(motion, quantity) {
+        Ok(profile) => profile,
+        Err(TooManyTurns { turns, most }) => {
+            let unsearched = json!({"turns": turns, "most": most});
+            let told = json!({"name": quantity.name(mechanism, 0), "unsearched": unsearched});
+            return (told, true);
+        }
+    };
     let (suffix, unit) = if quantity.is_angle() {
         ("_deg", 1_f64.to_degrees())
     } else {
@@ -101,7 +110,11 @@ pub(super) fn lines(described: &Value, size: f64) -> Vec<(&'static str, String)>
         };
         let joint = one["joint"].as_str().unwrap_or_default();
         let (worst, links) = (degrees(&one["worst_deg"]), names(&one["links"]));
-        let said = format!("{joint} ({links}): {what} {worst} at {}", at(one));
+        let said = if one["worst_deg"].is_null() {
+            format!("{joint} ({links}): {what} not looked for")
+        } else {
+            format!("{joint} ({links}): {what} {worst} at {}", at(one))
+        };
         ("transmission", said)
     });
     outputs.chain(four_bars).chain(transmissions).collect()
@@ -122,6 +135,13 @@ fn output_line(output: &Value, size: f64) -> String {
     } else {
         ("swing", "travel", "stroke")
     };
+    let name = output["name"].as_str().unwrap_or_default();
+    if let Some(unsearched) = output.get("unsearched") {
+        let [turns, most] = ["turns", "most"].map(|key| &unsearched[key]);
+        return format!(
+            "{name}: extrema are not looked for, the motion repeats after {turns} turns and at most {most} are searched"
+        );
+    }
     let list = |key: &str| output[key].as_array().into_iter().flatten();
     let arcs = list(swing).zip(list(travel)).map(|(swing, travel)| {
         let travel = value(travel);
@@ -135,7 +155,6 @@ fn output_line(output: &Value, size: f64) -> String {
     if let Some(ratio) = output["time_ratio"].as_f64() {
         said.push(format!("time ratio {}", short(ratio)));
     }
-    let name = output["name"].as_str().unwrap_or_default();
     format!("{name}: {}", said.join("; "))
 }
 

@@ -1,6 +1,6 @@
 //! Drawings.
 
-use super::run::{Scratch, data, refused, said};
+use super::run::{Scratch, assur, data, refused, said};
 
 #[test]
 fn drawings() {
@@ -55,4 +55,20 @@ fn plots_of_an_instant_have_no_number_that_is_none() {
     let text = said(&["plot", &data("drawings/instant.json"), "--svg", "-"]);
     assert!(text.contains("360°"), "{text}");
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+}
+
+/// Of a motion of too many turns extrema are not marked, and it is said why.
+#[test]
+fn extrema_that_are_not_looked_for_are_said() {
+    let file = data("drawings/hunting-wheels.json");
+    let output = assur(&["plot", &file, "--svg", "-"]);
+    let [text, complaint] =
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert!(output.status.success(), "{complaint}");
+    assert!(text.contains("T.x") && !text.contains("NaN"));
+    let why = "zeros and extrema: Not looked for: the motion repeats only after 974153 turns, and no more than 256 are \
+                searched.\n";
+    assert!(complaint.ends_with(why), "{complaint}");
+    // Of 31 turns they are.
+    said(&["plot", &data("drawings/many-turns.json"), "--svg", "-"]);
 }

@@ -1,18 +1,22 @@
 //! The curves of a chart: samples of the motion with exact derivatives, and the
 //! ranges that show them.
 
+use assur::Jet;
+use assur::motion::{Features, Input, Kind, Sampling, Shown, Spacing};
 use assur::sorting::sort_by;
-use std::f64::consts::PI;
-
-use assur::motion::{Features, Input, Kind};
-use assur::{Cycle, Jet};
 
 use super::{Series, Settings};
 
-/// Samples of an arc of the crank.
-const SAMPLES: usize = 720;
-/// Every so many samples a difference is shown next to the exact derivative.
-const DIFFERENCED: usize = 10;
+/// Samples of a turn of the crank, of an arc shorter than a turn, or of a slide's range.
+const TURN: usize = 720;
+/// Fewest samples of a turn: over many turns a plot shows no more.
+const COARSEST_TURN: usize = 60;
+/// Most values that are sampled of all quantities together.
+const MOST_VALUES: usize = 1 << 18;
+/// About as many differences are shown next to the exact derivative in a run, and in no more runs than these; of more runs
+/// as many in all.
+const DIFFERENCES: usize = 72;
+const FEW_RUNS: usize = 4;
 
 /// Values that differ by less than this share of what a plot shows look the same:
 /// the dots at them lie on each other.
@@ -93,17 +97,23 @@ pub(crate) fn plots(
         let rate = |at: &At, index: usize| input.rate(&at.1.jets[index], order);
         let curve = |(index, series): (usize, &Series)| {
             let point = |at: &At| (at.0, rate(at, index));
+            let all = DIFFERENCES * FEW_RUNS;
+            let each = (all / runs.len().max(1)).clamp(1, DIFFERENCES);
             let differences = runs
                 .iter()
+                .step_by((runs.len() / all).max(1))
                 .filter(|_| differenced && order == 2)
-                .flat_map(|run| differences(run, index, input));
+                .flat_map(|run| differences(run, each, index, input));
             Curve {
                 runs: runs
                     .iter()
                     .map(|run| run[told(run, order, full)].iter().map(point).collect())
                     .collect(),
                 compared: Vec::new(),
-                marks: marks(&series.features[order]),
+                marks: match &series.features {
+                    Some(features) => marks(&features[order]),
+                    None => Vec::new(),
+                },
                 differences: differences.collect(),
             }
         };
@@ -127,8 +137,14 @@ pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usiz
 
 /// The second derivative by time from centred differences of the samples of the
 /// first one by the crank angle: a proof for the eye, nothing is computed from it.
-fn differences(run: &[At], index: usize, input: Input) -> impl Iterator<Item = (f64, f64)> {
-    run.windows(3).step_by(DIFFERENCED).map(move |three| {
+fn differences(
+    run: &[At],
+    count: usize,
+    index: usize,
+    input: Input,
+) -> impl Iterator<Item = (f64, f64)> {
+    let step = (run.len() / count).max(1);
+    run.windows(3).step_by(step).map(move |three| {
         let [before, here, after] = [0, 1, 2].map(|i| three[i].1.jets[index].derivative(1));
         let second = (after - before) / (three[2].0 - three[0].0);
         let steady = input.speed * input.speed * second;
@@ -136,27 +152,26 @@ fn differences(run: &[At], index: usize, input: Input) -> impl Iterator<Item = (
     })
 }
 
-/// The motion, an unbroken run for every stretch without a gap.
-pub(crate) fn sampled(cycle: &Cycle, sample: &dyn Fn(f64) -> Option<Sample>) -> Vec<Vec<At>> {
-    let turns = if cycle.is_full() {
-        cycle.arcs().len()
-    } else {
-        1
-    };
-    let count = SAMPLES * turns;
-    let place = |t: f64| {
-        // Crowded towards dead points, where curves turn upright.
-        if cycle.is_full() {
-            t
-        } else {
-            0.5 - 0.5 * (PI * t).cos()
-        }
-    };
+/// The density of samples of so many quantities.
+pub(crate) fn sampling(quantities: usize) -> Sampling {
+    Sampling {
+        turn: TURN,
+        coarsest: COARSEST_TURN,
+        most: MOST_VALUES / quantities.max(1),
+        spacing: Spacing::Crowded,
+        shown: Shown::Spread,
+    }
+}
+
+/// The samples at these inputs, an unbroken run for every stretch without a gap.
+pub(crate) fn sampled(
+    pieces: Vec<Vec<f64>>,
+    sample: &dyn Fn(f64) -> Option<Sample>,
+) -> Vec<Vec<At>> {
     let mut runs = Vec::new();
-    for [from, to] in cycle.arcs() {
+    for piece in pieces {
         let mut run = Vec::new();
-        for i in 0..=count {
-            let crank = from + (to - from) * place(i as f64 / count as f64);
+        for crank in piece {
             if let Some(sample) = sample(crank) {
                 run.push((crank, sample));
             } else if !run.is_empty() {
@@ -169,6 +184,7 @@ pub(crate) fn sampled(cycle: &Cycle, sample: &dyn Fn(f64) -> Option<Sample>) -> 
     runs
 }
 
+/// The zeros and extrema of a curve.
 fn marks(features: &Features) -> Vec<Mark> {
     let zeros = features.zeros.iter().map(|crank| Mark {
         kind: MarkKind::Zero,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur::mechanism::{
     DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, Quantity, RrrDyad,
 };
-use assur::motion::Motion;
+use assur::motion::{Motion, Sampling, Shown, Spacing};
 use assur::{JetPoint, Point, Vector};
 
 use super::View;
@@ -15,8 +15,14 @@ use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
 use crate::parts;
 
-/// Inputs of an arc that are looked at for the lengths of vectors.
-const SAMPLES: u32 = 180;
+/// The inputs that are looked at for the lengths of vectors.
+const SAMPLING: Sampling = Sampling {
+    turn: 180,
+    coarsest: 30,
+    most: 32 * 180,
+    spacing: Spacing::Middles,
+    shown: Shown::Spread,
+};
 /// The tips of vectors are named where no more points than this have them.
 const MOST_NAMED: usize = 3;
 
@@ -119,10 +125,7 @@ impl Overlaid {
         if self.vectors.is_empty() {
             return Vec::new();
         }
-        let inputs = motion.cycle().arcs().iter().flat_map(|[from, to]| {
-            (0..SAMPLES)
-                .map(move |i| from + (to - from) * (f64::from(i) + 0.5) / f64::from(SAMPLES))
-        });
+        let inputs = motion.samples(SAMPLING).into_iter().flatten();
         let poses = inputs.filter_map(|input| motion.pose::<3>(input).ok());
         let poses: Vec<Pose<3>> = poses.collect();
         let path = |(point, _): &(PointId, _)| -> Vec<JetPoint<3>> {

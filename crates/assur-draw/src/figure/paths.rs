@@ -1,10 +1,10 @@
 //! Paths of points over a motion, each part drawn once.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use assur::mechanism::{LinkId, PointId, Pose};
-use assur::motion::Motion;
-use assur::{Cycle, Point, Vector};
+use assur::motion::{Motion, Sampling, Shown, Spacing};
+use assur::{Point, Vector};
 
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
@@ -18,7 +18,7 @@ const LEAST: f64 = 90.0;
 const MOST_PLACED: usize = 150_000;
 const OF_A_POSE: usize = 8;
 const COARSEST_TURN: usize = 60;
-/// Poses of an arc of a motion that goes to and fro.
+/// Poses of a turn, or of an arc shorter than one, of a motion that goes to and fro.
 const SWING: usize = 360;
 /// A link that turns through so much turns all round: at its ends the motion may
 /// lack a pose.
@@ -65,34 +65,23 @@ impl Path {
 /// Poses over the motion, a run for each arc; crowded towards dead points.
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
-    let (count, shown) = if cycle.is_full() {
-        let turns = cycle.period().unwrap_or(TAU) / TAU;
-        let turns = turns.round().max(1.0) as usize;
-        let most = MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE);
-        let shown = turns.min(most / COARSEST_TURN).max(1);
-        ((TURN * shown).min(most), shown as f64 / turns as f64)
-    } else {
-        (SWING, 1.0)
+    let sampling = Sampling {
+        turn: if cycle.is_full() { TURN } else { SWING },
+        coarsest: COARSEST_TURN,
+        most: MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE),
+        spacing: Spacing::Crowded,
+        shown: Shown::First,
     };
-    let runs = cycle.arcs().iter().map(|[from, to]| {
-        let inputs = (0..=count).map(|i| {
-            let share = i as f64 / count as f64;
-            from + (to - from) * shown * placed(cycle, share)
-        });
+    let pieces = motion.samples(sampling).into_iter();
+    let runs = pieces.zip(cycle.arcs()).map(|(inputs, [from, to])| {
+        let off = if cycle.is_full() { 0.0 } else { OFF };
+        let [first, last] = [from + off * (to - from), to - off * (to - from)];
+        let inputs = inputs.into_iter().map(|input| input.clamp(first, last));
         let pose = motion.telling(|pose: &Pose<1>| pose.alone());
         let poses = inputs.filter_map(|input| Some((input, pose(input).ok()?)));
         poses.collect()
     });
     runs.filter(|run: &Run| !run.is_empty()).collect()
-}
-
-/// Where in an arc a share of its poses is.
-fn placed(cycle: &Cycle, share: f64) -> f64 {
-    if cycle.is_full() {
-        share
-    } else {
-        (0.5 - 0.5 * (PI * share).cos()).clamp(OFF, 1.0 - OFF)
-    }
 }
 
 /// The path of a point: of one that turns about a fixed point a circle, or as much

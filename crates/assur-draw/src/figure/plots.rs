@@ -8,7 +8,7 @@ use assur::mechanism::{Mechanism, Pose, Quantity, RrrDyad};
 use assur::motion::{Column, DeadPoint};
 
 use super::{Figure, paths};
-use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled};
+use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
 use crate::list::Role;
 
 /// Next to dead points derivatives grow without bound: ranges are taken where the
@@ -63,15 +63,14 @@ impl Figure {
     /// `settings` say.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let found = motion.features(quantities, settings.input);
+        // Over too many turns none are looked for.
+        let mut found = (motion.features(quantities, settings.input).ok()).map(Vec::into_iter);
         let series = quantities.iter().zip(self.plotted_roles(quantities));
-        let series = series
-            .zip(found)
-            .map(|((quantity, role), features)| Series {
-                name: quantity.name(mechanism, 0),
-                role,
-                features,
-            });
+        let series = series.map(|(quantity, role)| Series {
+            name: quantity.name(mechanism, 0),
+            role,
+            features: found.as_mut().and_then(Iterator::next),
+        });
         let ends = self.ends();
         let room = RefCell::new(mechanism.blank::<3>());
         let sample = |input: f64| {
@@ -81,7 +80,8 @@ impl Figure {
             })
         };
         let kind = quantities.first().map_or(Kind::Angle, kind_of);
-        Chart::new(motion.cycle(), kind, series.collect(), &sample, settings)
+        let runs = sampled(motion.samples(sampling(quantities.len())), &sample);
+        Chart::new(motion.cycle(), kind, series.collect(), &runs, settings)
     }
 
     /// A column over the motion against another one, or against the input where that is none.
@@ -97,7 +97,7 @@ impl Figure {
                 vec![abscissa, y.quantity.of(mechanism, pose)]
             })
         };
-        let runs = sampled(motion.cycle(), &sample);
+        let runs = sampled(motion.samples(sampling(2)), &sample);
         let axes = [x, Some(y)].map(|column| axis(mechanism, column));
         let role = self.own_role(y.quantity);
         Against::new(axes, role, &runs, motion.cycle().is_full(), settings)

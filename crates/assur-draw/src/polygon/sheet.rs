@@ -1,15 +1,18 @@
 //! The sheet on which the polygons of a motion are drawn: of one scale and with the pole in one place for the whole motion,
 //! so that a polygon is seen to breathe about it.
 
-use std::f64::consts::TAU;
-
-use assur::motion::{Input, Motion};
+use assur::motion::{Input, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
 use assur::sorting::sort_by;
 
-/// So many poses of a turn, or of an arc that is none, are looked at, and of no more turns than these.
-const SAMPLES: f64 = 120.0;
-const MOST_TURNS: f64 = 8.0;
+/// The poses that are looked at: none at an end, which may be a dead point.
+const POSES: Sampling = Sampling {
+    turn: 120,
+    coarsest: 30,
+    most: 32 * 120,
+    spacing: Spacing::Middles,
+    shown: Shown::Spread,
+};
 /// Polygons have room at the scale of the motion if they are no more than so many times as large as the median one: of a
 /// motion without dead points that is mostly all of them, next to a dead point vectors grow without bound.
 const MOST: f64 = 10.0;
@@ -36,19 +39,9 @@ impl PolygonSheet {
         let mechanism = motion.mechanism();
         let mut pose = mechanism.blank::<3>();
         let mut found = Vec::new();
-        for [from, to] in motion.cycle().arcs() {
-            let turns = if mechanism.turns() {
-                (to - from) / TAU
-            } else {
-                1.0
-            };
-            let count = (SAMPLES * turns.clamp(1.0, MOST_TURNS)) as usize;
-            for k in 0..count {
-                // None at an end, which may be a dead point.
-                let share = (k as f64 + 0.5) / count as f64;
-                if motion.place(from + (to - from) * share, &mut pose).is_ok() {
-                    found.push(around(&mechanism.polygon(&pose, order, input)));
-                }
+        for at in motion.samples(POSES).into_iter().flatten() {
+            if motion.place(at, &mut pose).is_ok() {
+                found.push(around(&mechanism.polygon(&pose, order, input)));
             }
         }
         let mut ends = motion.dead_points().iter();

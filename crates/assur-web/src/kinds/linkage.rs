@@ -186,7 +186,9 @@ impl Edited for Linkage {
 
     fn drive(&self, link: &str, input: f64) -> Result<Change, Vec<Problem>> {
         let motion = self.0.motion();
-        let driver = motion.driver(link).ok_or_else(|| vec![unknown(link)])?;
+        let driver = motion.driver(link);
+        let driver = driver.map_err(|turns| vec![LinkageProblem::from(turns).into()])?;
+        let driver = driver.ok_or_else(|| vec![unknown(link)])?;
         let changed = motion.driven_by(&driver, input);
         Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input))
     }

@@ -142,7 +142,7 @@ impl<'a> Search<'a> {
     fn take(&mut self, motion: Motion) {
         let mut ends = motion.dead_points().iter();
         self.whole &= !ends.any(|dead| dead.kind.is_given_up());
-        self.samples += motion.samples() * self.mechanism.bodies().len();
+        self.samples += motion.knot_count() * self.mechanism.bodies().len();
         self.branches.push(motion);
     }
 

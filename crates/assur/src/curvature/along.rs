@@ -1,13 +1,16 @@
 //! Curves that are known place by place over a motion.
 
-use std::f64::consts::TAU;
-
 use crate::mechanism::Pose;
-use crate::motion::{Motion, Placed};
+use crate::motion::{Motion, Placed, Sampling, Shown, Spacing};
 
-/// So many places are looked for in a turn, and no more in a whole motion.
-const TURN: usize = 720;
-const MOST: usize = 20 * TURN;
+/// Where places are looked for. Over very many turns the first ones stand for all.
+const PLACES: Sampling = Sampling {
+    turn: 720,
+    coarsest: 60,
+    most: 20 * 720,
+    spacing: Spacing::Even,
+    shown: Shown::First,
+};
 
 /// What there is in each pose, in ascending inputs and in pieces without a break. With it comes a number whose sign is the
 /// side on which the curve is: a new piece begins where there was nothing before, and where the side is another one, as
@@ -21,17 +24,10 @@ where
 {
     let mut pieces: Vec<Vec<T>> = Vec::new();
     let mut pose = motion.mechanism().blank::<N>();
-    for [from, to] in motion.cycle().arcs() {
-        let turns = if motion.mechanism().turns() {
-            (to - from) / TAU
-        } else {
-            1.0
-        };
-        let count = (TURN as f64 * turns).ceil().clamp(1.0, MOST as f64) as usize;
+    for inputs in motion.samples(PLACES) {
         // The side of the place before, if there was one.
         let mut side = 0.0;
-        for k in 0..=count {
-            let input = from + (to - from) * k as f64 / count as f64;
+        for input in inputs {
             let solved = motion.place(input, &mut pose).ok();
             match solved.and_then(|()| at(input, &pose)) {
                 Some((place, number)) => {

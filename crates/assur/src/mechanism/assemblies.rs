@@ -218,6 +218,8 @@ impl<const N: usize> Search<'_, N> {
                 }
                 self.join(rest, state);
             }
+            // The margins of a group are no squares.
+            Err(_) if matches!(self.mechanism.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();
                 let negative = negative.filter(|margin| margin.value() < 0.0);

@@ -79,6 +79,29 @@ impl Mechanism {
         x.square() + y.square()
     }
 
+    /// How far the outer joints of a dyad can be apart: the sum of the lengths of its links.
+    pub(crate) fn reach_of(&self, dyad: &RrrDyad) -> f64 {
+        let links = dyad.links.iter().zip(&dyad.outer);
+        let lengths =
+            links.map(|(link, outer)| self.length_between(*link, [dyad.inner, outer.point]));
+        lengths.sum()
+    }
+
+    /// How far two points of a link are apart.
+    pub(super) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
+        let body = self.body_of(Some(link));
+        let [from, to] = points.map(|point| self.local(body, point));
+        debug_assert!(from.is_some() && to.is_some(), "points of the link");
+        from.zip(to).map_or(0.0, |(from, to)| (to - from).norm())
+    }
+
+    /// The place of a point on a body that has it.
+    fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
+        let mut points = self.bodies[body].iter();
+        let found = points.find(|(own, _)| *own == point);
+        found.map(|(_, at)| *at)
+    }
+
     /// The four-bars, in the order in which their dyads are solved.
     pub fn four_bars(&self) -> Vec<FourBarLoop> {
         let arms = self.steps.iter().filter_map(arms_of);
@@ -126,15 +149,11 @@ impl Mechanism {
             return None;
         }
         let a = self.shared([base.body, crank.body], None)?;
-        let place = |body: BodyId| {
-            let mut points = self.bodies[body].iter();
-            points.find(|(point, _)| *point == a).map(|(_, at)| *at)
-        };
         let lengths = [
-            (crank.local - place(crank.body)?).norm(),
+            (crank.local - self.local(crank.body, a)?).norm(),
             arms[on_crank].length(),
             arms[on_base].length(),
-            (base.local - place(base.body)?).norm(),
+            (base.local - self.local(base.body, a)?).norm(),
         ];
         let turned = dyad.outer[on_crank].on?;
         Some(FourBarLoop {

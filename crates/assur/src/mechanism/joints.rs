@@ -67,10 +67,13 @@ impl Mechanism {
         });
         let slides = self.draft.slides.iter().filter_map(|slide| {
             let [from, to] = &slide.line;
+            let points = [&slide.point, from, to].map(|name| self.point(name));
+            debug_assert!(points.iter().all(Option::is_some), "a slide has its points");
+            let [point, from, to] = points;
             Some(Joint::Slide {
                 bodies: [&slide.on, &slide.link].map(|name| self.body_of(self.link(name))),
-                point: self.point(&slide.point)?,
-                line: [self.point(from)?, self.point(to)?],
+                point: point?,
+                line: [from?, to?],
             })
         });
         let constraints = self.constraints.iter();

@@ -53,7 +53,7 @@ pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
 pub use exact::{MadeExact, NEARLY};
 pub use joints::Joint;
 pub use multiple::Multiple;
-pub(crate) use neighbour::{Apart, Joined, Setting};
+pub(crate) use neighbour::{Apart, Joined, NoNeighbour, Setting};
 pub use pose::{Pose, Unsolved};
 pub use quantity::Quantity;
 pub(crate) use rate::NEVER;

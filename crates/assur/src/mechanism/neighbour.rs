@@ -3,7 +3,7 @@
 
 use super::body::Bodies;
 use super::dimension::straight;
-use super::draft::Draft;
+use super::draft::{Defect, Draft};
 use super::plan::Drawn;
 use super::resolved::Resolved;
 use super::{Mechanism, Pose};
@@ -37,6 +37,15 @@ pub(crate) struct Apart {
     pub(crate) cause: Cause,
 }
 
+/// Why there is no neighbour.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoNeighbour {
+    /// Its links cannot be joined.
+    Apart(Apart),
+    /// With this setting it is no mechanism, however it is joined.
+    Defects(Vec<Defect>),
+}
+
 /// A neighbour's bodies are turned no further, radians, and moved no further, relative
 /// to the size.
 const NEAR: f64 = 0.2;
@@ -52,7 +61,11 @@ const CHANGED: f64 = 2.0;
 
 impl Joined {
     /// A mechanism in one of its poses, with a shape for every link.
-    pub(crate) fn new(mechanism: &Mechanism, pose: &Pose<1>, input: f64) -> Result<Self, Apart> {
+    pub(crate) fn new(
+        mechanism: &Mechanism,
+        pose: &Pose<1>,
+        input: f64,
+    ) -> Result<Self, NoNeighbour> {
         let draft = mechanism.shaped_in(pose);
         let orientations = &pose.state.orientations();
         let drawn = Drawn {
@@ -60,7 +73,7 @@ impl Joined {
             orientations,
         };
         let mut joined = mechanism.laid_out(&draft, None, drawn, input)?;
-        let state = joined.join(None)?;
+        let state = joined.join(None).map_err(NoNeighbour::Apart)?;
         Ok(joined.joined(state))
     }
 
@@ -81,16 +94,19 @@ impl Joined {
     /// How far the links of a step are from being in line, or from a singular pose; to
     /// be compared with that of its neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
-        let margins = self.state.margins[step];
-        let [p, q] = margins.map(|margin| margin.value().abs());
-        p.min(q)
+        let [p, q] = self.state.margins[step].map(|margin| margin.value());
+        match self.mechanism.steps[step] {
+            // The logarithm of the determinant.
+            Step::Group(_) => p.abs().log2() + q,
+            _ => p.abs().min(q.abs()),
+        }
     }
 
     /// The neighbour of this setting at an input.
     ///
     /// # Errors
-    /// Which links come apart, or would have to go farther than a neighbour's.
-    pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, Apart> {
+    /// Which links come apart, or would have to go farther than a neighbour's; why it would be no mechanism.
+    pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let mut draft = self.mechanism.draft.clone();
         let hinge = match setting {
             Setting::Length(link, length) => {
@@ -104,9 +120,10 @@ impl Joined {
             orientations: &self.state.orientations(),
         };
         let mut next = self.mechanism.laid_out(&draft, hinge, drawn, input)?;
-        let state = next.join(Some(&self.sides))?;
+        let state = next.join(Some(&self.sides));
+        let state = state.map_err(NoNeighbour::Apart)?;
         if let Some(step) = next.lost(&self.state, &state) {
-            return Err(next.apart(step, Cause::DeadPoint));
+            return Err(NoNeighbour::Apart(next.apart(step, Cause::DeadPoint)));
         }
         Ok(next.joined(state))
     }
@@ -127,7 +144,7 @@ impl Mechanism {
         hinge: Option<(PointId, Vector)>,
         drawn: Drawn<'_>,
         input: f64,
-    ) -> Result<Self, Apart> {
+    ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
             let hinge = hinge.map(|(point, at)| (point, at - resolved.origin));
@@ -144,8 +161,7 @@ impl Mechanism {
                 Some(drawn),
             )
         };
-        let mut mechanism =
-            laid_out().map_err(|_| self.apart(StepId::FIRST, Cause::Undetermined))?;
+        let mut mechanism = laid_out().map_err(NoNeighbour::Defects)?;
         mechanism.home = input;
         Ok(mechanism)
     }
@@ -184,7 +200,8 @@ impl Mechanism {
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, NEAR);
         if let Some(body) = moved {
-            return Some(self.placed_by[body].unwrap_or(StepId::FIRST));
+            debug_assert!(self.placed_by[body].is_some(), "the frame does not move");
+            return self.placed_by[body];
         }
         let [first, second] = state.corrections;
         let far = first > CORRECTED || second > CONTRACTION * first.max(1e-9);
@@ -196,9 +213,11 @@ impl Mechanism {
                 _ => None,
             });
         let lost = groups.find(|(step, group)| {
-            let [a, b] = [before, state].map(|state| state.margins[*step][0].value());
+            let margins = [before, state].map(|state| state.margins[*step]);
+            let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
             // Of redundant equations others may have been left out.
-            let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&(b / a));
+            let ratio = b / a * (of_b - of_a).exp2();
+            let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed
         });
         lost.map(|(step, _)| step)

@@ -148,6 +148,16 @@ impl Mechanism {
         rates
     }
 
+    /// The greatest rate, radians to a unit of the input, at which a driver turns a link, or a wheel that carries another
+    /// link or a point off its centre; 0 where nothing turns in proportion to the input.
+    pub fn quickest(&self) -> f64 {
+        let rates = self.rates_of_bodies();
+        let bodies = self.bodies();
+        let seen = bodies.filter(|body| self.carries(*body) || self.shows_its_angle(*body));
+        let rates = seen.filter_map(|body| rates[body]);
+        rates.fold(0.0, |most, rate| most.max(rate.abs()))
+    }
+
     /// By how much the coordinate of each driver grows with that of the first.
     pub fn rates(&self) -> impl Iterator<Item = f64> {
         self.draft.drivers.iter().map(DraftDriver::rate)

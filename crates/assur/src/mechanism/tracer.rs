@@ -102,6 +102,7 @@ pub(super) fn anchored<'a>(
         Some(link) => {
             let Placement { body, lead } = placements[link];
             let origin = bodies.local(body, draft.links[link].first);
+            debug_assert!(origin.is_some(), "a link's body has its first point");
             let (sin, cos) = lead.sin_cos();
             let local = origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin));
             Anchor { body, local }

@@ -69,6 +69,7 @@ impl Mechanism {
     /// The angle from the way of a dyad to its rod as it turns, not folded.
     pub(super) fn off_the_way<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+            debug_assert!(false, "a dyad of this mechanism");
             return Jet::constant(0.0);
         };
         let state = &pose.state;
@@ -81,9 +82,15 @@ impl Mechanism {
         )
     }
 
+    /// The length of the rod of a dyad.
+    pub(crate) fn rod_of(&self, dyad: &RrpDyad) -> f64 {
+        self.length_between(dyad.rod, [dyad.inner, dyad.outer.point])
+    }
+
     /// By how much the rod of a dyad rises above its way.
     pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+            debug_assert!(false, "a dyad of this mechanism");
             return Jet::constant(0.0);
         };
         let state = &pose.state;

@@ -136,6 +136,7 @@ impl Parts<'_> {
         let line = centres.map_or(0.0, |[from, to]| (to - from).y.atan2((to - from).x));
         // Of a sound draft the numbers of teeth are.
         let Ok(pair) = GearPair::new(gear.teeth, gear.mesh, 1.0, line) else {
+            debug_assert!(false, "numbers of teeth of a mechanism");
             return;
         };
         let train = pair.train();

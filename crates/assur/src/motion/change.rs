@@ -1,12 +1,13 @@
 //! Changing a linkage: its assembly is kept by following it from the pose at hand to
 //! the new value, step by step; the input gives way where it must.
 
-use super::Motion;
+use super::features::turning_points;
+use super::{Motion, TooManyTurns};
 use crate::Point;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{
     Apart, Cause, Defect, Dimension, Draft, DraftDriver, DraftSlide, FRAME, Joined, Mechanism,
-    Setting,
+    NoNeighbour, Pose, Setting,
 };
 
 /// A linkage after a change.
@@ -42,7 +43,7 @@ pub enum Refusal {
         /// What is in their way.
         cause: Cause,
     },
-    /// It can be followed, but is no mechanism.
+    /// With this value it is no mechanism, however it is joined.
     Defects(Vec<Defect>),
 }
 
@@ -58,8 +59,6 @@ const MOST_TRIES: usize = 200;
 const TRIED: usize = 3;
 /// Two inputs this near, relative to the span, are the same.
 const TOLD: f64 = 1e-9;
-/// In so many poses it is looked how far a slide goes.
-const SAMPLES: u32 = 720;
 /// So often it goes on giving way.
 const FURTHER: usize = 8;
 /// By these parts of its span the input gives way. The least is how near it comes to
@@ -96,7 +95,7 @@ impl Motion {
             dimension.setting(&frame, here)
         };
         let way = Way::follow(start.clone(), setting, whole);
-        let Some(mut apart) = way.apart else {
+        let Some(mut stopped) = way.stopped else {
             return self.taken(&way);
         };
         // Cut towards where it came from, and tried: the way there may be another one.
@@ -106,11 +105,15 @@ impl Motion {
             last = unit * (sense * last / unit).floor() * sense;
             let whole = (last - from) * sense / width;
             let tried = Way::follow(start.clone(), setting, whole.max(0.0));
-            match tried.apart {
-                Some(other) => (apart, last) = (other, at(tried.gone)),
+            match tried.stopped {
+                Some(other) => (stopped, last) = (other, at(tried.gone)),
                 None => break,
             }
         }
+        let apart = match stopped {
+            NoNeighbour::Apart(apart) => apart,
+            NoNeighbour::Defects(defects) => return Err(Refusal::Defects(defects)),
+        };
         let last = if (last - from) * sense > 0.0 {
             last
         } else {
@@ -152,48 +155,68 @@ impl Motion {
 
     /// The driver that a link of [`Mechanism::drivable`] is: the one that it is already, a crank, or a slide over the
     /// way that it goes now; none of a link that is no driver, or that does not move.
-    pub fn driver(&self, link: &str) -> Option<DraftDriver> {
+    ///
+    /// # Errors
+    /// Of a slide in a motion of too many turns the way is not looked for.
+    pub fn driver(&self, link: &str) -> Result<Option<DraftDriver>, TooManyTurns> {
         let mechanism = &self.mechanism;
         let draft = mechanism.draft();
         let mut drivers = draft.drivers.iter();
         if let Some(driver) = drivers.find(|driver| draft.driven(driver) == Some(link)) {
             let mut driver = driver.clone();
             *driver.rate_mut() = 1.0;
-            return Some(driver);
+            return Ok(Some(driver));
         }
         if mechanism
             .cranks()
             .any(|crank| mechanism.link_name(crank) == link)
         {
-            return Some(DraftDriver::Crank {
+            return Ok(Some(DraftDriver::Crank {
                 link: link.to_owned(),
                 base: FRAME.to_owned(),
                 rate: 1.0,
-            });
+            }));
         }
         let mut slides = draft.slides.iter();
-        let slide = slides.position(|slide| slide.link == link && slide.on == FRAME)?;
+        let slide = slides.position(|slide| slide.link == link && slide.on == FRAME);
+        let Some(slide) = slide else {
+            return Ok(None);
+        };
         let range = self.way(&draft.slides[slide])?;
         let rate = 1.0;
-        Some(DraftDriver::Slide { slide, range, rate })
+        Ok(range.map(|range| DraftDriver::Slide { slide, range, rate }))
     }
 
-    /// The least and the greatest way of a slide along a line of the frame; none of one
-    /// that stays where it is. From samples: the very ends are its dead points.
-    fn way(&self, slide: &DraftSlide) -> Option<[f64; 2]> {
+    /// The least and the greatest way of a slide along a line of the frame, found at its limit positions and at the ends of
+    /// the motion; none of one that stays where it is.
+    fn way(&self, slide: &DraftSlide) -> Result<Option<[f64; 2]>, TooManyTurns> {
         let mechanism = &self.mechanism;
-        let point = mechanism.point(&slide.point)?;
+        let point = mechanism.point(&slide.point);
         let [from, to] = [0, 1].map(|end| mechanism.draft().place(&slide.line[end]));
-        let (from, along) = (from?, (to? - from?).normalize());
-        let [first, last] = self.cycle.axis();
-        let inputs =
-            (0..=SAMPLES).map(|k| first + (last - first) * f64::from(k) / f64::from(SAMPLES));
-        let poses = inputs.filter_map(|input| self.pose::<1>(input).ok());
-        let ways = poses.map(|pose| (mechanism.place(&pose, point).place() - from).dot(&along));
+        let (Some(point), Some(from), Some(to)) = (point, from, to) else {
+            debug_assert!(false, "a mechanism has the points of its slides");
+            return Ok(None);
+        };
+        let along = (to - from).normalize();
+        let way = self.telling(|pose: &Pose<3>| {
+            let place = mechanism.place(pose, point);
+            (place.x + -from.x) * along.x + (place.y + -from.y) * along.y
+        });
+        let limits = turning_points(&self.cycle, &|input| way(input).ok(), mechanism.size())?;
+        let limits = limits.into_iter().map(|limit| limit.value);
+        // At a dead point there is a place, but no derivative.
+        let ends = self.cycle.arcs().iter().flatten().copied();
+        let ends = ends.chain(self.change_points.iter().copied());
+        let ends = ends.chain([self.home]).filter_map(|input| {
+            let pose = self.pose::<1>(input).ok()?;
+            Some((mechanism.place(&pose, point).place() - from).dot(&along))
+        });
+        let ways = limits.chain(ends);
         let range = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], way| {
             [least.min(way), most.max(way)]
         });
-        (range[1] - range[0] > TOLD * mechanism.size()).then_some(range)
+        let moves = range[1] - range[0] > TOLD * mechanism.size();
+        Ok(moves.then_some(range))
     }
 
     /// The linkage with a further driver, by its place among all, at another rate, from the pose at an input.
@@ -284,7 +307,7 @@ struct Way {
     gone: f64,
     gave_way: bool,
     /// What stopped it, if it has not gone the whole way.
-    apart: Option<Apart>,
+    stopped: Option<NoNeighbour>,
 }
 
 impl Way {
@@ -296,22 +319,28 @@ impl Way {
             here: start,
             gone: 0.0,
             gave_way: false,
-            apart: None,
+            stopped: None,
         };
         let mut step = FIRST_STEP;
-        while way.gone < whole && way.apart.is_none() {
+        while way.gone < whole && way.stopped.is_none() {
             let next = (way.gone + step).min(whole);
             step = next - way.gone;
             tries += 1;
             match way.here.neighbour(setting(next), way.here.input()) {
                 Ok(there) => (way.here, way.gone, step) = (there, next, 2.0 * step),
-                Err(apart) if step <= LEAST_STEP || tries > MOST_TRIES => {
-                    match aside(&way.here, setting(next), &apart) {
+                Err(none) if step <= LEAST_STEP || tries > MOST_TRIES => {
+                    let beside = match &none {
+                        NoNeighbour::Apart(apart) => aside(&way.here, setting(next), apart),
+                        NoNeighbour::Defects(_) => None,
+                    };
+                    match beside {
                         Some(there) => {
                             (way.here, way.gone, step) = (there, next, 2.0 * step);
                             way.gave_way = true;
                         }
-                        None if step <= RESOLUTION || tries > MOST_TRIES => way.apart = Some(apart),
+                        None if step <= RESOLUTION || tries > MOST_TRIES => {
+                            way.stopped = Some(none);
+                        }
                         None => step *= 0.5,
                     }
                 }

@@ -222,7 +222,9 @@ impl<'a> Continuation<'a> {
         cell.certify(mechanism.steps(), here, width)?;
         for body in &self.winding {
             if cell.turned(here, *body) > MOST_TURNED {
-                return Err(mechanism.placed_by(*body).unwrap_or(StepId::FIRST));
+                let step = mechanism.placed_by(*body);
+                debug_assert!(step.is_some(), "the frame does not turn");
+                return Err(step.unwrap_or(StepId::FIRST));
             }
         }
         self.try_next(next)?;

@@ -1,6 +1,6 @@
 //! Zeros and extrema of quantities over a motion, refined to rounding.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use super::{Extremum, Input, Kind, Motion};
 use crate::mechanism::{Pose, Quantity};
@@ -32,8 +32,8 @@ impl Features {
 /// Samples a turn; between two of them an extremum is found by the signs of two
 /// more derivatives.
 const GRID: usize = 360;
-/// Of a motion of more turns nothing is told: in no plot could two turns be told apart.
-const MOST_TURNS: f64 = 256.0;
+/// Extrema are looked for over no more turns: in no plot could two of them be told apart.
+const MOST_TURNS: usize = 256;
 /// No more samples are kept at once, of all quantities together.
 const MOST_SAMPLES: usize = 1 << 18;
 /// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
@@ -41,17 +41,38 @@ const MOST_SAMPLES: usize = 1 << 18;
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
 pub(super) const CONSTANT: f64 = 1e-9;
+/// Rounding of a value, relative to it.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// A part smaller than this, relative to the whole drawing, is judged as if it were as large: 10⁻¹² of the drawing is the
+/// rounding of places.
+const LEAST_PART: f64 = 1e-3;
 /// Where an angle between two links stands while both turn, rounding alone passes zero to and fro within this, radians
 /// or the unit of lengths.
 const ALIKE: f64 = 1e-9;
 /// An angle with less of an offset to a multiple of another, radians, is that.
 const NO_OFFSET: f64 = 1e-12;
 
+/// The reason why zeros and extrema were not looked for: a motion that repeats only after more turns than are searched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooManyTurns {
+    /// After how many turns of the crank it repeats.
+    pub turns: usize,
+    /// Most turns that are searched.
+    pub most: usize,
+}
+
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives by time,
-    /// as of [`features`], of a motion of no more than 256 turns: found once for all that are multiples of the same one.
+    /// as of [`features`]: found once for all that are multiples of the same one.
     /// Where an angle is folded it has neither.
-    pub fn features(&self, quantities: &[Quantity], input: Input) -> Vec<[Features; 3]> {
+    ///
+    /// # Errors
+    /// A motion of too many turns is not searched.
+    pub fn features(
+        &self,
+        quantities: &[Quantity],
+        input: Input,
+    ) -> Result<Vec<[Features; 3]>, TooManyTurns> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
         let multiples: Vec<(Quantity, f64)> = multiples.collect();
@@ -61,7 +82,7 @@ impl Motion {
                 bases.push(*base);
             }
         }
-        let stretches = stretches(self.cycle());
+        let stretches = stretches(self.cycle())?;
         let samples: usize = stretches.iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
@@ -85,26 +106,48 @@ impl Motion {
         let scaled = |(base, factor): (Quantity, f64)| {
             let mut known = bases.iter().zip(&found);
             let found = known.find(|(one, _)| **one == base);
-            found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)))
+            let found = found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)));
+            debug_assert!(found.is_some(), "every base was searched");
+            found
         };
-        multiples.into_iter().filter_map(scaled).collect()
+        Ok(multiples.into_iter().filter_map(scaled).collect())
     }
 
-    /// What counts as one of a quantity: 1 for an angle, else the size of the mechanism.
+    /// Whether zeros and extrema can be looked for over it.
+    ///
+    /// # Errors
+    /// It repeats only after too many turns.
+    pub fn searchable(&self) -> Result<(), TooManyTurns> {
+        searchable(self.cycle())
+    }
+
+    /// What counts as one of a quantity: 1 for an angle, the size of the mechanism for a coordinate, and for a distance no
+    /// more than rounding asks for, as it may be within a small part of the drawing.
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
-        if quantity.is_angle() {
-            1.0
-        } else {
-            self.mechanism().size()
+        match quantity {
+            Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
+            Quantity::Distance(_) => self.unit_within(0.0),
+            Quantity::Angle(_)
+            | Quantity::Transmission(_)
+            | Quantity::Pressure(_)
+            | Quantity::Corner(_)
+            | Quantity::Between(_) => 1.0,
         }
+    }
+
+    /// What counts as one of a length within a part of the drawing: the size of the part, or of the least part of which
+    /// rounding leaves enough digits.
+    pub(super) fn unit_within(&self, part: f64) -> f64 {
+        part.max(LEAST_PART * self.mechanism().size())
     }
 
     /// Those of an angle from those of the angle before it is folded: what is folded turns its sense, and passes no
     /// zero.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let turned = |extremum: Extremum| {
-            let pose = self.pose::<3>(extremum.crank).ok()?;
-            let angle = quantity.unfolded(self.mechanism(), &pose);
+            let pose = self.pose::<3>(extremum.crank);
+            debug_assert!(pose.is_ok(), "an extremum is found in a pose");
+            let angle = quantity.unfolded(self.mechanism(), &pose.ok()?);
             Some(extremum.scaled(quantity.sense(&angle)))
         };
         let [value, first, second] = found.map(|mut order| {
@@ -155,15 +198,18 @@ impl Motion {
 /// coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded
-/// Newton steps with the exact one after that. Where it is constant there are none, but its level; over more than 256
-/// turns there is neither.
+/// Newton steps with the exact one after that. Where it is constant there are none, but its level.
+///
+/// # Errors
+/// A cycle of too many turns is not searched.
 pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
     units: &[f64],
     input: Input,
-) -> Vec<[Features; 3]> {
-    features_over(&stretches(cycle), cycle, motion, units, input)
+) -> Result<Vec<[Features; 3]>, TooManyTurns> {
+    let stretches = stretches(cycle)?;
+    Ok(features_over(&stretches, cycle, motion, units, input))
 }
 
 /// The same from samples at these crank angles.
@@ -183,18 +229,18 @@ fn features_over(
             crank: *crank,
             f: input.rates(&jets[index], order),
         };
+        let at = |crank: f64| Some(sample(&(crank, motion(crank)?)));
         let sweeps = sweeps.iter().map(|stretch| {
             let samples = stretch.iter().map(|at| at.as_ref().map(sample)).collect();
             if order == 0 && cycle.is_full() {
-                from_the_start(cycle, samples)
+                from_the_start(cycle, samples, &at)
             } else {
                 samples
             }
         });
         let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-        let at = |crank: f64| Some(sample(&(crank, motion(crank)?)));
         let size = units[index] * (input.scale(order).abs() + input.acceleration.abs());
-        features_of(cycle, &sweeps, &at, size)
+        features_of(cycle, &sweeps, &at, Tolerance::of(order, size))
     };
     (0..units.len())
         .map(|index| [0, 1, 2].map(|order| of(index, order)))
@@ -203,41 +249,44 @@ fn features_over(
 
 /// The extrema alone of one quantity itself, as of [`features`], in fewer
 /// derivatives.
+///
+/// # Errors
+/// A cycle of too many turns is not searched.
 pub(super) fn turning_points(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Jet<3>>,
     unit: f64,
-) -> Vec<Extremum> {
+) -> Result<Vec<Extremum>, TooManyTurns> {
     let sample = |crank: f64| {
         let jet = motion(crank)?;
         let f = [0, 1, 2].map(|order| jet.derivative(order));
         Some(Sample { crank, f })
     };
-    let sweeps = stretches(cycle).into_iter().map(|stretch| {
+    let sweeps = stretches(cycle)?.into_iter().map(|stretch| {
         let samples = stretch.into_iter().map(sample).collect();
         if cycle.is_full() {
-            from_the_start(cycle, samples)
+            from_the_start(cycle, samples, &sample)
         } else {
             samples
         }
     });
     let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-    let Course::Varied { seam } = course(&sweeps, unit) else {
-        return Vec::new();
+    let Course::Varied { seam } = course(&sweeps, Tolerance::of(0, unit)) else {
+        return Ok(Vec::new());
     };
     let turns = ordered_roots(cycle, &sweeps, &sample, 1, seam);
-    turns.iter().filter_map(Sample::extremum).collect()
+    Ok(turns.iter().filter_map(Sample::extremum).collect())
 }
 
 /// Zeros and extrema of one function of the crank angle, from samples of the
-/// whole motion; `size` is what its values are relative to.
+/// whole motion.
 fn features_of(
     cycle: &Cycle,
     sweeps: &[Vec<Option<Sample>>],
     sample: &dyn Fn(f64) -> Option<Sample>,
-    size: f64,
+    tolerance: Tolerance,
 ) -> Features {
-    let seam = match course(sweeps, size) {
+    let seam = match course(sweeps, tolerance) {
         Course::Varied { seam } => seam,
         Course::Level(level) => {
             return Features {
@@ -262,14 +311,33 @@ enum Course {
     Level(Option<f64>),
 }
 
-fn course(sweeps: &[Vec<Option<Sample>>], size: f64) -> Course {
+/// What a function may vary by and be constant.
+#[derive(Clone, Copy)]
+struct Tolerance {
+    absolute: f64,
+    /// Relative to its largest value.
+    relative: f64,
+}
+
+impl Tolerance {
+    /// That of a quantity or of its derivative of an order, where `size` counts as one of it. A place far from the origin
+    /// is rounded by its distance, but not judged by it.
+    fn of(order: usize, size: f64) -> Self {
+        Self {
+            absolute: CONSTANT * size,
+            relative: if order == 0 { ROUNDING } else { CONSTANT },
+        }
+    }
+}
+
+fn course(sweeps: &[Vec<Option<Sample>>], tolerance: Tolerance) -> Course {
     let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
     let [least, most] = values.fold(
         [f64::INFINITY, f64::NEG_INFINITY],
         |[least, most], value| [least.min(value), most.max(value)],
     );
     let largest = least.abs().max(most.abs());
-    let rounding = CONSTANT * largest.max(size);
+    let rounding = tolerance.absolute.max(tolerance.relative * largest);
     if most - least > rounding {
         let seam = 0.5 * (most - least);
         return Course::Varied { seam };
@@ -310,12 +378,22 @@ fn ordered_roots(
 
 /// Samples of a full cycle around φ₁ = 0, put in order from its start to its end:
 /// an angle that turns fully goes on from where it was a cycle before.
-fn from_the_start(cycle: &Cycle, samples: Vec<Option<Sample>>) -> Vec<Option<Sample>> {
+fn from_the_start(
+    cycle: &Cycle,
+    samples: Vec<Option<Sample>>,
+    at: &dyn Fn(f64) -> Option<Sample>,
+) -> Vec<Option<Sample>> {
     let [start, end] = cycle.axis();
-    let turned = match samples[..] {
-        [Some(first), .., Some(last)] => last.f[0] - first.f[0],
-        _ => 0.0,
-    };
+    let before = samples
+        .iter()
+        .flatten()
+        .take_while(|sample| sample.crank < start);
+    // Where there is no pose, at an input that a deltoid does not determine, its neighbour will do.
+    let mut turned = before.filter_map(|sample| {
+        let later = at(sample.crank + (end - start))?;
+        Some(later.f[0] - sample.f[0])
+    });
+    let turned = turned.next().unwrap_or(0.0);
     let later = |mut sample: Sample| {
         sample.crank += end - start;
         sample.f[0] += turned;
@@ -348,6 +426,7 @@ fn all_roots(
         {
             found.push(*first);
         }
+        // What a deltoid does not determine parts its motion: there rates may jump.
         for pair in samples.windows(2) {
             if let [Some(a), Some(b)] = pair {
                 found.extend(roots(sample, order, *a, *b));
@@ -379,11 +458,11 @@ impl Sample {
 
 /// The grid of each arc: even, and graded towards multiples of π. A full cycle is
 /// taken around φ₁ = 0, beside which numbers lie closest.
-fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
-    let turn = 2.0 * PI;
+fn stretches(cycle: &Cycle) -> Result<Vec<Vec<f64>>, TooManyTurns> {
+    searchable(cycle)?;
     let graded = |[from, to]: &[f64; 2]| {
         // A driven slide's way has no turns: it is one cell grid long.
-        let whole = if cycle.turns() { turn } else { to - from };
+        let whole = if cycle.turns() { TAU } else { to - from };
         let cell = whole / GRID as f64;
         let count = ((to - from) / cell).ceil();
         let mut cranks: Vec<f64> = (0..=count as usize)
@@ -402,12 +481,22 @@ fn stretches(cycle: &Cycle) -> Vec<Vec<f64>> {
     if cycle.is_full() {
         let [start, end] = cycle.axis();
         let half = 0.5 * (end - start);
-        if half > MOST_TURNS * PI {
-            return Vec::new();
-        }
-        return vec![graded(&[start - half, start + half])];
+        return Ok(vec![graded(&[start - half, start + half])]);
     }
-    cycle.arcs().iter().map(graded).collect()
+    Ok(cycle.arcs().iter().map(graded).collect())
+}
+
+/// Whether a cycle has no more turns than are searched. An arc of a motion to and fro has as many as were followed.
+fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
+    let [start, end] = cycle.axis();
+    let turns = ((end - start) / TAU).round() as usize;
+    if cycle.is_full() && turns > MOST_TURNS {
+        return Err(TooManyTurns {
+            turns,
+            most: MOST_TURNS,
+        });
+    }
+    Ok(())
 }
 
 /// Roots of the derivative `order` between two neighbouring samples: none, one

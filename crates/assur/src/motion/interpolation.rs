@@ -46,7 +46,7 @@ struct Knot {
     signs: Signs,
     /// How far bodies turn at most on the way from the knot before it.
     turned: f64,
-    /// The first margin of each step: of a group its determinant.
+    /// The first margin of each step: of a group its determinant, in all knots a multiple of the same power of two.
     margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
     /// Of each coordinate the value and the coefficients of three derivatives.
@@ -139,6 +139,14 @@ impl Knots {
     /// Between which values the determinant of a group of higher class is over the motion.
     pub(super) fn range(&self, step: StepId) -> [f64; 2] {
         self.margins[step]
+    }
+
+    /// Tells the determinants of a group as multiples of another power of two.
+    pub(super) fn tell_by(&mut self, step: StepId, factor: f64) {
+        for knot in &mut self.list {
+            knot.margins[step] *= factor;
+        }
+        self.margins[step] = self.margins[step].map(|margin| margin * factor);
     }
 
     /// Puts a motion followed back before this one; both begin at the same knot.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Motion;
 use super::interpolation::Knots;
 use crate::mechanism::Quantity;
+use crate::position::{Step, power_of_two};
 use crate::sorting::sort_by;
 
 /// Why two motions are not those of one linkage over different inputs.
@@ -33,6 +34,12 @@ impl Motion {
         let theirs = other.home;
         let mut knots = Knots::clone(&other.knots);
         knots.shift(shift);
+        let both = self.mechanism.steps().enumerate();
+        for ((step, own), other) in both.zip(other.mechanism.steps().iter()) {
+            if let (Step::Group(own), Step::Group(other)) = (own, other) {
+                knots.tell_by(step, power_of_two(other.exponent() - own.exponent()));
+            }
+        }
         Arc::make_mut(&mut self.knots).join(knots);
         let dead_points = other.dead_points.iter().map(|dead| super::DeadPoint {
             input: dead.input + shift,

@@ -10,6 +10,7 @@ mod dead_point;
 mod extremum;
 mod features;
 mod fold;
+mod gain;
 mod grid;
 mod in_line;
 mod input;
@@ -20,6 +21,7 @@ mod obstacle;
 mod placed;
 mod profile;
 pub(crate) mod root;
+mod sampling;
 mod smooth;
 mod table;
 mod transmission;
@@ -28,13 +30,14 @@ pub use change::{Changed, Refusal};
 pub use cyclogram::{Phase, PhaseKind};
 pub use dead_point::{DeadPoint, DeadPointKind};
 pub use extremum::{Extremum, Kind};
-pub use features::{Features, features};
+pub use features::{Features, TooManyTurns, features};
 pub use grid::{At, Grid};
 pub use input::Input;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
 pub use placed::Placed;
 pub use profile::{Dwell, OutputProfile};
+pub use sampling::{Sampling, Shown, Spacing};
 pub use table::{Column, Row};
 pub use transmission::{DyadTransmission, WorstTransmission};
 
@@ -229,8 +232,8 @@ impl Motion {
         signs.clone()
     }
 
-    /// How many samples it is kept in.
-    pub(crate) fn samples(&self) -> usize {
+    /// How many knots it is kept in.
+    pub(crate) fn knot_count(&self) -> usize {
         self.knots.count()
     }
 

@@ -7,11 +7,10 @@
 //! fast as it came.
 
 use std::cell::RefCell;
-use std::f64::consts::TAU;
 
-use super::Motion;
 use super::features::turning_points;
 use super::root::root;
+use super::{Motion, TooManyTurns};
 use crate::mechanism::{Pose, Quantity};
 
 /// An arc of the input over which a quantity stays within a band.
@@ -62,14 +61,17 @@ const TOUCHING: f64 = 1e-9;
 
 impl<'a> OutputProfile<'a> {
     /// The profile of a quantity.
-    pub fn new(motion: &'a Motion, quantity: Quantity) -> Self {
+    ///
+    /// # Errors
+    /// A motion of too many turns is not searched for extrema, unless a closed form tells them.
+    pub fn new(motion: &'a Motion, quantity: Quantity) -> Result<Self, TooManyTurns> {
         let mechanism = motion.mechanism();
         let unit = motion.unit(quantity);
         let jet = motion.telling(|pose: &Pose<3>| quantity.of(mechanism, pose));
         let jet = |input: f64| jet(input).ok();
         let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
             Some(inputs) => inputs,
-            None => turning_points(motion.cycle(), &jet, unit)
+            None => turning_points(motion.cycle(), &jet, unit)?
                 .iter()
                 .map(|extremum| extremum.crank)
                 .collect(),
@@ -90,11 +92,12 @@ impl<'a> OutputProfile<'a> {
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
         if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
-            let known = motion.gain_in_closed_form(quantity, period);
-            profile.gain = known.unwrap_or_else(|| profile.gained(period));
+            profile.gain = motion.seam(period).gain(quantity);
             let mut inputs: Vec<f64> = inputs.collect();
             if inputs.is_empty() {
-                inputs.push(0.0);
+                // Where a deltoid's links lie on each other there is no pose.
+                let mut starts = [0.0, motion.home()].into_iter();
+                inputs.extend(starts.find(|input| profile.value(*input).is_some()));
             }
             profile.once = inputs.len();
             let turns = [0.0, 1.0, 2.0].map(|turn| turn * period);
@@ -103,42 +106,19 @@ impl<'a> OutputProfile<'a> {
                 .flat_map(|turn| inputs.iter().map(move |input| input + turn));
             profile.stations = profile.valued(all.take(2 * inputs.len() + 1));
         } else {
+            debug_assert!(drawn.is_some(), "the drawn pose is on an arc");
             let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
             let inputs = inputs.filter(|input| (from..=to).contains(input));
             profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
             profile.once = profile.stations.len();
         }
-        profile
+        Ok(profile)
     }
 
     pub(super) fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
         inputs
             .filter_map(|input| Some([input, self.value(input)?]))
             .collect()
-    }
-
-    /// What an angle has gained when a full cycle is over: whole turns, or of a wheel
-    /// its ratio times those of what drives it.
-    fn gained(&self, period: f64) -> f64 {
-        let mechanism = self.motion.mechanism();
-        let Quantity::Angle(link) = self.quantity else {
-            return 0.0;
-        };
-        let turned = mechanism.multiple_of(link);
-        let value = |input: f64| {
-            let pose = self.motion.pose::<3>(input).ok()?;
-            Some(mechanism.angle(&pose, turned.of))
-        };
-        // The very end is the start again, where a deltoid has no pose: from just
-        // before it to just after by the rate.
-        let after = period * 1e-6;
-        match (value(period - after), value(after)) {
-            (Some(a), Some(b)) => {
-                let end = a.value() + a.derivative(1) * 2.0 * after;
-                turned.factor * TAU * ((end - b.value()) / TAU).round()
-            }
-            _ => 0.0,
-        }
     }
 
     /// The value at an input of this cycle or of the ones after it.

@@ -148,15 +148,11 @@ impl Motion {
         if periods == 0.0 {
             return;
         }
-        let ends = self.cycle.axis().map(|end| self.pose::<1>(end));
-        let [Ok(first), Ok(last)] = ends else {
-            return;
-        };
+        let seam = self.seam(period);
         for (column, value) in columns.iter().zip(values) {
             if column.order == 0 && column.quantity.is_angle() {
-                let [from, to] =
-                    [&first, &last].map(|pose| column.quantity.of(&self.mechanism, pose).value());
-                *value = value.map(|angle| angle + periods * (to - from));
+                let gain = seam.gain(column.quantity);
+                *value = value.map(|angle| angle + periods * gain);
             }
         }
     }

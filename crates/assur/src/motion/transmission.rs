@@ -1,7 +1,7 @@
 //! Where dyads transmit worst over a motion.
 
-use super::Motion;
 use super::features::turning_points;
+use super::{Motion, TooManyTurns};
 use crate::Jet;
 use crate::mechanism::{LinkId, Quantity, RrpDyad, RrrDyad};
 
@@ -24,8 +24,8 @@ pub struct DyadTransmission {
     pub quantity: Quantity,
     /// The links of the dyad; of a dyad RRP the rod, then the slider.
     pub links: [LinkId; 2],
-    /// The least transmission angle, or the greatest pressure angle.
-    pub worst: WorstTransmission,
+    /// The least transmission angle, or the greatest pressure angle; none over a motion of too many turns to be searched.
+    pub worst: Option<WorstTransmission>,
 }
 
 impl Motion {
@@ -35,11 +35,13 @@ impl Motion {
         let transmitting = self.mechanism().transmitting().into_iter();
         let worst = transmitting.filter_map(|quantity| {
             let (links, worst) = match &quantity {
-                Quantity::Transmission(dyad) => (dyad.links, self.least_transmission(dyad)?),
-                Quantity::Pressure(dyad) => {
-                    ([dyad.rod, dyad.slider], self.greatest_pressure(dyad)?)
-                }
+                Quantity::Transmission(dyad) => (dyad.links, self.least_transmission(dyad)),
+                Quantity::Pressure(dyad) => ([dyad.rod, dyad.slider], self.greatest_pressure(dyad)),
                 _ => return None,
+            };
+            let worst = match worst {
+                Ok(worst) => Some(worst?),
+                Err(TooManyTurns { .. }) => None,
             };
             Some(DyadTransmission {
                 quantity,
@@ -53,7 +55,13 @@ impl Motion {
     /// The least transmission angle of a dyad: at an extremum of the cosine between
     /// its links, at the end of an arc, or where links pass through in line. None
     /// where there is no pose at all.
-    pub fn least_transmission(&self, dyad: &RrrDyad) -> Option<WorstTransmission> {
+    ///
+    /// # Errors
+    /// A motion of too many turns is not searched for extrema, unless a closed form tells them.
+    pub fn least_transmission(
+        &self,
+        dyad: &RrrDyad,
+    ) -> Result<Option<WorstTransmission>, TooManyTurns> {
         let mechanism = self.mechanism();
         let lesser = |least: WorstTransmission, next: WorstTransmission| {
             if next.angle < least.angle {
@@ -70,34 +78,42 @@ impl Motion {
                 let angle = angle.ok()?;
                 Some(WorstTransmission { angle, input })
             });
-            return found.reduce(lesser);
+            return Ok(found.reduce(lesser));
         }
         // The cosine is linear in the squared diagonal, which needs no root.
         let diagonal = |input: f64| {
             let pose = self.pose::<3>(input).ok()?;
             Some(mechanism.diagonal(&pose, dyad))
         };
-        let unit = mechanism.size() * mechanism.size();
-        let found = self.extreme(Quantity::Transmission(*dyad), &diagonal, unit);
-        found.reduce(lesser)
+        let reach = mechanism.reach_of(dyad);
+        let unit = reach * self.unit_within(reach);
+        let found = self.extreme(Quantity::Transmission(*dyad), &diagonal, unit)?;
+        Ok(found.reduce(lesser))
     }
 
     /// The greatest pressure angle of a dyad: at an extremum of its sine, at the end of an arc, or where it passes a
     /// dead point. None where there is no pose at all.
-    pub fn greatest_pressure(&self, dyad: &RrpDyad) -> Option<WorstTransmission> {
+    ///
+    /// # Errors
+    /// A motion of too many turns is not searched for extrema.
+    pub fn greatest_pressure(
+        &self,
+        dyad: &RrpDyad,
+    ) -> Result<Option<WorstTransmission>, TooManyTurns> {
         let mechanism = self.mechanism();
         let rise = |input: f64| {
             let pose = self.pose::<3>(input).ok()?;
             Some(mechanism.rise(&pose, dyad))
         };
-        let found = self.extreme(Quantity::Pressure(*dyad), &rise, mechanism.size());
-        found.reduce(|greatest, next| {
+        let unit = self.unit_within(mechanism.rod_of(dyad));
+        let found = self.extreme(Quantity::Pressure(*dyad), &rise, unit)?;
+        Ok(found.reduce(|greatest, next| {
             if next.angle > greatest.angle {
                 next
             } else {
                 greatest
             }
-        })
+        }))
     }
 
     /// An acute angle wherever it can be extreme: where what it is told by is, and at the ends, change points and in the
@@ -107,8 +123,8 @@ impl Motion {
         angle: Quantity,
         told_by: &dyn Fn(f64) -> Option<Jet<3>>,
         unit: f64,
-    ) -> impl Iterator<Item = WorstTransmission> + '_ {
-        let extrema = turning_points(self.cycle(), told_by, unit);
+    ) -> Result<impl Iterator<Item = WorstTransmission> + '_, TooManyTurns> {
+        let extrema = turning_points(self.cycle(), told_by, unit)?;
         // Where joints fall into one at an end, there are digits only beside it.
         let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
             let beside = BESIDE * (to - from);
@@ -118,10 +134,10 @@ impl Motion {
         let inputs = inputs
             .chain(ends)
             .chain(self.change_points().iter().copied());
-        inputs.chain([self.home()]).filter_map(move |input| {
+        Ok(inputs.chain([self.home()]).filter_map(move |input| {
             let pose = self.pose::<1>(input).ok()?;
             let angle = angle.of(self.mechanism(), &pose).value();
             Some(WorstTransmission { angle, input })
-        })
+        }))
     }
 }

@@ -16,6 +16,8 @@ struct Pivot {
     right: [usize; 2],
     /// Rows of earlier pivots by which its own was reduced.
     before: [usize; 2],
+    /// The power of two that brought it, when it was planned, to between 1 and 2.
+    scale: f64,
 }
 
 /// A row or column on which a pivot acts, and the place where it meets the pivot's
@@ -36,6 +38,9 @@ pub(crate) struct Elimination {
     lists: Vec<Line>,
     /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
+    /// The exponent of the power of two that determinants are told in: of so many pivots in units of length the product
+    /// itself may be beyond all numbers.
+    exponent: i32,
     /// Where something can be, as the elimination goes on; rows and columns left.
     filled: Vec<bool>,
     /// Which of these places are zero before it.
@@ -70,7 +75,7 @@ impl Elimination {
 
     /// Plans the elimination of a matrix, row by row in `matrix`, and does it: of
     /// the pivots that are large enough the one that fills least. Returns the
-    /// determinant; none where the matrix is singular.
+    /// determinant as a multiple of 2^[`Self::exponent`]; none where the matrix is singular.
     pub(crate) fn plan(&mut self, pattern: &[bool], matrix: &mut [f64]) -> Option<f64> {
         let size = self.size;
         self.pivots.clear();
@@ -82,6 +87,7 @@ impl Elimination {
         self.columns.clear();
         self.columns.extend(0..size);
         self.sign = 1.0;
+        self.exponent = 0;
         let mut determinant = 1.0;
         while !self.columns.is_empty() {
             let [i, j] = self.next(matrix)?;
@@ -115,16 +121,20 @@ impl Elimination {
                     self.lists.push(Line { line, at });
                 }
             }
+            let at = row * size + column;
+            let exponent = exponent(matrix[at]);
+            self.exponent += exponent;
             let pivot = Pivot {
                 row,
                 column,
-                at: row * size + column,
+                at,
                 below: [start, middle],
                 right: [middle, end],
                 before: [end, self.lists.len()],
+                scale: power_of_two(-exponent),
             };
             self.pivots.push(pivot);
-            determinant *= self.eliminate(&pivot, matrix, 0.0)?;
+            determinant *= self.eliminate(&pivot, matrix, 0.0)? * pivot.scale;
         }
         let places = pattern.iter().zip(&self.filled).enumerate();
         let fill_in = places.filter(|(_, (given, filled))| **filled && !**given);
@@ -162,8 +172,18 @@ impl Elimination {
         best.map(|(place, ..)| place)
     }
 
+    /// Whether it was planned.
+    pub(crate) fn is_planned(&self) -> bool {
+        !self.pivots.is_empty()
+    }
+
+    /// The exponent of the power of two that its determinants are multiples of.
+    pub(crate) fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
     /// Eliminates as planned a matrix of which only what the pattern names is set;
-    /// the determinant. None where there is no plan, or it does not suit this
+    /// the determinant as a multiple of 2^[`Self::exponent`]. None where there is no plan, or it does not suit this
     /// matrix: a pivot is small in its column.
     pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
         if self.pivots.is_empty() {
@@ -174,7 +194,7 @@ impl Elimination {
         }
         let mut determinant = self.sign;
         for pivot in &self.pivots {
-            determinant *= self.eliminate(pivot, matrix, SMALL)?;
+            determinant *= self.eliminate(pivot, matrix, SMALL)? * pivot.scale;
         }
         Some(determinant)
     }
@@ -229,9 +249,24 @@ impl Elimination {
     }
 }
 
+/// Exponents of which both the power of two and its reciprocal are normal numbers.
+const EXPONENTS: [i32; 2] = [-1022, 1022];
+
+/// The exponent of the power of two not above the size of a number.
+fn exponent(value: f64) -> i32 {
+    let biased = (value.to_bits() >> 52) & 0x7ff;
+    (biased as i32 - 1023).clamp(EXPONENTS[0], EXPONENTS[1])
+}
+
+/// 2 to the power of an exponent, or the nearest normal one.
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
+    let biased = 1023 + exponent.clamp(EXPONENTS[0], EXPONENTS[1]);
+    f64::from_bits((biased as u64) << 52)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Elimination;
+    use super::{Elimination, exponent, power_of_two};
 
     const PATTERN: [bool; 16] = [
         true, true, false, false, //
@@ -281,6 +316,7 @@ mod tests {
             let given = matrix(0.3 * f64::from(k));
             let mut own = given;
             if let Some(determinant) = elimination.factor(&mut own) {
+                let determinant = determinant * power_of_two(elimination.exponent());
                 check(&elimination, determinant, &given, &own);
                 used += 1;
             }
@@ -288,12 +324,47 @@ mod tests {
             other.fit([4; 2]);
             let mut own = given;
             let determinant = other.plan(&PATTERN, &mut own).unwrap();
+            let determinant = determinant * power_of_two(other.exponent());
             check(&other, determinant, &given, &own);
             if k == 0 {
                 elimination = other;
             }
         }
         assert!(used > 20, "{used}");
+    }
+
+    #[test]
+    fn powers_of_two() {
+        for value in [1.0, 1.99, 0.3, -17.0, 1e-300, -1e300, f64::MIN_POSITIVE] {
+            let scaled = f64::abs(value * power_of_two(-exponent(value)));
+            assert!((1.0..2.0).contains(&scaled), "{value:e}: {scaled}");
+        }
+        assert_eq!(power_of_two(10), 1024.0);
+        assert_eq!(power_of_two(exponent(f64::MAX)), 2f64.powi(1022));
+        assert_eq!(power_of_two(exponent(0.0)), f64::MIN_POSITIVE);
+    }
+
+    /// Rows in units of length as small and as large as they come: the determinant of 4 pivots is beyond all numbers, and
+    /// tells all the same how the matrix compares with that in other units.
+    #[test]
+    fn determinants_beyond_all_numbers() {
+        let mut plain = Elimination::default();
+        plain.fit([4; 2]);
+        let expected = plain.plan(&PATTERN, &mut matrix(0.0)).unwrap();
+        for power in [-340, -30, 30, 250] {
+            let scaled = |shift: f64| matrix(shift).map(|x| x * power_of_two(power));
+            let mut elimination = Elimination::default();
+            elimination.fit([4; 2]);
+            let found = elimination.plan(&PATTERN, &mut scaled(0.0)).unwrap();
+            assert_eq!(found, expected);
+            assert_eq!(elimination.exponent(), plain.exponent() + 4 * power);
+            let [near, beside] = [
+                plain.factor(&mut matrix(0.05)),
+                elimination.factor(&mut scaled(0.05)),
+            ];
+            assert!(near.is_some_and(|near| near.abs() > 1e-3));
+            assert_eq!(near, beside);
+        }
     }
 
     #[test]

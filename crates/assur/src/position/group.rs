@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use super::complex::product;
-use super::elimination::Elimination;
+use super::elimination::{Elimination, power_of_two};
 use super::equation::MOST_FORMS;
 use super::mesh::Mesh;
 use super::step::finite;
@@ -18,8 +18,8 @@ use super::{
     Anchor, Cause, Enclosure, Equation, Form, Given, Nearby, Orientation, Predictor, Solvable,
     State,
 };
-use crate::Vector;
 use crate::index::{BodyId, List, StepId};
+use crate::{Jet, Vector};
 
 /// What a group takes from what is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -179,8 +179,8 @@ impl Group {
         self.equations.len() > 2 * self.unknowns
     }
 
-    /// Solves from the guess nearby; sets the margin of the step to the Jacobian's
-    /// determinant, and `state.corrections`.
+    /// Solves from the guess nearby; sets the margins of the step to the Jacobian's
+    /// determinant and its exponent, and `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,
@@ -302,7 +302,7 @@ impl Group {
     }
 
     /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
-    /// must be; its determinant, none where it is singular.
+    /// must be; its determinant as [`Self::told`] has it, none where it is singular.
     pub(super) fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
         let planned = self.elimination.factor(&mut work.jacobian);
@@ -312,6 +312,28 @@ impl Group {
             self.jacobian(work);
             work.spare.plan(&self.pattern, &mut work.jacobian)
         })
+    }
+
+    /// A determinant of the elimination that was done, and the exponent of the power of two of which it is a multiple: the
+    /// same in all poses of a group that was planned.
+    pub(super) fn told<const N: usize>(&self, work: &Work<N>, determinant: f64) -> [Jet<N>; 2] {
+        let done = self.suited(work.planned, &work.spare).exponent();
+        let own = if self.elimination.is_planned() {
+            self.elimination.exponent()
+        } else {
+            done
+        };
+        let told = if done == own {
+            determinant
+        } else {
+            determinant * power_of_two(done - own)
+        };
+        [Jet::constant(told), Jet::constant(f64::from(own))]
+    }
+
+    /// The exponent of the power of two of which its determinants are multiples.
+    pub(crate) fn exponent(&self) -> i32 {
+        self.elimination.exponent()
     }
 
     /// The elimination that was done: as planned for the group, or for this pose.

@@ -40,6 +40,7 @@ pub(crate) use complex::{Complex, conjugate, product, quotient};
 pub(crate) use course::Course;
 pub(crate) use crank::Crank;
 pub(crate) use curve::Linearized;
+pub(crate) use elimination::power_of_two;
 pub(crate) use enclosure::Enclosure;
 pub(crate) use equation::{Equation, Form};
 pub(crate) use four_bar::Closed;

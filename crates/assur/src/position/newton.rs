@@ -4,8 +4,8 @@
 use super::group::{Group, Term};
 use super::work::Work;
 use super::{Cause, Complex, Equation, Nearby, State};
+use crate::Vector;
 use crate::index::StepId;
-use crate::{Jet, Vector};
 
 /// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
@@ -74,7 +74,7 @@ impl Group {
         } else {
             determinant
         };
-        state.margins[step] = [Jet::constant(determinant); 2];
+        state.margins[step] = self.told(work, determinant);
         self.suited(work.planned, &work.spare).solve(
             &work.jacobian,
             &mut work.left,

@@ -18,7 +18,8 @@ pub(crate) struct State<const N: usize> {
     /// The bodies' orientations in a pose nearby, where their angles are to be found.
     near: List<BodyId, Orientation>,
     /// For every step of the plan what must not become negative: squares whose
-    /// roots it takes, or the sine of the angle between two guides.
+    /// roots it takes, or the sine of the angle between two guides; of a group the determinant of its Jacobian, as a
+    /// multiple of a power of two, and the exponent of that.
     pub(crate) margins: List<StepId, [Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,

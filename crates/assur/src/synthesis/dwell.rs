@@ -267,7 +267,8 @@ fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluatio
     if !motion.cycle().is_full() || singularity_margin.abs() < SINGULARITY_MARGIN {
         return None;
     }
-    let profile = OutputProfile::new(motion, output);
+    // A candidate of too many turns is not searched, and so fulfils nothing.
+    let profile = OutputProfile::new(motion, output).ok()?;
     let arc = profile.dwell(target.tolerance)?.length();
     // What turns on and on is as far from any target as can be.
     let stroke = profile.stroke().unwrap_or(f64::NEG_INFINITY);

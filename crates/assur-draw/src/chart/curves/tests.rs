@@ -11,7 +11,7 @@ fn sine(input: Input, differenced: bool) -> [Plot; 3] {
     let series = Series {
         name: "sine".to_owned(),
         role: Role::Ink,
-        features: Default::default(),
+        features: None,
     };
     let sample = |crank| {
         let jets = vec![Jet::linear(crank, 1.0).sin_cos().0];
@@ -22,7 +22,12 @@ fn sine(input: Input, differenced: bool) -> [Plot; 3] {
         physical: true,
         differenced,
     };
-    plots(&sampled(&cycle, &sample), true, &[series], settings)
+    plots(
+        &sampled(cycle.samples(sampling(1)), &sample),
+        true,
+        &[series],
+        settings,
+    )
 }
 
 /// Centred differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact
@@ -38,8 +43,8 @@ fn differences_are_of_the_samples() {
         assert!(value.curves[0].differences.is_empty());
         assert!(first.curves[0].differences.is_empty());
         let differences = &second.curves[0].differences;
-        assert_eq!(differences.len(), SAMPLES / DIFFERENCED);
-        let h = TAU / SAMPLES as f64;
+        assert_eq!(differences.len(), DIFFERENCES);
+        let h = TAU / TURN as f64;
         let square = input.speed * input.speed;
         for (crank, shown) in differences {
             let steady = -square * crank.sin() * h.sin() / h;

@@ -2,7 +2,7 @@
 //! fields, names of links and points. The words are in `lang/`.
 
 use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
-use assur::motion::Refusal;
+use assur::motion::{Refusal, TooManyTurns};
 use assur::synthesis::dwell::{DesignVariable, SearchError};
 use serde::Serialize;
 
@@ -109,6 +109,9 @@ pub enum LinkageProblem {
     Unreached,
     /// The motion is given up before it comes here.
     Unfollowed,
+    /// What is extreme over the motion is not looked for: it repeats only after so many turns, and no more than `most` are
+    /// searched.
+    TooManyTurns { turns: usize, most: usize },
     /// Links are too short, or too long, to meet.
     LinksApart { links: Vec<String>, by: f64 },
     /// A link does not reach its guide.
@@ -297,6 +300,12 @@ impl LinkageProblem {
     pub fn all(defects: Vec<Defect>) -> Vec<Problem> {
         let problems = defects.into_iter().map(Self::from);
         problems.map(Problem::from).collect()
+    }
+}
+
+impl From<TooManyTurns> for LinkageProblem {
+    fn from(TooManyTurns { turns, most }: TooManyTurns) -> Self {
+        Self::TooManyTurns { turns, most }
     }
 }
 

@@ -177,7 +177,7 @@ impl Course {
         let series = self.plotted.iter().map(|one| Series {
             name: one.name(),
             role: one.role(),
-            features: Default::default(),
+            features: None,
         });
         series.collect()
     }

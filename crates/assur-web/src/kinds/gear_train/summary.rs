@@ -213,6 +213,7 @@ impl<'a> GearTrainSummary<'a> {
                 dead_points: Vec::new(),
                 change_points: &[],
                 outputs: Vec::new(),
+                unsearched: None,
                 numbers: course.numbers(),
                 listed: listed(course.loaded()),
                 overviews: if course.loaded() {

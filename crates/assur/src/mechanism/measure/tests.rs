@@ -121,7 +121,7 @@ fn features_of_the_diagonal() {
     let [l1, _, _, l4] = LENGTHS;
     let motion = motion();
     let diagonal = Quantity::named(motion.mechanism(), "D-B.distance").unwrap();
-    let [[value, ..]] = &motion.features(&[diagonal], Input::ANALOGUES)[..] else {
+    let [[value, ..]] = &motion.features(&[diagonal], Input::ANALOGUES).unwrap()[..] else {
         panic!("one quantity")
     };
     let mut found: Vec<[f64; 2]> = value

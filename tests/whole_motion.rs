@@ -1,0 +1,453 @@
+//! What is read off a whole motion: of many turns as finely as of one, of a small part as of a large one.
+
+use std::f64::consts::{PI, TAU};
+use std::fs;
+
+use assur::mechanism::{Defect, Dimension, Draft, DraftDriver, Mechanism, Quantity};
+use assur::motion::{Column, Input, Motion, OutputProfile, Refusal};
+use assur::{Swing, Vector};
+use assur_draw::chart::Settings;
+use assur_draw::svg::Svg;
+use assur_draw::{Figure, View};
+use assur_file::from_text;
+use assur_tests::files::root;
+
+fn file(name: &str) -> Motion {
+    let path = root().join(format!("tests/data/drawings/{name}.json"));
+    let text = fs::read_to_string(path).unwrap();
+    from_text(&text).unwrap().motion().unwrap()
+}
+
+fn moved(draft: &Draft) -> Motion {
+    Motion::new(Mechanism::new(draft).unwrap())
+}
+
+fn quantity(motion: &Motion, name: &str) -> Quantity {
+    Quantity::named(motion.mechanism(), name).unwrap()
+}
+
+/// The numbers behind a letter or an attribute of a text, one after the other.
+fn numbers(text: &str) -> Vec<f64> {
+    let parts = text.split(|letter: char| !(letter.is_ascii_digit() || "-.e".contains(letter)));
+    parts.filter_map(|part| part.parse().ok()).collect()
+}
+
+/// The chart of a quantity as it is drawn: the points of each curve, and the places of the dots at its extrema.
+fn drawn(motion: &Motion, name: &str) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>) {
+    let figure = Figure::new(motion, &View::default()).unwrap();
+    let settings = Settings {
+        input: Input::ANALOGUES,
+        physical: false,
+        differenced: false,
+    };
+    let mut sheet = Svg::new(20_000.0);
+    sheet.chart(
+        2000.0,
+        &figure.chart(&[quantity(motion, name)], settings),
+        "φ",
+    );
+    let text = sheet.finish(name);
+    let attribute = |line: &str, name: &str| {
+        let (_, rest) = line.split_once(&format!("{name}=\""))?;
+        Some(rest.split_once('"')?.0.to_owned())
+    };
+    let paths = text.lines().filter_map(|line| attribute(line, "<path d"));
+    let curves = paths.map(|path| {
+        let places = numbers(&path);
+        places.chunks_exact(2).map(|at| [at[0], at[1]]).collect()
+    });
+    // What has more than a few points is a curve, not a line of the grid.
+    let curves = curves.filter(|curve: &Vec<[f64; 2]>| curve.len() > 9);
+    let dots = text.lines().filter(|line| line.contains("<circle"));
+    let dots = dots.filter(|line| attribute(line, " r").as_deref() == Some("3"));
+    let dots = dots.map(|line| ["cx", "cy"].map(|name| attribute(line, name).unwrap()));
+    let dots = dots.map(|at| at.map(|x| x.parse().unwrap()));
+    (curves.collect(), dots.collect())
+}
+
+/// A motion of 31 turns is plotted with as many samples to a turn as one of a single turn: marked extrema lie on the curve.
+#[test]
+fn plots_of_many_turns_are_as_fine_as_of_one() {
+    let motion = file("many-turns");
+    let (curves, dots) = drawn(&motion, "C.x");
+    let [value, rate, second] = &curves[..] else {
+        panic!("{} curves", curves.len());
+    };
+    for curve in [value, rate, second] {
+        assert!(curve.len() >= 31 * 720, "{}", curve.len());
+    }
+    // Two extrema to a turn, each order; zeros have dots of the same size.
+    assert!(dots.len() > 3 * 2 * 31, "{}", dots.len());
+    for [x, y] in dots {
+        let lines = curves.iter().flat_map(|curve| curve.windows(2));
+        let off = lines.map(|line| {
+            let [a, b] = [line[0], line[1]].map(|at| Vector::new(at[0] - x, at[1] - y));
+            let along = b - a;
+            let share = (-a.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+            (a + share * along).norm()
+        });
+        let off = off.fold(f64::INFINITY, f64::min);
+        assert!(off < 0.2, "{x} {y}: {off}");
+    }
+}
+
+/// Of wheels that mesh anew only after 974 153 turns the plot shows whole turns, never a curve between far samples; what is
+/// extreme is not marked.
+#[test]
+fn plots_of_very_many_turns_are_of_whole_ones() {
+    let motion = file("hunting-wheels");
+    let (curves, dots) = drawn(&motion, "T.x");
+    assert!(dots.is_empty());
+    assert!(curves.len() > 1000);
+    for curve in curves {
+        let xs = curve.iter().map(|at| at[0]);
+        let [first, last] = xs.fold([f64::INFINITY, 0.0], |[a, b], x: f64| [a.min(x), b.max(x)]);
+        // A turn is a hundredth of a pixel.
+        assert!(last - first < 0.2, "{first} {last}");
+    }
+}
+
+/// A five-bar with a second crank at another rate, and a slide that its joint C pushes to and fro along the axis.
+fn pushed(rate: f64) -> Motion {
+    let mut draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.6, 0.8)
+        .point("C", 2.2, 3.1)
+        .point("D", 3.9, 0.7)
+        .point("E", 4.0, 0.0)
+        .point("S", 7.0, 1.0)
+        .point("G", 0.0, 1.0)
+        .point("H", 9.0, 1.0)
+        .fixed(&["A", "E", "G", "H"])
+        .bar("crank", &["A", "B"])
+        .bar("BC", &["B", "C"])
+        .bar("DC", &["D", "C"])
+        .bar("second", &["E", "D"])
+        .bar("rod", &["C", "S"])
+        .bar("slider", &["S"])
+        .slide("slider", "S", "frame", ["G", "H"])
+        .crank("crank");
+    draft.drivers.push(DraftDriver::Crank {
+        link: "second".to_owned(),
+        base: "frame".to_owned(),
+        rate,
+    });
+    moved(&draft)
+}
+
+/// The way of a slide, from which it becomes the driver, is exact in a motion of 24 turns as in one of one.
+#[test]
+fn a_slides_range_is_exact_over_many_turns() {
+    for (rate, turns) in [(1.0, 1.0), (25.0 / 24.0, 24.0)] {
+        let motion = pushed(rate);
+        assert_eq!(motion.cycle().period(), Some(turns * TAU));
+        let driver = motion.driver("slider").unwrap().unwrap();
+        let DraftDriver::Slide { range, .. } = driver else {
+            panic!("{driver:?}");
+        };
+        let s = motion.mechanism().point("S").unwrap();
+        let way = motion.telling(|pose: &assur::mechanism::Pose<1>| {
+            motion.mechanism().place(pose, s).place().x
+        });
+        let count = 20_000.0 * turns;
+        let inputs = (0..count as usize).map(|k| turns * TAU * k as f64 / count);
+        let ways = inputs.map(|input| way(input).unwrap());
+        let sampled = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+            [a.min(x), b.max(x)]
+        });
+        // Samples fall short by no more than the curve bends between two of them.
+        assert!(
+            range[0] <= sampled[0] && sampled[0] - range[0] < 1e-6,
+            "{range:?} {sampled:?}"
+        );
+        assert!(
+            range[1] >= sampled[1] && range[1] - sampled[1] < 1e-6,
+            "{range:?} {sampled:?}"
+        );
+        assert!(range[1] - range[0] > 0.1, "{range:?}");
+    }
+}
+
+/// A crank-rocker with a dyad on its rocker that is `size` as large as all else.
+fn small_dyad(size: f64) -> Motion {
+    let at = Vector::new(4.0, 0.0);
+    let small = [[0.9, 0.3], [1.9, 1.4], [2.4, -0.2]].map(|[x, y]| at + size * Vector::new(x, y));
+    let [q, e, f] = small;
+    moved(
+        &Draft::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 1.0)
+            .point("C", 3.2, 2.9)
+            .point("D", 4.0, 0.0)
+            .point("Q", q.x, q.y)
+            .point("E", e.x, e.y)
+            .point("F", f.x, f.y)
+            .fixed(&["A", "D", "F"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C", "Q"])
+            .bar("QE", &["Q", "E"])
+            .bar("FE", &["F", "E"])
+            .crank("crank"),
+    )
+}
+
+/// The least transmission angle of a dyad does not depend on how large the drawing around it is.
+#[test]
+fn a_small_dyad_keeps_its_least_transmission_angle() {
+    for size in [1.0, 1e-2, 3e-5, 1e-6] {
+        let motion = small_dyad(size);
+        let dyads = motion.mechanism().rrr_dyads();
+        let name =
+            |dyad: &&assur::mechanism::RrrDyad| motion.mechanism().point_name(dyad.inner) == "E";
+        let dyad = dyads.iter().find(name).unwrap();
+        let least = motion.least_transmission(dyad).unwrap().unwrap();
+        let sampled = (0..36_000).map(|k| {
+            let pose = motion.pose::<1>(TAU * f64::from(k) / 36_000.0).unwrap();
+            motion.mechanism().transmission_angle(&pose, dyad)
+        });
+        let sampled = sampled.fold(f64::INFINITY, f64::min);
+        assert!(sampled > 0.05, "{size}: {sampled}");
+        let digits = 1e-6 + 1e-14 / size;
+        assert!(
+            (least.angle - sampled).abs() < digits,
+            "{size}: {least:?} {sampled}"
+        );
+        assert!(
+            least.angle <= sampled + 1e-14 / size,
+            "{size}: {least:?} {sampled}"
+        );
+    }
+}
+
+/// The distance of two joints within a small part of a drawing has its extrema.
+#[test]
+fn a_small_distance_has_its_extrema() {
+    for size in [1.0, 3e-5, 1e-8] {
+        let motion = small_dyad(size);
+        let distance = quantity(&motion, "Q-F.distance");
+        let [value, ..] = motion
+            .features(&[distance], Input::ANALOGUES)
+            .unwrap()
+            .swap_remove(0);
+        assert_eq!((value.extrema.len(), value.level), (2, None), "{size}");
+        let profile = OutputProfile::new(&motion, distance).unwrap();
+        let stroke = profile.stroke().unwrap();
+        assert!(stroke > 0.3 * size, "{size}: {stroke}");
+        let [Swing::Between { min, max }] = profile.swings()[..] else {
+            panic!("one arc");
+        };
+        assert!((max - min - stroke).abs() < 1e-9 * size + 1e-15);
+    }
+}
+
+/// A point far from the origin moves as much as one near it.
+#[test]
+fn places_far_off_have_their_extrema() {
+    let mut draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 3.2, 2.9)
+        .point("D", 4.0, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank");
+    for point in &mut draft.points {
+        point.at = (1e-3 * point.at.coords + Vector::new(1e7, 0.0)).into();
+    }
+    let motion = moved(&draft);
+    let x = quantity(&motion, "C.x");
+    let [value, ..] = motion
+        .features(&[x], Input::ANALOGUES)
+        .unwrap()
+        .swap_remove(0);
+    assert_eq!((value.extrema.len(), value.level), (2, None));
+}
+
+fn crank_rocker() -> Motion {
+    moved(
+        &Draft::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 1.0)
+            .point("C", 3.2, 2.9)
+            .point("D", 4.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank"),
+    )
+}
+
+/// The angle of a crank and its rocker grows by a turn with each cycle, as the crank's own does.
+#[test]
+fn an_angle_between_links_turns() {
+    let motion = crank_rocker();
+    let between = quantity(&motion, "rocker-crank.between");
+    let profile = OutputProfile::new(&motion, between).unwrap();
+    assert_eq!(profile.swings(), [Swing::Turns]);
+    let travel = profile.travels()[0];
+    assert!(travel >= TAU - 1e-12, "{travel}");
+    // It goes on over the end of the cycle.
+    let dwell = profile.dwell(0.1).unwrap();
+    for k in 0..=20 {
+        let input = dwell.arc[0] + dwell.length() * f64::from(k) / 20.0;
+        let row = motion.row(
+            &[Column {
+                quantity: between,
+                order: 0,
+            }],
+            input,
+        );
+        let value = row.values[0].unwrap();
+        let within = dwell.band[0] - 1e-9..=dwell.band[1] + 1e-9;
+        assert!(within.contains(&value), "{value} {dwell:?}");
+    }
+}
+
+/// A deltoid whose links lie on each other at the start of its cycle has no pose there: beyond the cycle angles go on all
+/// the same, and what only grows has its dwell.
+#[test]
+fn a_deltoid_without_a_pose_at_its_start() {
+    // A kite of two long and two short links, the crank and the frame short.
+    let motion = moved(
+        &Draft::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 1.0)
+            .point("C", 2.0, 2.0)
+            .point("D", 1.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank"),
+    );
+    assert!(motion.cycle().is_full());
+    let period = motion.cycle().period().unwrap();
+    assert!(motion.pose::<1>(0.0).is_err(), "links lie on each other");
+    let mechanism = motion.mechanism();
+    for link in ["crank", "coupler", "rocker"] {
+        let angle = quantity(&motion, &format!("{link}.angle"));
+        let columns = [Column {
+            quantity: angle,
+            order: 0,
+        }];
+        let value = |input: f64| motion.row(&columns, input).values[0].unwrap();
+        let [early, later] = [1.0, 1.0 + period].map(value);
+        let by_steps = (0..3600).map(|k| {
+            let at = |k: f64| {
+                let input = 1.0 + period * k / 3600.0;
+                let pose = motion.pose::<1>(input.rem_euclid(period));
+                pose.map(|pose| {
+                    mechanism
+                        .angle(&pose, mechanism.link(link).unwrap())
+                        .value()
+                })
+            };
+            let [Ok(a), Ok(b)] = [f64::from(k), f64::from(k) + 1.0].map(at) else {
+                return 0.0;
+            };
+            let by = b - a;
+            by - TAU * (by / TAU).round()
+        });
+        let gained: f64 = by_steps.sum();
+        assert!(
+            (later - early - gained).abs() < 0.1,
+            "{link}: {early} {later} {gained}"
+        );
+        let profile = OutputProfile::new(&motion, angle).unwrap();
+        assert!(profile.dwell(0.1).is_some(), "{link}");
+        // Zeros are those at which a fine sweep over the cycle changes its sign.
+        let [found, ..] = motion
+            .features(&[angle], Input::ANALOGUES)
+            .unwrap()
+            .swap_remove(0);
+        let sweep = (0..36_000).filter_map(|k| {
+            let input = period * (f64::from(k) + 0.5) / 36_000.0;
+            let pose = motion.pose::<1>(input).ok()?;
+            Some(angle.of(mechanism, &pose).value())
+        });
+        let sweep: Vec<f64> = sweep.collect();
+        let passes = sweep.windows(2).filter(|pair| pair[0] * pair[1] < 0.0);
+        let inside = found
+            .zeros
+            .iter()
+            .filter(|zero| **zero > 1e-3 && **zero < period - 1e-3);
+        assert_eq!(inside.count(), passes.count(), "{link}: {:?}", found.zeros);
+    }
+}
+
+/// A hinge that is set so far off that the points of a guide are one place beside it: they are at fault, not the links of the
+/// first step of the plan.
+#[test]
+fn a_guide_without_a_direction_is_named() {
+    let motion = moved(
+        &Draft::default()
+            .point("O", 0.0, 0.0)
+            .point("B", 0.0, 1.0)
+            .point("A", 4.0, 0.0)
+            .point("P", 3.0, 0.25)
+            .point("T", 2.0, 0.5)
+            .point("S", 2.0, -3.0)
+            .point("G", 0.0, -3.0)
+            .point("H", 1e-5, -3.0)
+            .fixed(&["O", "A", "G", "H"])
+            .bar("crank", &["O", "B"])
+            .bar("block", &["B"])
+            .bar("rocker", &["A", "P", "T"])
+            .bar("rod", &["B", "S"])
+            .bar("slider", &["S"])
+            .slide("block", "B", "rocker", ["P", "T"])
+            .slide("slider", "S", "frame", ["G", "H"])
+            .crank("crank"),
+    );
+    let point = motion.mechanism().point("A").unwrap();
+    let refused = motion.changed(Dimension::X(point), 1e5, 0.5 * PI);
+    let refused = refused.unwrap_err();
+    let Refusal::Defects(defects) = refused else {
+        panic!("{refused:?}");
+    };
+    let [Defect::Coincident { link, points }] = &defects[..] else {
+        panic!("{defects:?}");
+    };
+    assert_eq!(
+        (link.as_str(), points),
+        ("frame", &["G", "H"].map(str::to_owned))
+    );
+}
+
+/// A linkage drawn in any unit of length can be changed: determinants of its groups are not beyond all numbers.
+#[test]
+fn groups_in_any_unit_can_be_changed() {
+    for name in ["class4-order2", "class4-dwell", "class5"] {
+        let plain = assur_file::from_catalogue(name).unwrap().unwrap();
+        let plain = plain.mechanism().unwrap();
+        for unit in [1.0, 1e-9, 1e8, 1e-40, 1e-60] {
+            let mut draft = plain.draft().clone();
+            for point in &mut draft.points {
+                point.at *= unit;
+            }
+            for link in &mut draft.links {
+                for at in link.shape.iter_mut().flatten() {
+                    *at *= unit;
+                }
+            }
+            draft.tracers.clear();
+            let motion = moved(&draft);
+            let margin = motion.singularity_margin();
+            assert!(
+                margin.is_finite() && margin != 0.0,
+                "{name} {unit:e}: {margin}"
+            );
+            let mut dimensions = motion.mechanism().dimensions().into_iter();
+            let length = dimensions
+                .find(|one| matches!(one, Dimension::Length(_)))
+                .unwrap();
+            let value = motion.mechanism().value(length).unwrap();
+            let changed = motion.changed(length, 1.001 * value, motion.home());
+            assert!(changed.is_ok(), "{name} {unit:e}: {:?}", changed.err());
+        }
+    }
+}
