@@ -62,6 +62,7 @@ fn every_dimension_of_the_catalogue() {
     for name in gallery() {
         let motion = motion(name);
         let mechanism = motion.mechanism();
+        let is_redundant = mechanism.mobility().q() > 0;
         for dimension in mechanism.dimensions() {
             let [from, to] = mechanism.range(dimension).unwrap();
             let was = mechanism.value(dimension).unwrap();
@@ -83,7 +84,8 @@ fn every_dimension_of_the_catalogue() {
                         Err(Refusal::Apart {
                             last, by, links, ..
                         }) => {
-                            refused += 1;
+                            // One length of a linkage with redundant constraints cannot change alone.
+                            refused += usize::from(!is_redundant);
                             assert!(by > 0.0 && !links.is_empty(), "{at}");
                             assert!((by - (value - last).abs()).abs() < 1e-12, "{at}");
                             assert!((last - was) * (value - last) >= 0.0, "{at}: {last}");

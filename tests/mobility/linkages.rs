@@ -36,12 +36,15 @@ fn every_linkage_of_the_catalogue_counts_as_it_does_as_a_mechanism() {
         assert_eq!(counts.planar, Some(own.mobility), "{name}");
         let sections = scheme.sections(&scheme.automatic()).unwrap();
         assert_eq!(sections.mobility, own.mobility, "{name}");
-        // The count does not know of passive meshes, the rank does.
-        let mobility = own.mobility + own.passive as isize;
+        // The count does not know of passive meshes and redundant pairs, the rank does.
+        let by_rank = mechanism.mobility();
+        let mobility = by_rank.rank;
+        assert_eq!(by_rank.count, own.mobility, "{name}");
         let verdict = scheme.judged(Space::Plane).unwrap();
         assert_eq!(verdict.mobility as isize, mobility, "{name}");
-        let passive: usize = verdict.redundancies.iter().map(|part| part.count).sum();
-        assert_eq!((passive, verdict.idle), (own.passive, vec![]), "{name}");
+        let dependent: usize = verdict.redundancies.iter().map(|part| part.count).sum();
+        assert_eq!(dependent as isize, by_rank.q(), "{name}");
+        assert_eq!(verdict.idle, [] as [Vec<usize>; 0], "{name}");
         let whole = scheme.judged(Space::Whole).unwrap();
         assert_eq!(whole.mobility, verdict.mobility, "{name}");
         let redundant: usize = whole.redundancies.iter().map(|part| part.count).sum();
