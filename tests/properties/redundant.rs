@@ -59,8 +59,7 @@ fn drawn_rods(
         frame.push(a);
         rod.push(b);
     }
-    let names = |list: &[String]| -> Vec<String> { list.to_vec() };
-    draft.frame = names(&frame);
+    draft.frame.clone_from(&frame);
     let mut draft = draft.bar("rod", &rod.iter().map(String::as_str).collect::<Vec<_>>());
     for k in 0..cranks {
         draft = draft.bar(&format!("c{k}"), &[&frame[k], &rod[k]]);

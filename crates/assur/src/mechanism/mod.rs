@@ -87,9 +87,9 @@ pub struct Mechanism {
     /// with their places on it.
     made_for: List<BodyId, LinkOrFrame>,
     bodies: List<BodyId, Vec<(PointId, Vector)>>,
+    /// The structure, with passive links by themselves, and the groups by which it is solved, which hold them.
     structure: Structure,
-    /// The structure as it is shown: with passive links by themselves.
-    shown: Structure,
+    solved_by: Structure,
     /// Bodies of groups with redundant constraints that stay parallel to another body.
     parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
@@ -167,7 +167,7 @@ impl Mechanism {
             if !mechanism.moves() {
                 return Err(redundancy.defects);
             }
-            mechanism.shown = redundancy.shown;
+            mechanism.structure = redundancy.shown;
         }
         Ok(mechanism)
     }
@@ -229,7 +229,7 @@ impl Mechanism {
             links: links.collect(),
             made_for: resolved.bodies.clone(),
             bodies: bodies.ids().map(|body| bodies.of(body).to_vec()).collect(),
-            shown: structure.clone(),
+            solved_by: structure.clone(),
             structure,
             parallel: parallel.to_vec(),
             signs: plan.steps.alike(Sign::Plus),
@@ -329,7 +329,7 @@ impl Mechanism {
 
     /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
     pub fn structure(&self) -> &Structure {
-        &self.shown
+        &self.structure
     }
 
     /// The bodies: the frame, then the links that are fixed to no other.
@@ -354,12 +354,14 @@ impl Mechanism {
 
     /// The structural formula with the names of links.
     pub fn formula(&self) -> String {
-        self.shown.formula(|link| self.body_name(BodyId::at(link)))
+        self.structure
+            .formula(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The terms of the structural formula with the names of links.
     pub fn terms(&self) -> Vec<String> {
-        self.shown.terms(|link| self.body_name(BodyId::at(link)))
+        self.structure
+            .terms(|link| self.body_name(BodyId::at(link)))
     }
 
     /// The links that a step of the plan places, by name.

@@ -150,7 +150,7 @@ impl Mechanism {
             let hinge = hinge.map(|(point, at)| (point, at - resolved.origin));
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
-            let structure = self.structure.clone();
+            let structure = self.solved_by.clone();
             let parallel = &self.parallel;
             Self::of(
                 &resolved,

@@ -46,7 +46,7 @@ impl Mechanism {
     /// Mobility by count and by rank, with the redundant constraints.
     pub fn mobility(&self) -> Mobility {
         let count = self.counts.mobility;
-        let has_surplus = self.structure.groups().any(|group| group.surplus > 0);
+        let has_surplus = self.solved_by.groups().any(|group| group.surplus > 0);
         if !has_surplus && self.counts.passive == 0 {
             return Mobility {
                 count,
