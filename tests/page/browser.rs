@@ -6,6 +6,7 @@ use std::{env, fs};
 
 use serde_json::{Value, json};
 use thirtyfour::action_chain::ActionChain;
+use thirtyfour::error::WebDriverErrorInner;
 use thirtyfour::prelude::*;
 
 use crate::host::home;
@@ -364,18 +365,31 @@ impl Page {
             .unwrap_or_else(|_| panic!("{id} shows {value}"))
     }
 
+    /// Reads an element; once more where it has been replaced between finding and reading it.
+    async fn read<T>(&self, id: &str, of: impl AsyncFn(&WebElement) -> WebDriverResult<T>) -> T {
+        loop {
+            let element = self.element(id).await;
+            match of(&element).await {
+                Ok(read) => return read,
+                Err(error) if matches!(*error, WebDriverErrorInner::StaleElementReference(_)) => {}
+                Err(error) => panic!("{id}: {error}"),
+            }
+        }
+    }
+
     pub(crate) async fn attribute(&self, id: &str, name: &str) -> Option<String> {
-        self.element(id).await.attr(name).await.unwrap()
+        self.read(id, async |element| element.attr(name).await)
+            .await
     }
 
     pub(crate) async fn text(&self, id: &str) -> String {
-        self.element(id).await.text().await.unwrap()
+        self.read(id, async |element| element.text().await).await
     }
 
     /// What a text field holds.
     pub(crate) async fn written(&self, id: &str) -> String {
-        let value = self.element(id).await.prop("value").await;
-        value.unwrap().unwrap_or_default()
+        let value = self.read(id, async |element| element.prop("value").await);
+        value.await.unwrap_or_default()
     }
 
     pub(crate) async fn lang(&self) -> Option<String> {
