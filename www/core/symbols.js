@@ -42,6 +42,8 @@ export function symbol({ name, number }, order, physical, words) {
   const dot = name.lastIndexOf(".");
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
+  // A quantity of another kind of mechanism, as a lesson may still name one.
+  if (!letters) return name + STROKES[order];
   const index = number ? subscript(number) : "";
   const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
   return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;

@@ -24,6 +24,11 @@ test("what is measured is said with its points or links", () => {
   assert.equal(symbol({ name: "rocker.angle" }, 0, false, en), "φ rocker");
 });
 
+test("a quantity without letters of its own goes by its name", () => {
+  assert.deepEqual(three({ name: "sun.torque" }, false), ["sun.torque", "sun.torque′", "sun.torque″"]);
+  assert.equal(symbol({ name: "dwell" }, 0, true, en), "dwell");
+});
+
 test("read-outs go by the name of their quantity", () => {
   assert.deepEqual(["rocker.angle", "C.x", "B-D.distance"].map((name) => [0, 1, 2].map((order) => readoutOf(name, order))), [
     ["rocker", "drocker", "ddrocker"], ["C.x", "dC.x", "ddC.x"], ["B-D.distance", "dB-D.distance", "ddB-D.distance"],
