@@ -8,6 +8,8 @@ use thirtyfour::Key;
 use crate::access;
 use crate::browser::Page;
 use crate::draw::Sheet;
+use crate::host::home;
+use crate::layout::defects;
 
 /// The linkage that is drawn, whether it moves or not.
 pub(crate) async fn drawn(sheet: &Sheet<'_>) -> LinkageDocument {
@@ -372,5 +374,35 @@ async fn edits_by_chance_are_undone_and_redone() {
         page.ask("return window.chance.errors").await,
         Value::Array(vec![])
     );
+    page.close().await;
+}
+
+/// Three cranks parallel to four decimals: one press makes them exact, and they turn.
+#[tokio::test]
+async fn a_nearly_redundant_drawing_is_made_exact() {
+    const NEAR: &str = "#2&kind=draft&d.points=%5B%7B%22name%22:%22A%22,%22at%22:%5B0,0%5D%7D,%7B%22name%22:%22D%22,%22at%22:%5B4,0%5D%7D,%7B%22name%22:%22G%22,%22at%22:%5B2,0%5D%7D,%7B%22name%22:%22B%22,%22at%22:%5B0,1%5D%7D,%7B%22name%22:%22C%22,%22at%22:%5B4,1%5D%7D,%7B%22name%22:%22H%22,%22at%22:%5B2.0002,0.9999%5D%7D%5D&d.frame=%5B%22A%22,%22D%22,%22G%22%5D&d.links=%5B%7B%22name%22:%22c1%22,%22points%22:%5B%22A%22,%22B%22%5D%7D,%7B%22name%22:%22rod%22,%22points%22:%5B%22B%22,%22H%22,%22C%22%5D%7D,%7B%22name%22:%22c2%22,%22points%22:%5B%22D%22,%22C%22%5D%7D,%7B%22name%22:%22c3%22,%22points%22:%5B%22G%22,%22H%22%5D%7D%5D&d.drivers=%5B%7B%22crank%22:%22c1%22%7D%5D&v.phi_deg=50&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en";
+    let page = Page::open_at(&format!("{}{NEAR}", home()), "en-US").await;
+    page.until("the offer", async || {
+        page.text("draw-mends").await.starts_with("Make it exact: ")
+    })
+    .await;
+    assert_eq!(page.count("#draw-mends button").await, 1);
+    assert_eq!(defects(&page, 0).await, serde_json::json!([]));
+    page.ask("document.querySelector('#draw-mends button').click()")
+        .await;
+    page.until("the mechanism", async || {
+        page.count("#out-redundant").await > 0
+            && page
+                .text("out-redundant")
+                .await
+                .contains("W = 0 by count, q = 1")
+    })
+    .await;
+    assert_eq!(page.text("out-linkage-w").await, "1");
+    page.click("undo").await;
+    page.until("the drawing again", async || {
+        page.text("draw-mends").await.starts_with("Make it exact: ")
+    })
+    .await;
     page.close().await;
 }
