@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::source::Name;
 use crate::{Failure, source};
 
-/// Writes the exact drawing as a file; by how much its points move, to standard error.
+/// Writes the exact drawing as a file, and the greatest move of a point to standard error.
 ///
 /// # Errors
 /// No such name or file; a drawing that moves already, or that no small change lets move; what cannot be written.

@@ -65,7 +65,7 @@ enum Command {
     /// transmission angle, of each dyad RRP the maximum pressure angle.
     ///
     /// A drawing whose redundant constraints hold only nearly is locked; with --make-exact it is written to standard output
-    /// with its points moved by the least that lets it move, and standard error says by how much.
+    /// with its points moved as little as possible so that it moves; standard error gives the greatest move.
     Structure {
         /// Catalogue name or file.
         name: Name,

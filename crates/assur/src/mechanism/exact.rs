@@ -1,8 +1,8 @@
-//! A drawing whose redundant constraints hold only nearly, as drawings by hand and files with four decimals, made exact.
+//! The exact drawing nearest to one whose redundant constraints nearly hold, as in drawings by hand and files with four
+//! decimals.
 //!
-//! The drawing and some poses of its motion are unknowns together: every constraint is worth in each pose what it is
-//! worth in the drawing. Of all solutions that with the least change of the drawing is found by Gauss's and Newton's
-//! method, poses being free to move.
+//! The unknowns are the drawing and several poses of its motion. Each constraint has the same value in every pose as in
+//! the drawing. The Gauss–Newton method finds the solution with the least change of the drawing; the poses are free.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,21 +10,21 @@ use super::draft::{Draft, DraftDriver, FRAME};
 use super::{Defect, Mechanism};
 use crate::{Point, Vector};
 
-/// A drawing may be off by no more, relative to its size.
+/// Maximum move of a point, relative to the size of the drawing.
 pub const NEARLY: f64 = 1e-3;
-/// Poses to each side of the drawing, by the angle between them, and the steps from one to the next.
+/// Number of poses on each side of the drawing, the angle of the crank between them, and the steps between two.
 const POSES: usize = 4;
 const APART: f64 = 0.15;
 const STEPS: usize = 4;
-/// Steps of the method, at most; it ends where the residuals are this small relative to the square of the size.
+/// Maximum number of steps, and tolerance of the residuals relative to the square of the size.
 const MOST_STEPS: usize = 40;
 const CONVERGED: f64 = 1e-15;
-/// A change of a pose counts as so much less than one of the drawing.
+/// Weight of a change of the drawing relative to one of a pose.
 const FREE: f64 = 1e2;
-/// Links keep parallel if their angles differ by no more in the poses, radians.
+/// Tolerance of parallel links, radians.
 const PARALLEL: f64 = 2e-3;
-/// Singular values below this part of the greatest are zero, each in turn: how small those are that vanish at the
-/// solution depends on the mechanism.
+/// Relative tolerances of the rank, tried in turn: the size of the singular values that vanish at the solution depends
+/// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing.
@@ -32,9 +32,9 @@ const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 pub struct MadeExact {
     /// The drawing.
     pub draft: Draft,
-    /// The greatest distance by which a point has moved, and the name of the point.
+    /// The greatest distance by which a point has moved.
     pub by: f64,
-    /// The point.
+    /// The point that has moved farthest.
     pub point: String,
 }
 
@@ -238,7 +238,7 @@ impl System {
         (residuals, slopes)
     }
 
-    /// The drawing with the poses around it as near to the constraints as they come, and the angles of the crank.
+    /// The drawing with poses around it that nearly fulfil the constraints, and their angles of the crank.
     fn start(&mut self) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
@@ -273,8 +273,8 @@ impl System {
         })
     }
 
-    /// Adds that links which nearly keep parallel, to the frame or to each other, do so. Without it the exact drawing is
-    /// a double root.
+    /// Adds the constraint that nearly parallel links stay parallel, to the frame or to each other. Without it the exact
+    /// drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
         let turns_alike = |one: Option<[usize; 2]>, other: [usize; 2]| {

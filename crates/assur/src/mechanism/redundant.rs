@@ -1,9 +1,9 @@
-//! Redundant constraints: more than the bodies of a group have freedoms, and yet it moves.
+//! Redundant constraints: a group with more constraints than freedoms that moves all the same.
 //!
-//! All constraints of such a group are its equations. Of these a pose is solved by as many as there are unknowns, chosen
-//! anew by pivots in every pose, and the others are checked. Bodies that stay parallel to each other (rods on equal
-//! cranks) stay so by all constraints together, though where all cranks are in line the rank of the constraints tells no
-//! more of it: that they are parallel is an equation as well.
+//! Every constraint of such a group is an equation of it. Pivoting selects, in each pose anew, as many independent
+//! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, as rods on
+//! equal cranks, add equations of their own: where all cranks are in line the Jacobian of the constraints alone is
+//! singular, although all constraints together allow only one motion.
 
 use std::f64::consts::TAU;
 
@@ -14,12 +14,12 @@ use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
 
-/// Where it is looked whether the constraints hold on either side of the drawn pose, in radians of a crank.
+/// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
-/// Two bodies turn alike if their rates differ by no more, per radian of a crank.
+/// Tolerance of equal angular velocities, per radian of a crank.
 const ALIKE: f64 = 1e-8;
 
-/// A constraint depends on others if what they leave of it is this small.
+/// Tolerance of linear dependence: the remainder of a row orthogonal to the rows before it, relative to its length.
 const DEPENDENT: f64 = 1e-7;
 
 /// Mobility by count and by rank.
@@ -27,11 +27,10 @@ const DEPENDENT: f64 = 1e-7;
 pub struct Mobility {
     /// W = 3n − 2P₁ − P₂ by Chebyshev and Grübler.
     pub count: isize,
-    /// W = 3n − r, r the rank of the constraints of the pairs in a general pose.
+    /// W = 3n − r with the rank r of the constraints of the pairs in a general pose.
     pub rank: isize,
-    /// The pairs that have a redundant constraint, each as often as it has one, in the order of points, slides and
-    /// gears: a hinge and a slide by the point, wheels in mesh by both of them. Which of several dependent
-    /// constraints is redundant is a matter of their order.
+    /// The pairs with a redundant constraint, once for each, in the order of points, slides and gears: a hinge or a
+    /// slide by its point, wheels in mesh by both names. Of dependent constraints the last in this order is named.
     pub redundant: Vec<String>,
 }
 
@@ -70,7 +69,7 @@ impl Mechanism {
         }
     }
 
-    /// The pairs of which a constraint depends, in a pose, on those before it.
+    /// The pairs with a constraint that depends on those before it in a pose.
     fn dependent(&self, pose: &Predictor) -> Vec<String> {
         let mut basis: Vec<DVector<f64>> = Vec::new();
         let mut dependent = Vec::new();
@@ -173,15 +172,15 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// Whether all constraints hold around the drawn pose, and leave it as many freedoms as it has drivers: drivers that
-    /// agree with each other only at their rates are too many.
+    /// True if all constraints hold around the drawn pose and the mobility by rank is the number of drivers. Drivers that
+    /// agree only at their rates are too many.
     pub(super) fn moves(&self) -> bool {
         let poses = self.beside();
         !poses.is_empty() && self.mobility_in(&poses).rank == self.draft.drivers.len() as isize
     }
 
-    /// Poses around the drawn one, to both sides as far as there are some. None where a redundant constraint does not
-    /// hold in one of them: by the others the links would move on, but they are locked.
+    /// Poses on both sides of the drawn one, as far as there are poses. Empty if a redundant constraint fails in one of
+    /// them: the links are locked.
     fn beside(&self) -> Vec<Predictor> {
         let unit = self.span() / TAU;
         let mut found = Vec::new();
@@ -212,8 +211,8 @@ impl Mechanism {
         found
     }
 
-    /// The bodies of groups with redundant constraints that stay parallel to the frame or to another body. None where
-    /// the constraints do not hold beside the drawn pose.
+    /// Bodies of groups with redundant constraints that stay parallel, each to the frame or to another body. None if the
+    /// constraints fail beside the drawn pose.
     pub(super) fn parallel(&mut self) -> Option<Vec<[BodyId; 2]>> {
         let mut state = self.blank_state();
         for step in self.steps.ids() {

@@ -1,12 +1,12 @@
-//! Passive links: with them a linkage has redundant constraints, without them it moves the same.
+//! Passive links: without them a linkage moves the same and has fewer redundant constraints.
 
 use std::collections::BTreeSet;
 
 use super::check::check;
 use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
 
-/// The structure of a linkage without its passive links, which are added after it, one a step. A passive link is one
-/// with two pairs: without it there is a surplus constraint less. None where such links are not all that is too many.
+/// The structure of a linkage without its passive links, followed by one step for each of these. A passive link has two
+/// pairs, and without it the linkage has one surplus constraint less. None if surplus constraints remain.
 pub fn with_passive_links(graph: &Graph, drivers: &[Driver]) -> Option<Structure> {
     let mut passive = BTreeSet::new();
     let mut surplus = surplus(graph, drivers, &passive)?;
@@ -52,7 +52,7 @@ pub fn with_passive_links(graph: &Graph, drivers: &[Driver]) -> Option<Structure
     Some(structure)
 }
 
-/// How many constraints are too many without some links; none where anything else is wrong.
+/// The number of surplus constraints without some links; none if there is another fault.
 fn surplus(graph: &Graph, drivers: &[Driver], passive: &BTreeSet<usize>) -> Option<usize> {
     let without = Without::new(graph, drivers, passive);
     let (_, surplus) = check(&without.graph, &without.drivers, true).ok()?;
