@@ -258,8 +258,16 @@ impl System {
                 }
             }
         }
-        self.keep_parallel(&all);
-        Some((DVector::from_vec(all), angles))
+        // Were an exact drawing this near, its poses would leave no more. Most locked drawings end here, before the large
+        // systems.
+        let all = DVector::from_vec(all);
+        let (residuals, _) = self.residuals(&all, &angles);
+        let most = 4.0 * NEARLY * self.size.powi(2) * (residuals.len() as f64).sqrt();
+        if residuals.amax() > most {
+            return None;
+        }
+        self.keep_parallel(all.as_slice());
+        Some((all, angles))
     }
 
     /// The places of the exact drawing.
