@@ -1,7 +1,6 @@
 //! How fast the page is in a real browser: printed by `cargo xtask bench`, never
-//! asserted. A figure is a line `page: NAME = FIGURE`, what the page asked the
-//! server for a line `asked: ADDRESS`. `ASSUR_MINUTES` is how long it is played
-//! and dragged with an eye on memory.
+//! asserted. A figure is a line `page: NAME = FIGURE`. `ASSUR_MINUTES` is how long it is
+//! played and dragged with an eye on memory.
 #![cfg(not(target_family = "wasm"))]
 #![allow(
     dead_code,
@@ -19,7 +18,7 @@ use std::env;
 use std::time::{Duration, Instant};
 
 use browser::Page;
-use host::home;
+use host::{Host, folder, home};
 use serde_json::json;
 
 /// Put into the page before its own scripts: each is read once, however often it
@@ -99,10 +98,8 @@ async fn page_speed() {
     let ready = "arguments[0]([performance.getEntriesByName('ready')[0].startTime])";
     let first = page.numbers(ready).await;
     print("first drawn frame after navigation, ms", first[0]);
-    println!("asked: {}", page.address().await);
-    for address in page.loaded().await {
-        println!("asked: {address}");
-    }
+    download(&page).await;
+    page.anew(home()).await;
 
     for overlay in ["centres", "vectors", "loop_vectors", "transmission"] {
         page.click(overlay).await;
@@ -154,6 +151,21 @@ async fn page_speed() {
 
     memory(&page).await;
     page.close().await;
+}
+
+/// What a first visit brings from a host that sends packed files.
+async fn download(page: &Page) {
+    let host = Host::start(&folder(), "/");
+    page.anew(&host.url()).await;
+    let sum = "const asked = ['navigation', 'resource'].flatMap((type) => performance.getEntriesByType(type));
+        arguments[0]([asked.length, asked.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0)])";
+    let [requests, bytes] = page.numbers(sum).await[..] else {
+        panic!("two numbers")
+    };
+    print(
+        &format!("download, {requests} requests, brotli, kB"),
+        bytes / 1e3,
+    );
 }
 
 /// A figure of the browser's own bookkeeping.

@@ -279,13 +279,9 @@ impl Equations {
                     .map(|(link, weight)| weight * of.angles[*link][order])
                     .sum()
             };
-            // Of angles of many turns so many digits fewer are told.
-            let all = gear
-                .terms
-                .iter()
-                .map(|(link, _)| pose.angles[*link][0].abs());
-            let many = all.fold(1.0, f64::max);
-            meet(2, 0, (sum(pose, 0) - sum(home, 0)).abs() / many);
+            // An angle of many turns has fewer digits behind the point.
+            let largest = pose.largest_angle().max(home.largest_angle()).max(1.0);
+            meet(2, 0, (sum(pose, 0) - sum(home, 0)).abs() / largest);
             meet(2, 1, sum(pose, 1).abs() / turns[1]);
             meet(2, 2, sum(pose, 2).abs() / turns[2]);
         }

@@ -50,7 +50,8 @@ fn drawn(subject: &Subject, tally: &mut Tally) {
         true => modulo_turn(home - drawn).abs(),
         false => (home - drawn).abs() / equations.size(),
     };
-    let error = uncertainty(1.0, equations.shortest(), 1.0);
+    // An input of many turns is a number with fewer digits behind the point.
+    let error = uncertainty(1.0, equations.shortest(), 1.0) + f64::EPSILON * home.abs();
     // Of a drawing in a singular pose the engine may take another one.
     if !determined(equations.condition(&equations.drawn()), error) {
         return tally.open("drawn pose");
@@ -120,9 +121,10 @@ fn equations(subject: &Subject, tally: &mut Tally) {
     let home = Shown::of(motion.mechanism(), &home);
     for Known { input, shown, .. } in &subject.poses {
         let found = subject.equations.residuals(*input, shown, &home);
+        let rounded = 4.0 * f64::EPSILON * shown.largest_angle();
         for (of, orders) in ["links", "slides", "gears", "driver"].iter().zip(found) {
             for (order, off) in orders.into_iter().enumerate() {
-                if off.is_nan() || off > RESIDUAL {
+                if off.is_nan() || off > RESIDUAL + rounded {
                     let kind = match *of {
                         "links" => "residual of links",
                         "slides" => "residual of slides",
@@ -259,6 +261,9 @@ fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
         subject.equations.size()
     };
     let margin = MARGIN * (to - from).max(0.01 * whole);
+    if 2.0 * margin >= to - from {
+        return tally.open("range too short to follow");
+    }
     let mut start = from + margin;
     // Of a motion of many turns a part.
     if to - from > 13.0 {

@@ -44,6 +44,12 @@ impl Shown {
         }
     }
 
+    /// The largest angle, whole turns included.
+    pub(crate) fn largest_angle(&self) -> f64 {
+        let angles = self.angles.iter().map(|[angle, ..]| angle.abs());
+        angles.fold(0.0, f64::max)
+    }
+
     /// The greatest place, first and second derivative of anything, as lengths; places from that
     /// of the first point.
     pub(crate) fn scales(&self, size: f64) -> [f64; 3] {

@@ -44,11 +44,11 @@ where
     Pose<N>: Placed,
 {
     let (Ok(exact), Ok(pose)) = (
-        mixer.linkage.pose::<N>(mixer.assembly, crank),
+        mixer.linkage.pose_along::<N>(mixer.assembly, crank),
         motion.pose::<N>(crank),
     ) else {
         let [one, other] = [
-            mixer.linkage.pose::<N>(mixer.assembly, crank).is_ok(),
+            mixer.linkage.pose_along::<N>(mixer.assembly, crank).is_ok(),
             motion.pose::<N>(crank).is_ok(),
         ];
         prop_assert_eq!(one, other, "{:?} at {}", mixer.linkage, crank);

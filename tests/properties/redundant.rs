@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Defect, Draft, Mechanism, NEARLY};
-use assur::motion::Motion;
+use assur::mechanism::{Defect, Draft, Mechanism};
+use assur::motion::{Motion, NEARLY};
 use assur::{Point, Vector};
 use assur_tests::scaled;
 

@@ -2,10 +2,7 @@
 //! engine stand beside a yardstick of the same run, because machines differ and
 //! are shared: a straightforward scalar closed form, natively, is one unit.
 
-use std::fs;
-use std::io::Write as _;
-
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use crate::browser::{Browser, Kind};
 use crate::site;
@@ -52,12 +49,6 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     for (name, figure) in figures(&page, "page: ") {
         println!("{name:60} {figure:>10}");
     }
-    let (requests, bytes) = download(workspace, &page)?;
-    println!(
-        "{:60} {:>10.1}",
-        format!("download, {requests} requests, brotli 11, kB"),
-        bytes as f64 / 1e3
-    );
     Ok(())
 }
 
@@ -73,40 +64,9 @@ fn figure(line: &str, prefix: &str) -> Option<(String, f64)> {
     Some((name.to_owned(), figure.trim().parse().ok()?))
 }
 
-/// How many files the page asked for at its start, and their compressed bytes.
-fn download(workspace: &Workspace, printed: &str) -> Result<(usize, usize)> {
-    let site = workspace.site();
-    let files: Vec<&str> = printed.lines().filter_map(asked).collect();
-    let mut bytes = 0;
-    for file in &files {
-        let path = site.join(file);
-        let content = fs::read(&path);
-        bytes += compressed(&content.with_context(|| format!("{} is not there", path.display()))?)?
-            .len();
-    }
-    Ok((files.len(), bytes))
-}
-
-/// The file of the site that is meant by a line `asked: ADDRESS`.
-fn asked(line: &str) -> Option<&str> {
-    let (_, address) = line.split_once("asked: http://")?;
-    let (_, path) = address.split_once('/')?;
-    let path = path.split(['#', '?']).next()?;
-    Some(if path.is_empty() { "index.html" } else { path })
-}
-
-/// As small as brotli makes it.
-fn compressed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let mut packed = Vec::new();
-    let mut writer = brotli::CompressorWriter::new(&mut packed, 4096, 11, 22);
-    writer.write_all(bytes).context("compressing failed")?;
-    drop(writer);
-    Ok(packed)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{asked, compressed, figure};
+    use super::figure;
 
     #[test]
     fn figures_are_read_from_their_lines() {
@@ -117,21 +77,5 @@ mod tests {
         );
         assert_eq!(figure("running 1 test", "speed: "), None);
         assert_eq!(figure("speed: engine = fast", "speed: "), None);
-    }
-
-    #[test]
-    fn files_are_read_from_their_addresses() {
-        for (line, file) in [
-            ("asked: http://127.0.0.1:80/#1&lesson=mixer", "index.html"),
-            ("asked: http://127.0.0.1:80/pkg/a.wasm", "pkg/a.wasm"),
-        ] {
-            assert_eq!(asked(line), Some(file));
-        }
-        assert_eq!(asked("asked: data:image/svg+xml,a/b"), None);
-    }
-
-    #[test]
-    fn repetition_packs_well() {
-        assert!(compressed(&[7; 100_000]).unwrap().len() < 100);
     }
 }

@@ -1,9 +1,10 @@
 //! How a step speaks: one line when it begins or is skipped, one sentence when it fails.
 
 use std::io::ErrorKind;
-use std::process::{Command, Stdio};
+use std::path::Path;
+use std::process::{Command, ExitStatus, Stdio};
 
-use anyhow::{Context, Error, Result, anyhow, bail};
+use anyhow::{Context, Error, Result, anyhow, ensure};
 
 /// The words of a command that a sentence has room for.
 const MOST_WORDS: usize = 15;
@@ -18,14 +19,7 @@ pub(crate) fn run(command: &mut Command, what: &str) -> Result<()> {
     let status = command
         .status()
         .map_err(|error| not_started(command, what, error))?;
-    if status.success() {
-        return Ok(());
-    }
-    bail!(
-        "{what} failed: `{}` ended with {}",
-        spelled(command),
-        ending(status.code())
-    )
+    succeeded(status, command, what)
 }
 
 /// Runs a command for what it prints; its complaints go to the terminal.
@@ -34,23 +28,25 @@ pub(crate) fn output(command: &mut Command, what: &str) -> Result<String> {
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| not_started(command, what, error))?;
-    if !output.status.success() {
-        bail!(
-            "{what} failed: `{}` ended with {}",
-            spelled(command),
-            ending(output.status.code())
-        );
-    }
+    succeeded(output.status, command, what)?;
     String::from_utf8(output.stdout).with_context(|| format!("{what} failed: not text"))
 }
 
 /// What a command prints when it is there and works; nothing otherwise, and nothing on the terminal.
 pub(crate) fn quiet_output(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
-    if !output.status.success() {
-        return None;
-    }
-    String::from_utf8(output.stdout).ok()
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then_some(text)
+}
+
+fn succeeded(status: ExitStatus, command: &Command, what: &str) -> Result<()> {
+    let ending = ending(status.code());
+    ensure!(
+        status.success(),
+        "{what} failed: `{}` ended with {ending}",
+        spelled(command)
+    );
+    Ok(())
 }
 
 pub(crate) fn not_started(command: &Command, what: &str, error: std::io::Error) -> Error {
@@ -64,14 +60,9 @@ pub(crate) fn not_started(command: &Command, what: &str, error: std::io::Error) 
 
 /// The command as one would type it, for people; quoting is left out, and what follows the first words.
 pub(crate) fn spelled(command: &Command) -> String {
-    let program = std::path::Path::new(command.get_program());
-    let mut words = vec![
-        program
-            .file_stem()
-            .unwrap_or(command.get_program())
-            .to_string_lossy(),
-    ];
-    words.extend(command.get_args().map(|word| word.to_string_lossy()));
+    let program = Path::new(command.get_program()).file_stem();
+    let words = program.into_iter().chain(command.get_args());
+    let mut words: Vec<_> = words.map(|word| word.to_string_lossy()).collect();
     if words.len() > MOST_WORDS {
         words.truncate(MOST_WORDS);
         words.push("…".into());

@@ -66,26 +66,26 @@ impl Tally {
     /// Writes the outcome of every step, then the sum alone on the last line; returns whether nothing failed.
     pub(crate) fn summarise(&self, mut out: impl Write) -> io::Result<bool> {
         writeln!(out)?;
-        for Entry {
-            name,
-            passed,
-            failed,
-            reason,
-            took,
-        } in &self.0
-        {
-            let verdict = if *failed == 0 { "ok    " } else { "FAILED" };
-            let seconds = took.as_secs();
+        let [mut passed, mut failed] = [0; 2];
+        for entry in &self.0 {
+            let verdict = if entry.failed == 0 {
+                "ok    "
+            } else {
+                "FAILED"
+            };
+            let counts = format!("{} passed, {} failed", entry.passed, entry.failed);
             writeln!(
                 out,
-                "{verdict}  {name}: {passed} passed, {failed} failed ({seconds} s)"
+                "{verdict}  {}: {counts} ({} s)",
+                entry.name,
+                entry.took.as_secs()
             )?;
-            if let Some(reason) = reason {
+            if let Some(reason) = &entry.reason {
                 writeln!(out, "        {reason}")?;
             }
+            passed += entry.passed;
+            failed += entry.failed;
         }
-        let passed: u32 = self.0.iter().map(|entry| entry.passed).sum();
-        let failed: u32 = self.0.iter().map(|entry| entry.failed).sum();
         writeln!(out, "\n{passed} passed, {failed} failed")?;
         out.flush()?;
         Ok(failed == 0)
@@ -152,29 +152,26 @@ mod tests {
 
     #[test]
     fn results_of_the_runners_are_read() {
-        for (line, passed, failed) in [
+        for (count, line) in [
             (
+                [12, 0],
                 "test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; finished in 0.1s",
-                12,
-                0,
             ),
             (
+                [1, 2],
                 "test result: FAILED. 1 passed; 2 failed; 0 ignored; finished in 0.00s",
-                1,
-                2,
             ),
             (
+                [3, 0],
                 "test result: \u{1b}[32mok\u{1b}[m. 3 passed; 0 failed",
-                3,
-                0,
             ),
-            ("ℹ pass 17", 17, 0),
-            ("\u{1b}[34mℹ fail 2\u{1b}[39m", 0, 2),
-            ("test tests::result ... ok", 0, 0),
-            ("test result: who knows", 0, 0),
-            ("running 3 tests", 0, 0),
+            ([17, 0], "ℹ pass 17"),
+            ([0, 2], "\u{1b}[34mℹ fail 2\u{1b}[39m"),
+            ([0, 0], "test tests::result ... ok"),
+            ([0, 0], "test result: who knows"),
+            ([0, 0], "running 3 tests"),
         ] {
-            assert_eq!(counted(line), [passed, failed], "{line}");
+            assert_eq!(counted(line), count, "{line}");
         }
     }
 
@@ -195,28 +192,26 @@ mod tests {
 
     #[test]
     fn a_step_that_ends_otherwise_than_by_its_tests_fails() {
-        for (script, passed, failed, reason) in [
-            ("console.log('ℹ pass 7')", 7, 0, ""),
+        for (expected, reason, script) in [
+            ([7, 0], "", "console.log('ℹ pass 7')"),
             (
-                "console.log('ℹ pass 7'); process.exit(3)",
-                7,
-                0,
+                [7, 0],
                 "exit code 3",
+                "console.log('ℹ pass 7'); process.exit(3)",
             ),
             (
-                "console.log('ℹ fail 2'); process.exit(1)",
-                0,
-                2,
+                [0, 2],
                 "exit code 1",
+                "console.log('ℹ fail 2'); process.exit(1)",
             ),
-            ("console.log('ℹ fail 2')", 0, 2, "yet ended well"),
-            ("", 0, 0, "ran no test"),
+            ([0, 2], "yet ended well", "console.log('ℹ fail 2')"),
+            ([0, 0], "ran no test", ""),
         ] {
             let mut node = Command::new("node");
             node.args(["-e", script]);
             let mut count = [0; 2];
             let ran = run_tests(&mut node, "step", &mut count, &mut io::sink());
-            assert_eq!(count, [passed, failed], "{script}");
+            assert_eq!(count, expected, "{script}");
             let given = ran.err().map_or(String::new(), |error| error.to_string());
             assert!(given.contains(reason), "{script}: {given}");
             assert_eq!(given.is_empty(), reason.is_empty(), "{script}: {given}");

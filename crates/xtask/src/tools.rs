@@ -13,9 +13,9 @@ use crate::workspace::{self, Workspace};
 /// What the browser runs.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-const WASM_PACK: &str = "0.15.1";
-
-const GECKODRIVER: &str = "0.37.1";
+/// Names and versions of the tools that cargo installs as they were locked.
+const WASM_PACK: [&str; 2] = ["wasm-pack", "0.15.1"];
+const GECKODRIVER: [&str; 2] = ["geckodriver", "0.37.1"];
 
 const THERE: &str = "already there";
 
@@ -62,20 +62,14 @@ pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
 
 /// wasm-pack, which runs the tests of the wasm side in a browser.
 pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<PathBuf> {
-    let locked = ["--locked"];
-    installed(workspace, "wasm-pack", "wasm-pack", WASM_PACK, &locked)
+    let [name, version] = WASM_PACK;
+    installed(workspace, name, name, version, &["--locked"])
 }
 
 /// The driver of Firefox.
 pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
-    let locked = ["--locked"];
-    installed(
-        workspace,
-        "geckodriver",
-        "geckodriver",
-        GECKODRIVER,
-        &locked,
-    )
+    let [name, version] = GECKODRIVER;
+    installed(workspace, name, name, version, &["--locked"])
 }
 
 /// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
@@ -92,19 +86,8 @@ pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
         .filter(|_| which::which("node").is_ok());
     let npm = npm.context("Node.js with npm is needed to build the page: install it")?;
     announce(WHAT, "installing by npm");
-    run(
-        workspace
-            .command(&npm)
-            .args(["ci", "--no-audit", "--no-fund"]),
-        WHAT,
-    )
-}
-
-/// TypeScript's checker, to be given its arguments.
-pub(crate) fn type_checker(workspace: &Workspace) -> Command {
-    let mut checker = workspace.command("node");
-    checker.arg(workspace.root().join("node_modules/typescript/bin/tsc"));
-    checker
+    let mut npm = workspace.command(&npm);
+    run(npm.args(["ci", "--no-audit", "--no-fund"]), WHAT)
 }
 
 /// The path of a tool of a version, which is installed if it is not there: below cargo's own folder, so that every

@@ -31,15 +31,13 @@ impl Workspace {
         let own = env::var_os("CARGO_MANIFEST_DIR")
             .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
         let mut cargo = Command::new(cargo_program());
-        cargo
-            .args([
-                "metadata",
-                "--no-deps",
-                "--format-version",
-                "1",
-                "--manifest-path",
-            ])
-            .arg(own.join("Cargo.toml"));
+        cargo.args([
+            "metadata",
+            "--no-deps",
+            "--format-version=1",
+            "--manifest-path",
+        ]);
+        cargo.arg(own.join("Cargo.toml"));
         let answer = step::output(&mut cargo, "finding the workspace")?;
         let metadata: Metadata =
             serde_json::from_str(&answer).context("cargo metadata answered in an unknown form")?;
@@ -99,14 +97,10 @@ impl Workspace {
     /// cargo, which then names them.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
         // `registry+…#NAME@VERSION`
-        let id = step::output(
-            &mut self.cargo(["pkgid", name]),
-            &format!("finding the version of {name}"),
-        )?;
-        let version = id.trim().rsplit_once('@').map(|(_, version)| version);
-        Ok(version
-            .with_context(|| format!("cargo pkgid says no version of {name}"))?
-            .to_owned())
+        let what = format!("finding the version of {name}");
+        let id = step::output(&mut self.cargo(["pkgid", name]), &what)?;
+        let (_, version) = id.trim().rsplit_once('@').context(what)?;
+        Ok(version.to_owned())
     }
 }
 

@@ -177,6 +177,11 @@ impl Elimination {
         !self.pivots.is_empty()
     }
 
+    /// Whether a row of more rows than columns is left out, as one that depends on those of the pivots.
+    pub(crate) fn leaves_out(&self, row: usize) -> bool {
+        self.rows.contains(&row)
+    }
+
     /// The exponent of the power of two that its determinants are multiples of.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent

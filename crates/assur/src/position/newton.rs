@@ -110,7 +110,8 @@ impl Group {
     }
 
     /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
-    /// of its direction.
+    /// of its direction. Redundant equations that are left out have more than rounding of their own: [`Self::locked`]
+    /// judges them.
     pub(super) fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
         let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
             for term in terms {
@@ -122,7 +123,11 @@ impl Group {
         noise.extend(self.constants.iter().map(|constant| constant.norm()));
         terms(&work.inputs, &self.taken, &mut noise);
         terms(&work.unknowns, &self.sought, &mut noise);
-        let closed = self.equations.iter().all(|equation| {
+        let elimination = self.suited(work.planned, &work.spare);
+        let closed = self.equations.iter().enumerate().all(|(row, equation)| {
+            if elimination.leaves_out(row) {
+                return true;
+            }
             let size = |form: usize| work.values[form][0].norm();
             let rounded = match *equation {
                 Equation::Unit(form) => size(form) * noise[form],

@@ -6,8 +6,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::draft::{Draft, DraftDriver, FRAME};
-use super::{Defect, Mechanism};
+use super::{DeadPointKind, Motion};
+use crate::mechanism::{Defect, Draft, DraftDriver, FRAME, Mechanism};
 use crate::{Point, Vector};
 
 /// Maximum move of a point, relative to the size of the drawing.
@@ -21,8 +21,11 @@ const MOST_STEPS: usize = 40;
 const CONVERGED: f64 = 1e-15;
 /// Weight of a change of the drawing relative to one of a pose.
 const FREE: f64 = 1e2;
-/// Tolerance of parallel links, radians.
+/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and inexact.
 const PARALLEL: f64 = 2e-3;
+/// Relative size of the singular values that are taken for zero where a pose is first looked for: near a singular pose
+/// the error of the drawing is not to grow.
+const NEAR_SINGULAR: f64 = 1e-3;
 /// Relative tolerances of the rank, tried in turn: the size of the singular values that vanish at the solution depends
 /// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
@@ -49,11 +52,11 @@ impl Draft {
         }
         let mut system = System::new(self)?;
         let start = system.start()?;
-        let mut found = RANKS.into_iter();
-        found.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
+        let mut ranks = RANKS.into_iter();
+        ranks.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
     }
 
-    /// The drawing with its points in other places, if it moves then.
+    /// The drawing with its points in other places, if it moves then and is nowhere locked.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut draft = self.clone();
@@ -65,8 +68,13 @@ impl Draft {
             }
             point.at = at;
         }
-        let moves = by <= NEARLY * size && Mechanism::new(&draft).is_ok();
-        moves.then_some(MadeExact {
+        if by > NEARLY * size {
+            return None;
+        }
+        let motion = Motion::new(Mechanism::new(&draft).ok()?);
+        let mut ends = motion.dead_points().iter();
+        let is_locked = ends.any(|end| end.kind == DeadPointKind::Locked);
+        (!is_locked).then_some(MadeExact {
             draft,
             by,
             point: farthest,
@@ -246,12 +254,15 @@ impl System {
         let mut all = drawn.clone();
         let mut angles = Vec::new();
         for sense in [1.0, -1.0] {
-            let mut pose = drawn.clone();
+            let [mut before, mut pose] = [0, 1].map(|_| drawn.clone());
             for step in 1..=POSES * STEPS {
                 let angle = sense * APART * step as f64 / STEPS as f64;
-                let both = DVector::from_vec([drawn.clone(), pose].concat());
-                let next = self.nearest(both, &[angle], [0.0, RANKS[1]])?;
-                pose = next.as_slice()[width..].to_vec();
+                // By extrapolation a change point is passed on the same branch.
+                let ahead = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
+                let both = drawn.iter().copied().chain(ahead);
+                let both = DVector::from_iterator(2 * width, both);
+                let next = self.nearest(both, &[angle], [0.0, NEAR_SINGULAR])?;
+                before = std::mem::replace(&mut pose, next.as_slice()[width..].to_vec());
                 if step % STEPS == 0 {
                     angles.push(angle);
                     all.extend(&pose);
@@ -293,14 +304,17 @@ impl System {
                 };
                 place(b) - place(a)
             };
-            (1..all.len() / width).all(|pose| {
+            let poses = 1..all.len() / width;
+            let count = poses.len() as f64;
+            let off = poses.map(|pose| {
                 let turned = |way: [usize; 2]| {
                     let [before, after] = [0, pose].map(|pose| turn(pose, way));
                     before.perp(&after).atan2(before.dot(&after))
                 };
                 let off = turned(other) - one.map_or(0.0, turned);
-                off.sin().abs() <= PARALLEL && off.cos() > 0.0
-            })
+                2.0 * (0.5 * off).sin().abs()
+            });
+            off.sum::<f64>() <= PARALLEL * count
         };
         let mut parallel = Vec::new();
         for (k, way) in self.ways.iter().enumerate() {
