@@ -22,7 +22,9 @@ fn numbered(from: u32, closed: bool) -> (u32, Scheme) {
 /// Sets a new task, whose number the page draws by chance.
 async fn set(page: &Page, number: u32) {
     let drawn = (f64::from(number) + 0.5) / 100_000.0;
-    page.ask(&format!("Math.random = () => {drawn}")).await;
+    // Of the page: a script of the driver has a `Math` of its own in Firefox.
+    page.ask(&format!("window.Math.random = () => {drawn}"))
+        .await;
     page.click("practice-new").await;
     page.until("a task", async || task(page).await == Some(number))
         .await;
