@@ -1,7 +1,10 @@
 //! The lesson on mobility by sections: its numbers, and what it claims of its mechanisms.
 
+use assur::Point;
+use assur::mechanism::{Draft, Mechanism};
 use assur::mobility::{Cut, CutError, Generic, PairKind, Scheme, Sections, Space, Verdict};
-use assur_file::{Document, SchemeDocument};
+use assur::motion::Motion;
+use assur_file::{Document, LinkageDocument, SchemeDocument, from_catalogue};
 use serde_json::Value;
 
 use super::{LANGUAGES, Lesson};
@@ -310,4 +313,54 @@ fn press_with_a_compound_hinge() {
     tells("practice.hint", &[1.0]);
     // W = 3n − 2P₁.
     tells("practice.right", &[3.0, 2.0]);
+}
+
+/// A linkage among the lesson's presets, or of the catalogue.
+fn linkage(name: &str) -> Draft {
+    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
+    let Some(own) = presets.get(name) else {
+        return from_catalogue(name).draft();
+    };
+    let own: LinkageDocument = serde_json::from_value(own["document"].clone()).unwrap();
+    own.draft()
+}
+
+/// Two linkages with a redundant constraint move; with one link a little longer they do not.
+#[test]
+fn redundant_constraints_in_motion() {
+    for (name, longer) in [
+        ("coupled-cranks", "third crank"),
+        ("doubled", "second coupler"),
+    ] {
+        let mut draft = linkage(name);
+        let mechanism = Mechanism::new(&draft).unwrap();
+        assert!(Motion::new(mechanism.clone()).cycle().is_full(), "{name}");
+        let counts =
+            [mechanism.counts().links, mechanism.counts().lower_pairs].map(|count| count as f64);
+        let count = mechanism.mobility().count as f64;
+        tells("moves.text", &[&counts[..], &[count]].concat());
+        let rank = mechanism.mobility().rank as f64;
+        tells("moves.hint", &[rank]);
+        tells("moves.right", &[rank, count]);
+
+        let place = |point: &String| {
+            draft
+                .points
+                .iter()
+                .find(|one| one.name == *point)
+                .unwrap()
+                .at
+        };
+        let link = draft
+            .links
+            .iter()
+            .position(|link| link.name == longer)
+            .unwrap();
+        let [from, to] = [0, 1].map(|end| place(&draft.links[link].points[end]));
+        draft.links[link].shape = Some(vec![
+            Point::origin(),
+            Point::new(1.01 * (to - from).norm(), 0.0),
+        ]);
+        assert!(Mechanism::new(&draft).is_err(), "{name}");
+    }
 }

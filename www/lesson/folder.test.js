@@ -25,7 +25,8 @@ const ANSWERS = {
   mixer: { machine: 4, ratio: -2, limits: 217.14984852048906, swing: 43.952267602890025, speed: 194.09849720787557, transmission: { a: "on_frame", b: "on_frame" } },
   mobility: {
     arm: { spherical: 7, revolute: 7 }, four_bar: 1, redundant: { parallel: 3, tilted: 2 }, contours: { class4: 2, six_bar: 2 }, spatial: 2,
-    referee: { parallelogram: "low", roller: "right", sarrus: "low", bennett: "low", rssr: "right", hooke: "low" }, mending: 1, practice: 7,
+    referee: { parallelogram: "low", roller: "right", sarrus: "low", bennett: "low", rssr: "right", hooke: "low" }, moves: { cranks: 1, doubled: 1 },
+    mending: 1, practice: 7,
   },
   synthesis: {
     directions: 13, one: 11.757365098410215, family: { example: 9.17984271500209, load: 11.110427982770345 }, printed: 0.24737918474644968,

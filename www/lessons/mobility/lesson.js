@@ -60,6 +60,14 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     question: { choices: COUNTS, answer: counted },
   },
   {
+    id: "moves",
+    kind: /** @type {const} */ ("linkage"),
+    formula: "q = W − (3n − 2P₁)",
+    shows: [{ name: "cranks", preset: "coupled-cranks", play: true }, { name: "doubled", preset: "doubled", play: true }],
+    readouts: ["linkage-w"],
+    question: { hides: ["redundant"], within: 0, answer: ({ counts }) => counts.mobility - counts.by_count },
+  },
+  {
     id: "mending",
     formula: "q = Σ(6 − i)Pᵢ − 6n + W",
     shows: [{ preset: "mobility-2a" }],
