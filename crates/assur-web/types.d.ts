@@ -413,7 +413,7 @@ export type SynthesisSummary = {
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
- * Those that are told apart by a number, in the order of their numbers.
+ * The numbered solutions in the order of their numbers.
  */
 solutions: Array<SolutionSummary>, 
 /**
@@ -507,7 +507,7 @@ gap: number,
  */
 sum: number, 
 /**
- * By how much the output is off its given angles at most, radians; none where a position is not reached.
+ * Maximum error of the output angle, radians; none where a position is not reached.
  */
 output_error: number | null, 
 /**

@@ -319,7 +319,7 @@ fn press_with_a_compound_hinge() {
 fn linkage(name: &str) -> Draft {
     let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
     let Some(own) = presets.get(name) else {
-        return from_catalogue(name).draft();
+        return from_catalogue(name).unwrap().unwrap().draft();
     };
     let own: LinkageDocument = serde_json::from_value(own["document"].clone()).unwrap();
     own.draft()

@@ -296,7 +296,7 @@ fn minima_by_the_error_of_the_output() {
         "{held}"
     );
     assert!((number(&held["l2"]) - 18.0).abs() < 1e-9);
-    // The sum that is made least is told as well: by it the order would be another one.
+    // The minimised sum is printed as well: by it the order would be another.
     assert!(number(&held["sum"]) < number(&all[0]["sum"]));
     assert_eq!(found["output_turned"], false);
 

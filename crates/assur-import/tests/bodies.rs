@@ -111,7 +111,7 @@ fn a_third_link_at_welded_parts_is_hinged() {
     assert_eq!(keeps_its_lengths("weld", &imported.document, &motion), 6);
 }
 
-/// Links that no part tells of are one where they are welded, as before.
+/// Welded links without parts are one link.
 #[test]
 fn links_that_are_welded_without_parts_are_one() {
     let members = [

@@ -122,7 +122,7 @@ fn the_driver_is_what_is_told_or_the_first_pair() {
         assert_eq!(imported.document.frame, ["B", "E"]);
         moving(&imported.document);
     }
-    // A slide on the ground, of which no range is told; a pin in a slot has two freedoms.
+    // A slide on the ground without a range; a pin in a slot has two freedoms.
     let slider = |letters: &str| {
         format!("set=s-50|e0.1&mech=ground,a,R,0,0|a,b,R,1,0|b,c,R,4,0|c,ground,P,4,0,0,{letters}|")
     };

@@ -220,7 +220,7 @@ fn a_drawing_that_tells_no_assembly() {
     assert!(ranged.contains("range        0.1 to 0.3\n"), "{ranged}");
 }
 
-/// What moves as it is drawn is drawn in another of its assemblies as well; where there is none the input is told.
+/// A linkage that moves as drawn is drawn in another of its assemblies; if there is none, the message names the input.
 #[test]
 fn a_drawing_of_another_assembly() {
     for number in ["1", "2"] {

@@ -348,7 +348,7 @@ impl LinkageDocument {
         }
     }
 
-    /// The quantities that the document plots: the outputs whose swing and time ratio are told.
+    /// The quantities that the document plots: outputs, of which swing and time ratio are listed.
     pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let named = self.plots.iter();
         let named = named.filter_map(|name| Quantity::named(mechanism, name));

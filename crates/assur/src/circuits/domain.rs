@@ -7,7 +7,7 @@ use crate::motion::Motion;
 
 /// Assemblies of a linkage of wheels are followed over so many turns.
 const MOST_TURNS: usize = 24;
-/// No more inputs of one motion are told for an input: wheels that carry nothing may take a million turns.
+/// Maximum number of inputs of one motion that show an angle of the crank: wheels that carry nothing may take a million turns.
 const MOST_VISITS: usize = 256;
 
 /// The inputs at which there may be assemblies.

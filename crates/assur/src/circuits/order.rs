@@ -50,7 +50,7 @@ mod tests {
         assert_eq!(ascending(&rows), [2, 5, 4, 3, 1, 0]);
     }
 
-    /// Two rows whose first values differ by rounding are told apart by their second ones, at the edge of any cell too.
+    /// Two rows whose first values differ by rounding are ordered by their second values, at the edge of any cell too.
     #[test]
     fn rounding_does_not_swap_rows() {
         for edge in 0..2_000 {

@@ -25,9 +25,9 @@ const ASIDE: f64 = 0.381_966;
 /// No more inputs are looked at, nor motions followed.
 const MOST_LOOKS: usize = 2_000;
 const MOST_BRANCHES: usize = 512;
-/// No more motions are followed once they have so many samples, each of a body: where one link is millions of times as
-/// long as the others each of their motions has thousands.
-const MOST_SAMPLES: usize = 1_000_000;
+/// Maximum number of samples of all motions, each of a body: where one link is millions of times as long as the others
+/// each motion has thousands.
+const MOST_SAMPLES: usize = 500_000;
 /// Nothing is looked for within this part of a turn.
 const LEAST: f64 = 1e-6;
 /// Where links go off to infinity nothing is looked for within this part.

@@ -246,7 +246,7 @@ pub enum Defect {
     Open {
         /// The links of the group.
         links: Vec<String>,
-        /// By how much they miss each other.
+        /// The distance between the joints that miss each other.
         by: f64,
     },
     /// Links that are drawn in a singular position, at a dead point.

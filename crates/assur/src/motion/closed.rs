@@ -15,7 +15,7 @@ impl Motion {
     pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.home()));
-        // The arc is told by whole turns so that it begins within [−π, π).
+        // The arc is shifted by whole turns to begin within [−π, π).
         let turned = arc.map_or(0.0, |[from, _]| TAU * ((from + PI) / TAU).floor());
         let home = mechanism.home();
         let turned = if turned != 0.0 && mechanism.rebase_turns(home - turned) {

@@ -10,10 +10,11 @@ use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
 
-/// Samples a turn: between two of them what groups are solved from can be interpolated, and no step of theirs is longer.
+/// Samples a turn.
 pub(super) const GRID: usize = 360;
-/// No step is longer than so many samples, of dyads, which need no guess.
-const LONGEST: f64 = 4.0;
+/// Maximum length of a step, in samples: of groups, whose guess is interpolated over it, and of dyads, which need none.
+pub(super) const LONGEST_OF_GROUPS: f64 = 2.0;
+const LONGEST_OF_DYADS: f64 = 4.0;
 /// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 pub(super) const HALVINGS: i32 = 24;
 /// … nor for a group, which may be drawn close to a singular pose and leave it.
@@ -144,7 +145,11 @@ impl<'a> Continuation<'a> {
         let sense = (target - self.input).signum();
         let cell = self.mechanism.span() / GRID as f64;
         let has_groups = self.mechanism.steps().ids().any(|step| self.is_group(step));
-        let longest = if has_groups { cell } else { LONGEST * cell };
+        let longest = if has_groups {
+            LONGEST_OF_GROUPS
+        } else {
+            LONGEST_OF_DYADS
+        } * cell;
         let mut width = longest;
         let mut taken = BEFORE_LONGER;
         // What is ahead is looked for once at a width: that takes as long as many steps.

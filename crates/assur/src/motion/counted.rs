@@ -12,7 +12,7 @@ use crate::mechanism::Mechanism;
 ///
 /// The range begins within half a period of 0, from whichever of its poses it was followed. Where the motion is given up
 /// at an end nothing is known beyond it: inputs are counted from the drawn one, and an input outside is brought into the
-/// range by whole turns only where these do not count, so that the angle of the crank tells its pose.
+/// range by whole turns only where these do not count, so that the angle of the crank alone determines its pose.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

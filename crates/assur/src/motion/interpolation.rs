@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use super::continuation::LONGEST_OF_GROUPS;
 use crate::Cycle;
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};
@@ -34,7 +35,7 @@ pub(super) struct Knots {
     first: f64,
     /// Where links pass through in line.
     smooth_roots: Vec<SmoothRoot>,
-    /// How far apart samples are at most.
+    /// The distance of samples.
     cell: f64,
     /// The least and the greatest first margin of each step over all samples, those not kept among them.
     margins: List<StepId, [f64; 2]>,
@@ -280,8 +281,8 @@ impl Knot {
         let even = ways[0] <= UNEVEN * ways[1] && ways[1] <= UNEVEN * ways[0];
         let few = self.turned + after.turned <= MOST_TURNED;
         let joined = [before, after].iter().all(|knot| knot.signs == self.signs);
-        // Longer than a cell the guess would not be as good as Newton's method makes it.
-        let in_cell = ways[0] + ways[1] <= cell;
+        // Longer than the steps of groups the guess would not be as good as Newton's method makes it.
+        let is_short = ways[0] + ways[1] <= LONGEST_OF_GROUPS * cell;
         let meets = || {
             let mut guesses = between(before, after, self.input);
             self.places().enumerate().all(|(k, place)| {
@@ -291,7 +292,7 @@ impl Knot {
                 (Vector::from(guess) - place).norm() <= met
             })
         };
-        even && few && joined && (self.natural.is_empty() || in_cell && meets())
+        even && few && joined && (self.natural.is_empty() || is_short && meets())
     }
 
     /// The unknowns of groups, in their places.

@@ -18,7 +18,7 @@ pub(crate) struct SynthesisSummary<'a> {
     /// What there is to choose from.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
-    /// Those that are told apart by a number, in the order of their numbers.
+    /// The numbered solutions in the order of their numbers.
     solutions: Vec<SolutionSummary>,
     /// Their numbers, from 1, in the order in which they are shown.
     shown: Vec<usize>,
@@ -53,7 +53,7 @@ pub(crate) struct SolutionSummary {
     gap: f64,
     /// ΣJ, in squares of the unit of lengths.
     sum: f64,
-    /// By how much the output is off its given angles at most, radians; none where a position is not reached.
+    /// Maximum error of the output angle, radians; none where a position is not reached.
     output_error: Option<f64>,
     /// Whether a length is at the end of what is searched.
     at_bound: bool,

@@ -110,7 +110,7 @@ impl Options {
         self.order().first().copied().unwrap_or(0)
     }
 
-    /// Those that are told apart by a number, in the order of their numbers: of minima the least ΣJ first.
+    /// The numbered solutions in the order of their numbers: of minima the least ΣJ first.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
             Self::Family(_) => Vec::new(),
