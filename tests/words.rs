@@ -196,6 +196,7 @@ const LINKS: &[&str] = &[
     "crates/assur-file/catalogue/watt-2.json",
     "crates/assur-file/catalogue/whitworth.json",
     "crates/assur-file/catalogue/wiper.json",
+    "www/lessons/mobility/presets.json",
 ];
 
 /// The tables of all that the page says.
@@ -454,7 +455,7 @@ fn lessons_have_their_words_and_no_more() {
             assert_eq!(step.contains("whole: true"), whole, "{name}: {id}.right");
         }
         assert!(
-            (3..=8).contains(&script.matches("    id: \"").count()),
+            (3..=9).contains(&script.matches("    id: \"").count()),
             "{name}"
         );
         let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();

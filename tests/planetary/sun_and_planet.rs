@@ -93,7 +93,8 @@ fn watts_sun_and_planet() {
             let expected = pose.coupler.derivative(2) / rate.powi(2)
                 - pose.coupler.derivative(1) * bend / rate.powi(3);
             assert_near(rod_second, expected, 1e-11, &what);
-            assert!(residual(&motion, input) < 1e-13, "{what}");
+            let left = residual(&motion, input);
+            assert!(left < 1e-13, "{what}: {left}");
         }
     }
 }

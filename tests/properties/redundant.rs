@@ -355,7 +355,18 @@ fn spoiled_ones_are_refused() {
     }
 }
 
-/// As files with four decimals have them: made exact they move, and no point has moved by more than a few of these.
+/// Whether the cranks are drawn within half a degree of a pose in line with their pivots, if they are cranks on a rod.
+fn is_in_line(draft: &Draft) -> bool {
+    let place = |name: &str| draft.points.iter().find(|point| point.name == name);
+    let [Some(a), Some(b), Some(c)] = ["A0", "A1", "B0"].map(place) else {
+        return false;
+    };
+    let [line, crank] = [b.at - a.at, c.at - a.at].map(|way| way.normalize());
+    line.perp(&crank).abs() < 0.5_f64.to_radians()
+}
+
+/// As files with four decimals have them: made exact they move, and no point has moved by more than a few of these. A
+/// drawing in line may have no offer: there the rounding outweighs the shape.
 #[test]
 fn nearly_exact_ones_are_made_exact() {
     let mut random = Random::new(37);
@@ -372,8 +383,10 @@ fn nearly_exact_ones_are_made_exact() {
             if Mechanism::new(&draft).is_ok() {
                 continue;
             }
-            let exact = draft.made_exact();
-            let exact = exact.unwrap_or_else(|| panic!("{name} {seed}: {:?}", draft.points));
+            let Some(exact) = draft.made_exact() else {
+                assert!(is_in_line(&draft), "{name} {seed}: {:?}", draft.points);
+                continue;
+            };
             // Near a singular pose more than the last digit has to change.
             let most = NEARLY * size(&draft);
             assert!(exact.by <= most, "{name} {seed}: {}", exact.by);

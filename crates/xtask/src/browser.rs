@@ -37,8 +37,10 @@ struct Program {
 
 const CHROME: Program = Program {
     variable: "CHROME",
-    // The shell has the same engine without the parts of a window, and starts sooner.
+    // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of that name does
+    // not pass on the signal by which its driver ends it: the browser would be left over.
     names: &[
+        "/usr/lib/chromium/chromium-headless-shell",
         "chromium-headless-shell",
         "chromium",
         "chromium-browser",

@@ -12,9 +12,6 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 
 /// Samples a turn.
 pub(super) const GRID: usize = 360;
-/// Maximum length of a step, in samples: of groups, whose guess is interpolated over it, and of dyads, which need none.
-pub(super) const LONGEST_OF_GROUPS: f64 = 2.0;
-const LONGEST_OF_DYADS: f64 = 4.0;
 /// No step is halved more often for a dyad, whose closed form tells what is met within so little …
 pub(super) const HALVINGS: i32 = 24;
 /// … nor for a group, which may be drawn close to a singular pose and leave it.
@@ -32,6 +29,17 @@ const LOOKING: usize = 200;
 const SAME: f64 = 1e-7;
 /// No more steps are tried, by bodies that are solved in each and by samples as many as are in one: about half a second. Hunting teeth may take more turns.
 const MOST_WORK: usize = 250_000;
+
+/// Maximum length of a step. Groups are solved from a guess that is interpolated over it, of wheels in mesh closely; dyads
+/// need no guess.
+pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
+    let samples = mechanism.steps().iter().map(|step| match step {
+        Step::Group(group) if group.has_meshes() => 1.0,
+        Step::Group(_) => 2.0,
+        _ => 4.0,
+    });
+    samples.fold(4.0, f64::min) * mechanism.span() / GRID as f64
+}
 
 /// How a motion ended.
 pub(super) enum End {
@@ -144,12 +152,7 @@ impl<'a> Continuation<'a> {
     fn go_to(&mut self, target: f64, knots: &mut Knots) -> Option<DeadPoint> {
         let sense = (target - self.input).signum();
         let cell = self.mechanism.span() / GRID as f64;
-        let has_groups = self.mechanism.steps().ids().any(|step| self.is_group(step));
-        let longest = if has_groups {
-            LONGEST_OF_GROUPS
-        } else {
-            LONGEST_OF_DYADS
-        } * cell;
+        let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut taken = BEFORE_LONGER;
         // What is ahead is looked for once at a width: that takes as long as many steps.

@@ -23,9 +23,9 @@ const CONVERGED: f64 = 1e-15;
 const FREE: f64 = 1e2;
 /// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and inexact.
 const PARALLEL: f64 = 2e-3;
-/// Relative size of the singular values that are taken for zero where a pose is first looked for: near a singular pose
-/// the error of the drawing is not to grow.
-const NEAR_SINGULAR: f64 = 1e-3;
+/// Relative sizes, tried in turn, of the singular values that are taken for zero where poses are first looked for: near a
+/// singular pose the error of the drawing is not to grow.
+const NEAR_SINGULAR: [f64; 2] = [1e-3, 1e-2];
 /// Relative tolerances of the rank, tried in turn: the size of the singular values that vanish at the solution depends
 /// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
@@ -50,10 +50,12 @@ impl Draft {
         if !refused.iter().all(locked) {
             return None;
         }
-        let mut system = System::new(self)?;
-        let start = system.start()?;
-        let mut ranks = RANKS.into_iter();
-        ranks.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
+        NEAR_SINGULAR.into_iter().find_map(|least| {
+            let mut system = System::new(self)?;
+            let start = system.start(least)?;
+            let mut ranks = RANKS.into_iter();
+            ranks.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
+        })
     }
 
     /// The drawing with its points in other places, if it moves then and is nowhere locked.
@@ -247,7 +249,7 @@ impl System {
     }
 
     /// The drawing with poses around it that nearly fulfil the constraints, and their angles of the crank.
-    fn start(&mut self) -> Option<(DVector<f64>, Vec<f64>)> {
+    fn start(&mut self, least: f64) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
         let width = drawn.len();
@@ -261,7 +263,7 @@ impl System {
                 let ahead = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
                 let both = drawn.iter().copied().chain(ahead);
                 let both = DVector::from_iterator(2 * width, both);
-                let next = self.nearest(both, &[angle], [0.0, NEAR_SINGULAR])?;
+                let next = self.nearest(both, &[angle], [0.0, least])?;
                 before = std::mem::replace(&mut pose, next.as_slice()[width..].to_vec());
                 if step % STEPS == 0 {
                     angles.push(angle);

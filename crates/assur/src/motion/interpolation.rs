@@ -3,7 +3,6 @@
 
 use std::f64::consts::TAU;
 
-use super::continuation::LONGEST_OF_GROUPS;
 use crate::Cycle;
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};
@@ -35,8 +34,8 @@ pub(super) struct Knots {
     first: f64,
     /// Where links pass through in line.
     smooth_roots: Vec<SmoothRoot>,
-    /// The distance of samples.
-    cell: f64,
+    /// The greatest distance of knots between which a guess is interpolated.
+    longest: f64,
     /// The least and the greatest first margin of each step over all samples, those not kept among them.
     margins: List<StepId, [f64; 2]>,
 }
@@ -55,9 +54,9 @@ struct Knot {
 }
 
 impl Knots {
-    pub(super) fn new(cell: f64) -> Self {
+    pub(super) fn new(longest: f64) -> Self {
         Self {
-            cell,
+            longest,
             ..Self::default()
         }
     }
@@ -79,7 +78,7 @@ impl Knots {
         self.span(knot.margins.iter().map(|margin| [*margin; 2]));
         self.list.push(knot);
         while let [.., a, b, c] = &self.list[..]
-            && b.is_told_by(a, c, self.cell)
+            && b.is_told_by(a, c, self.longest)
         {
             let turned = b.turned + c.turned;
             self.list.swap_remove(self.list.len() - 2);
@@ -119,7 +118,7 @@ impl Knots {
             parts: 0.0,
             first: 0.0,
             smooth_roots: Vec::new(),
-            cell: 0.0,
+            longest: 0.0,
             margins: signs.alike([1.0; 2]),
         }
     }
@@ -276,13 +275,13 @@ impl Knots {
 
 impl Knot {
     /// Whether the two knots beside it tell what it tells.
-    fn is_told_by(&self, before: &Self, after: &Self, cell: f64) -> bool {
+    fn is_told_by(&self, before: &Self, after: &Self, longest: f64) -> bool {
         let ways = [before, after].map(|knot| (knot.input - self.input).abs());
         let even = ways[0] <= UNEVEN * ways[1] && ways[1] <= UNEVEN * ways[0];
         let few = self.turned + after.turned <= MOST_TURNED;
         let joined = [before, after].iter().all(|knot| knot.signs == self.signs);
         // Longer than the steps of groups the guess would not be as good as Newton's method makes it.
-        let is_short = ways[0] + ways[1] <= LONGEST_OF_GROUPS * cell;
+        let is_short = ways[0] + ways[1] <= longest;
         let meets = || {
             let mut guesses = between(before, after, self.input);
             self.places().enumerate().all(|(k, place)| {

@@ -51,7 +51,7 @@ use crate::Cycle;
 use crate::index::StepId;
 use crate::mechanism::{Mechanism, Pose, Signs, Unsolved};
 use crate::position::Step;
-use continuation::{Continuation, End, GRID};
+use continuation::{Continuation, End, longest_step};
 use counted::range_between;
 use interpolation::Knots;
 
@@ -91,8 +91,8 @@ impl Motion {
 
     fn followed(mut mechanism: Mechanism) -> Self {
         let mut forth = Continuation::new(&mechanism);
-        let cell = mechanism.span() / GRID as f64;
-        let mut knots = Knots::new(cell);
+        let longest = longest_step(&mechanism);
+        let mut knots = Knots::new(longest);
         let full = match forth.go(1.0, &mut knots) {
             End::Closed(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
@@ -100,7 +100,7 @@ impl Motion {
             }
             End::Dead(last) => {
                 let mut back = Continuation::new(&mechanism);
-                let mut before = Knots::new(cell);
+                let mut before = Knots::new(longest);
                 let first = match back.go(-1.0, &mut before) {
                     End::Dead(first) => first,
                     // It cannot turn fully one way only.

@@ -174,6 +174,11 @@ impl Group {
         })
     }
 
+    /// Whether wheels are in mesh within it.
+    pub(crate) fn has_meshes(&self) -> bool {
+        !self.meshes.is_empty()
+    }
+
     /// Whether it has more equations than unknowns.
     pub(crate) fn is_redundant(&self) -> bool {
         self.equations.len() > 2 * self.unknowns
