@@ -105,12 +105,11 @@ async fn everything_works_under_the_policy_and_then_without_the_network() {
             (&json!("script-src-elem"), &json!("inline"))
         );
     }
-    assert!(
-        page.said()
-            .await
-            .iter()
-            .any(|entry| entry.replace('-', " ").contains("Content Security Policy"))
-    );
+    // The browser says so in its own time.
+    page.until("a word of the policy", async || {
+        page.said().await.iter().any(|entry| is_of_policy(entry))
+    })
+    .await;
 
     host.down(true);
     page.reload().await;
@@ -137,8 +136,9 @@ async fn everything_works_under_the_policy_and_then_without_the_network() {
     // because the page was left.
     let said = page.said().await;
     assert!(
-        said.iter()
-            .all(|entry| entry.contains("/favicon.ico") || entry.contains("Failed to load ‘’")),
+        said.iter().all(|entry| entry.contains("/favicon.ico")
+            || entry.contains("Failed to load ‘’")
+            || is_of_policy(entry)),
         "{said:#?}"
     );
 }
@@ -170,6 +170,11 @@ async fn packed_files_are_the_files() {
         assert_eq!((coding, bytes), (json!("br"), json!(length)), "{name}");
     }
     page.close().await;
+}
+
+/// Whether a message on the console is of the content security policy.
+fn is_of_policy(entry: &str) -> bool {
+    entry.replace('-', " ").contains("Content Security Policy")
 }
 
 /// The files of a folder, by their paths in it.
