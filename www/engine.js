@@ -55,6 +55,14 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
+/** Of a text of another program the engine reads no more characters, and refuses one with as many as too large: its memory only grows. */
+const LONGEST_FOREIGN = 2 ** 20 + 1;
+
+/** @param {string} text */
+function begun(text) {
+  return text.slice(0, LONGEST_FOREIGN);
+}
+
 export class Engine {
   #simulator = new module.Simulator();
   /** @type {State | null} the last state the simulator took */
@@ -183,7 +191,7 @@ export class Engine {
    * @returns {boolean} whether it is meant as something of another program
    */
   isForeign(text) {
-    return this.ask(() => module.isImport(text));
+    return this.ask(() => module.isImport(begun(text)));
   }
 
   /**
@@ -191,7 +199,7 @@ export class Engine {
    * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} what it says, and codes of what could not be taken over as it was
    */
   readForeign(text) {
-    return this.ask(() => module.readImport(text));
+    return this.ask(() => module.readImport(begun(text)));
   }
 
   /**

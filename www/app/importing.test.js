@@ -4,6 +4,9 @@ import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { lineOf } from "assur/app/notices.js";
 import { takeFile, takeForeign } from "assur/app/opening.js";
+import { fileText } from "assur/app/share.js";
+import { LONGEST_FILE } from "assur/state/codec.js";
+import init from "assur/pkg/assur_web.js";
 import { newEngine } from "assur/tests/engine.js";
 import { LANGUAGES, wordsOf } from "assur/tests/words.js";
 
@@ -97,4 +100,19 @@ test("what does not move is opened as a drawing", async () => {
   const { state } = await takeFile(read("jansen.linkage2").replace(" input=\"true\"", ""), "e.linkage2", engine, habits);
   assert.equal(state.kind, "draft");
   assert.ok(engine.set(state).reasons?.some(({ code }) => code === "no_driver"), JSON.stringify(Object.keys(engine.set(state))));
+});
+
+test("a text or file that is too large is refused, and the engine's memory does not grow", async () => {
+  const { memory } = await init();
+  const before = memory.buffer.byteLength;
+  const large = `<linkage2>${" ".repeat(100_000_000)}</linkage2>`;
+  assert.ok(engine.isForeign(large));
+  for (const { failure } of [await takeForeign(large, null, engine, habits), await takeFile(large, "f.linkage2", engine, habits)]) {
+    assert.match(lineOf(failure, words), /too large/);
+  }
+  const text = await fileText(new File([large], "g.json"));
+  assert.equal(text.length, LONGEST_FILE + 1);
+  const { state } = await takeFile(text.replace("<linkage2>", ""), "g.json", engine, habits);
+  assert.equal(state, null);
+  assert.ok(memory.buffer.byteLength - before < 2 ** 23, `${memory.buffer.byteLength - before} bytes`);
 });

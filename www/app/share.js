@@ -1,7 +1,7 @@
 // Copying the link, opening and saving files.
 import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { toFile } from "assur/state/codec.js";
+import { LONGEST_FILE, toFile } from "assur/state/codec.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -37,10 +37,10 @@ export function saveFile(state, name) {
 
 /**
  * @param {File} file
- * @returns {Promise<string>} what is in it; one that cannot be read at all is like one with nothing in it
+ * @returns {Promise<string>} its text; of one that is too large so much that it is refused as that, of one that cannot be read nothing
  */
 export function fileText(file) {
-  return file.text().catch(() => "");
+  return file.slice(0, LONGEST_FILE + 1).text().catch(() => "");
 }
 
 /**

@@ -2,17 +2,20 @@
 
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
 
+/** The letter before an exponent, as browsers write it in Ukrainian. */
+const CYRILLIC_E = /[еЕ]/g;
+
 /** Beyond these sizes a number is written with a power of ten: nobody counts noughts. */
 const HUGE = 1e9;
 const TINY = 1e-6;
 
 /**
- * Reads a number with a decimal point or comma, spaces between digits, a typographic minus, a degree sign.
+ * Reads a number with a decimal point or comma, spaces between digits, a typographic minus, a degree sign, an exponent after a Latin or Cyrillic E.
  * @param {string} text
  * @returns {number | null} null where the text is not one finite number
  */
 export function parseNumber(text) {
-  const plain = text.replace(/[\s°]/g, "").replace(/\u2212/g, "-");
+  const plain = text.replace(/[\s°]/g, "").replace(/\u2212/g, "-").replace(CYRILLIC_E, "e");
   if (!NUMBER.test(plain)) return null;
   const value = Number(plain.replace(",", "."));
   return Number.isFinite(value) ? value : null;

@@ -1,6 +1,7 @@
 // The table of a sweep as CSV: numbers so short that they read back as the very same.
 import { degrees, radians } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
+import { parseNumber } from "assur/core/numbers.js";
 import { calledWhole, isLength } from "assur/core/symbols.js";
 
 /**
@@ -132,11 +133,16 @@ function scale({ quantity }, { moves }, choices) {
   return of < by ? radians(1) ** (by - of) : degrees(1) ** (of - by);
 }
 
+/** The beginning of a cell that a spreadsheet takes for a formula. */
+const FORMULA = /^[=+\-@\t\r]/;
+
 /**
- * @param {string} cell
+ * @param {string} text
  * @param {string} separator
+ * @returns {string} a cell; a name that begins as a formula would has an apostrophe before it, by which spreadsheets leave it a text
  */
-function quoted(cell, separator) {
+function quoted(text, separator) {
+  const cell = FORMULA.test(text) && parseNumber(text) === null ? `'${text}` : text;
   return cell.includes(separator) || /["\n\r]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
 }
 

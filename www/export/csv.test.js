@@ -175,3 +175,12 @@ test("a name with a separator, quotes or a new line stays one cell", async () =>
     assert.equal(text, `phi_deg,${cell},reason\n0,1,\n`);
   }
 });
+
+test("a name that a spreadsheet would take for a formula is left a text", async () => {
+  const state = stateOf(engine, "crank-rocker");
+  const { document } = state;
+  const named = withDocument(state, { ...document, plots: [], links: document.links.map((link) => (link.name === "rocker" ? { ...link, name: "=1+1" } : link)) });
+  const [head] = (await write(named, { dimensions: false }).text()).replace("\ufeff", "").split("\n");
+  assert.ok(head.split(",").includes("'=1+1.angle_rad"), head);
+  assert.ok(head.split(",").every((cell) => !cell.startsWith("=")), head);
+});

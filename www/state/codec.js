@@ -20,7 +20,7 @@ const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 /** Longer and deeper ones are none of ours. */
 export const LONGEST = 400_000;
 /** A file may have an image besides, of which the engine says whether it is too long. */
-const LONGEST_FILE = 20_000_000;
+export const LONGEST_FILE = 20_000_000;
 const DEEPEST = 12;
 
 /** Where the driver stands: left out of a short address while it moves. */
