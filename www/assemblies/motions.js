@@ -17,6 +17,8 @@ export class Motions {
   #next = /** @type {object | null} */ (null);
   #busy = true;
   #revision = 0;
+  /** @type {object | null} the state of that linkage, by which a new worker begins */
+  #state = null;
   /** The input and the assembly that were asked for last. */
   #asked = "";
   /** @type {MotionsMap | null} of the newest linkage whose map was found */
@@ -40,6 +42,7 @@ export class Motions {
   of(revision, state) {
     if (this.#revision === revision) return;
     this.#revision = revision;
+    this.#state = state;
     this.current = this.lost = false;
     this.belonging = null;
     this.#asked = "";
@@ -81,8 +84,10 @@ export class Motions {
     try {
       const response = await fetchWasm();
       const wasm = await response.arrayBuffer();
-      worker.postMessage({ wasm, ...this.#next }, [wasm]);
-      this.#next = null;
+      // A worker knows nothing of the linkage that another one broke at: what is asked of it waits for the map.
+      const question = this.#next && "state" in this.#next ? this.#next : { revision: this.#revision, state: this.#state };
+      if (question === this.#next) this.#next = null;
+      worker.postMessage({ wasm, ...question }, [wasm]);
     } catch {
       this.#next = null;
       this.#hear({ lost: true, broken: true });
@@ -97,6 +102,7 @@ export class Motions {
       this.current = current;
     }
     if (belonging && current) this.belonging = belonging;
+    if (current && (map || belonging)) this.lost = false;
     if (lost) {
       this.lost = true;
       if (current) this.map = null;

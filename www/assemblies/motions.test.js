@@ -102,3 +102,17 @@ test("where the engine does not arrive the map is lost, and the next linkage get
   await until(() => motions.current);
   assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
 });
+
+test("after a break at an input the next one is answered, by a worker of its own", PATIENCE, async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  await until(() => motions.current);
+  // No number of the engine: its call throws, as one that trapped does.
+  motions.at(2n, 0);
+  await until(() => motions.lost);
+  assert.equal(Worker.running.size, 0);
+  motions.at(1, 0);
+  await until(() => motions.belonging);
+  assert.deepEqual([motions.lost, motions.current, Worker.running.size], [false, true, 1]);
+  assert.deepEqual(motions.belonging.reached, [[], null]);
+});
