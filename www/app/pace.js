@@ -1,5 +1,6 @@
 // What is read beside the drawing, while a pointer makes another mechanism in every frame: it is written as often as leaves the hand most
 // of the time.
+import { whenReleased } from "assur/core/released.js";
 
 /** What takes no longer than this, in milliseconds, has its place in every frame. */
 const BRIEF = 3;
@@ -20,7 +21,7 @@ export class Pace {
 
   static {
     addEventListener("pointerdown", () => (Pace.#pressed = true), true);
-    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (Pace.#pressed = false), true);
+    whenReleased(() => (Pace.#pressed = false));
   }
 
   /**

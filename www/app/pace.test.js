@@ -110,3 +110,16 @@ test("what takes long rests twelve times as long while a pointer drags, and is w
   assert.equal(keep(4, 10), true);
   assert.equal(written(), 4);
 });
+
+test("a release that goes elsewhere is one", (t) => {
+  const { keep, rest, written } = begin(t);
+  for (const end of ["pointerup", "pointercancel", "contextmenu", "blur"]) {
+    keep(end, 10);
+    happen("pointerdown");
+    assert.equal(keep(`${end} after`, 10), false, end);
+    happen(end);
+    assert.equal(keep(`${end} after`, 10), true, end);
+    rest(1000);
+  }
+  assert.equal(written(), 8);
+});

@@ -1,4 +1,5 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
+import { whenReleased } from "assur/core/released.js";
 import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
@@ -55,11 +56,7 @@ export class History {
         if (!pressed && !left) this.close();
       }, true);
     }
-    for (const end of ["pointerup", "pointercancel"]) {
-      addEventListener(end, () => {
-        this.#slid = null;
-      }, true);
-    }
+    whenReleased(() => (this.#slid = null));
     // Keys after a drag are another step.
     addEventListener("keydown", () => {
       if (this.#pointed) this.close();
