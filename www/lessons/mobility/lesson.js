@@ -65,7 +65,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "q = W − (3n − 2P₁)",
     shows: [{ name: "cranks", preset: "coupled-cranks", play: true }, { name: "doubled", preset: "doubled", play: true }],
     readouts: ["linkage-w"],
-    question: { hides: ["redundant"], within: 0, answer: (/** @type {import("assur/engine.js").LinkageSummary} */ { counts }) => counts.mobility - counts.by_count },
+    question: { hides: ["redundant", "formula"], within: 0, answer: (/** @type {import("assur/engine.js").LinkageSummary} */ { counts }) => counts.mobility - counts.by_count },
   },
   {
     id: "mending",
