@@ -1,6 +1,6 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { Refusal } from "assur/core/problem.js";
-import { Compared } from "assur/state/compared.js";
+import { Compared, discard } from "assur/state/compared.js";
 import { alone, contains } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
@@ -259,7 +259,7 @@ export class Engine {
       try {
         return questions(other);
       } finally {
-        other.free();
+        discard(other);
       }
     });
   }

@@ -17,6 +17,18 @@ const SHARED = Object.freeze(/** @type {const} */ (["traces", "measures", "plot"
 /** Of mechanisms that go by these inputs one can be beside the other. */
 const INPUTS = Object.freeze(["angle", "length"]);
 
+/**
+ * Frees a simulator. One whose call trapped cannot be freed: it counts as borrowed for ever.
+ * @param {Simulator} simulator
+ */
+export function discard(simulator) {
+  try {
+    simulator.free();
+  } catch (thrown) {
+    console.error(thrown);
+  }
+}
+
 export class Compared {
   /** @type {Simulator | null} with A, where it can be shown */
   simulator = null;
@@ -92,7 +104,7 @@ export class Compared {
         return;
       } catch (thrown) {
         this.#lost(thrown);
-        simulator.free();
+        discard(simulator);
       }
     }
   }
@@ -106,7 +118,7 @@ export class Compared {
   }
 
   #drop() {
-    this.simulator?.free();
+    if (this.simulator) discard(this.simulator);
     this.simulator = null;
     this.#summary = null;
   }
