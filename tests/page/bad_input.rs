@@ -127,3 +127,40 @@ async fn angle_without_a_pose() {
     );
     page.close().await;
 }
+
+/// Where the plots break, numbers and drawing go on, and a sentence says so; with another mechanism they are tried again.
+#[tokio::test]
+async fn a_view_that_breaks_stops_no_other() {
+    let page = Page::open().await;
+    page.stop_at("75").await;
+    // Of the page: a script of the driver has prototypes of its own in Firefox.
+    page.ask(
+        "const script = document.createElement('script');
+        script.textContent = `const { fillText } = CanvasRenderingContext2D.prototype;
+            CanvasRenderingContext2D.prototype.fillText = () => { throw new Error('broken for the test'); };
+            globalThis.mend = () => { CanvasRenderingContext2D.prototype.fillText = fillText; };`;
+        document.head.append(script);",
+    )
+    .await;
+    page.write("angle", "100").await;
+    page.until("the sentence", async || {
+        let told = page.text("notice-text").await;
+        told.contains("Part of the page broke")
+    })
+    .await;
+    assert!((page.value("out-input").await - 100.0).abs() < 1e-9);
+    let rate = page.value("out-drocker").await;
+    page.write("angle", "130").await;
+    assert_ne!(page.value("out-drocker").await, rate);
+    let said = page.said().await;
+    assert!(!said.is_empty());
+    let broken = |line: &String| line.contains("broken for the test");
+    assert!(said.iter().all(broken), "{said:#?}");
+
+    page.ask("const script = document.createElement('script'); script.textContent = 'mend()'; document.head.append(script)")
+        .await;
+    page.click("notice-close").await;
+    page.write("field-l2", "0.8").await;
+    assert_eq!(page.text("notice-text").await, "");
+    page.close().await;
+}

@@ -11,6 +11,9 @@ import { byId, make } from "assur/core/dom.js";
 /** @type {readonly Failure[]} a part of the page did not arrive */
 export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arrived" }] }]);
 
+/** @type {readonly Failure[]} a part of the page broke */
+export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_broke" }] }]);
+
 /** @type {readonly Failure[]} what is shown is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 

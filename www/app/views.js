@@ -2,7 +2,8 @@
 // first rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
-import { LOST } from "assur/app/notices.js";
+import { BROKE, LOST } from "assur/app/notices.js";
+import { Rendering } from "assur/app/rendering.js";
 import { Pace } from "assur/app/pace.js";
 import { Title } from "assur/app/title.js";
 import { AboutLink } from "assur/controls/about.js";
@@ -46,6 +47,7 @@ export class Views {
   #page;
   /** @type {readonly View[]} what a hand is at, drawn in every frame */
   #held;
+  #rendering;
   /** @type {View[]} */
   #views;
   /** @type {readonly MotionView[]} */
@@ -77,6 +79,7 @@ export class Views {
     chart.redrawn = () => cursor.redraw();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
     this.#held = held;
+    this.#rendering = new Rendering(() => page.notices.tell(BROKE));
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
     this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page), new Measures(page), new Comparing(page)];
@@ -85,10 +88,10 @@ export class Views {
 
   /** @param {AnySnapshot} snapshot */
   render(snapshot) {
-    for (const view of this.#held) view.render(snapshot);
+    this.#rendering.all(this.#held, snapshot);
     const { revision } = snapshot;
     const { plots, others } = this.#paces;
-    const plotted = !moves(snapshot) || plots.keep(revision, () => this.#plots.forEach((view) => view.render(snapshot)));
+    const plotted = !moves(snapshot) || plots.keep(revision, () => this.#rendering.all(this.#plots, snapshot));
     const written = others.keep(revision, () => this.#write(snapshot));
     if (!plotted || !written) this.#page.redraw();
   }
@@ -99,14 +102,14 @@ export class Views {
     if (!state.view.playing && !this.#described) this.#describe();
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
-    for (const view of this.#views) view.render(snapshot);
+    this.#rendering.all(this.#views, snapshot);
     for (const name of TOOL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, TOOLS[name], this.#views);
     for (const name of PANEL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, PANELS[name], this.#moving);
-    if (moves(snapshot)) for (const view of this.#moving) view.render(snapshot);
+    if (moves(snapshot)) this.#rendering.all(this.#moving, snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
     if (!own) this.#bring(kind);
-    for (const view of own ?? []) view.render(snapshot);
+    this.#rendering.all(own ?? [], snapshot);
   }
 
   /**
