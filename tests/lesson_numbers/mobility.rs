@@ -11,11 +11,16 @@ use super::{LANGUAGES, Lesson};
 
 const LESSON: Lesson = Lesson("mobility");
 
+/// The document of a preset of the lesson's own.
+fn own_preset(name: &str) -> Option<Value> {
+    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
+    Some(presets.get(name)?["document"].clone())
+}
+
 /// What a preset of the lesson has, or of the catalogue: as the page does, it looks for its own first.
 fn document(name: &str) -> SchemeDocument {
-    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    if let Some(own) = presets.get(name) {
-        return serde_json::from_value(own["document"].clone()).unwrap();
+    if let Some(own) = own_preset(name) {
+        return serde_json::from_value(own).unwrap();
     }
     let Some(Ok(Document::Scheme(scheme))) = assur_file::document(name) else {
         panic!("{name} is no scheme");
@@ -317,11 +322,10 @@ fn press_with_a_compound_hinge() {
 
 /// A linkage among the lesson's presets, or of the catalogue.
 fn linkage(name: &str) -> Draft {
-    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    let Some(own) = presets.get(name) else {
+    let Some(own) = own_preset(name) else {
         return from_catalogue(name).unwrap().unwrap().draft();
     };
-    let own: LinkageDocument = serde_json::from_value(own["document"].clone()).unwrap();
+    let own: LinkageDocument = serde_json::from_value(own).unwrap();
     own.draft()
 }
 

@@ -1,8 +1,10 @@
 // When a pointer that was pressed is released.
 
-/** @param {() => void} then a pointer was released; also where its release goes elsewhere, to a context menu, another frame or window */
+/**
+ * The window's own `blur` counts as well: that of an element, which may lose the focus while a pointer is down, does not bubble to it.
+ * @param {() => void} then called when a pointer is released, or its release goes to a context menu, another frame or another window
+ */
 export function whenReleased(then) {
   for (const end of ["pointerup", "pointercancel", "contextmenu"]) addEventListener(end, then, true);
-  // That of the window: of elements, which may lose the focus while a pointer is down, it does not bubble.
   addEventListener("blur", then);
 }
