@@ -126,6 +126,7 @@ async fn a_lesson_is_written_answered_and_its_result_checked() {
     assert_eq!(verdict(&page).await, "unanswered");
     page.click("lesson-0").await;
     page.click("lesson-check").await;
+    page.click("lesson-check").await;
     assert_eq!(verdict(&page).await, "not_yet");
     assert!(page.text("lesson-said").await.contains("Count again."));
     page.click("lesson-on").await;
@@ -135,16 +136,29 @@ async fn a_lesson_is_written_answered_and_its_result_checked() {
     page.until("it to be reached", async || verdict(&page).await == "right")
         .await;
     let code = page.written("lesson-code").await;
+    // Another student gives up.
+    page.write("lesson-reader", "Bo").await;
+    page.click("lesson-back").await;
+    page.click("lesson-reveal").await;
+    assert!(page.text("lesson-said").await.contains("The answer: III."));
+    page.click("lesson-1").await;
+    page.click("lesson-check").await;
+    assert_eq!(verdict(&page).await, "right");
+    let shown = page.written("lesson-code").await;
+    // The answers are in the form, which a student's copy does not offer.
+    assert_eq!(page.count("#lesson-write").await, 0);
 
     // The lecturer checks it, beside one that is damaged and what is none.
-    page.click("lesson-write").await;
+    page.click("menu").await;
+    page.click("write-lesson").await;
     there(&page, "write-class").await;
     press(&page, "write-class").await;
     let damaged = code.replacen('.', ".A", 1);
-    let codes = format!("{code}\n{damaged}\nhello");
+    let codes = format!("{code}\n{damaged}\nhello\n{shown}");
     fill(&page, "write-codes", &codes).await;
     let rows = table(&page).await;
-    assert_eq!(rows[0], "Ann Lee|✓ 40,4|✗ II|✓|2 of 3");
+    assert_eq!(rows[0], "Ann Lee|✓ 40,4 (2)|✗ II (1)|✓ (1)|2 of 3");
+    assert_eq!(rows[3], "Bo|–|◇|✓ (1)|1 of 3");
     assert!(
         rows[1].contains("Line 2") && rows[2].contains("Line 3"),
         "{rows:?}"
@@ -225,7 +239,8 @@ async fn a_name_has_numbers_of_its_own() {
     assert_eq!(lengths[0], lengths[2]);
 
     // The sheets of the class have the same numbers.
-    page.click("lesson-write").await;
+    page.click("menu").await;
+    page.click("write-lesson").await;
     there(&page, "write-class").await;
     press(&page, "write-class").await;
     page.until("what prints", async || {
@@ -278,7 +293,8 @@ async fn markup_in_a_lesson_is_text() {
     page.click("lesson-check").await;
     assert!(page.text("lesson-said").await.contains(evil));
     page.write("lesson-reader", evil).await;
-    page.click("lesson-write").await;
+    page.click("menu").await;
+    page.click("write-lesson").await;
     there(&page, "write-title").await;
     assert_eq!(page.written("write-title").await, evil);
     assert_eq!(

@@ -49,6 +49,7 @@ mod mobility_hands;
 mod mobility_lesson;
 mod mobility_practice;
 mod more;
+mod next;
 mod one_plot;
 mod overlays;
 mod package;

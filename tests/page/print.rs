@@ -160,8 +160,9 @@ async fn the_sheets_of_a_class_are_whole() {
     fs::write(&path, lesson(&page).await.to_string()).unwrap();
     page.choose_file("file", &path).await;
     open_tab(&page).await;
-    there(&page, "lesson-write").await;
-    page.click("lesson-write").await;
+    there(&page, "lesson-title").await;
+    page.click("menu").await;
+    page.click("write-lesson").await;
     there(&page, "write-class").await;
     press(&page, "write-class").await;
     fill(&page, "write-names", "Ann\nBo\nCai").await;

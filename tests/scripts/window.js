@@ -5,6 +5,7 @@ const view = new EventTarget();
 setMaxListeners(0, view);
 
 globalThis.addEventListener = view.addEventListener.bind(view);
+globalThis.Node = class Node {};
 globalThis.HTMLInputElement = class HTMLInputElement {
   type = "text";
 };

@@ -57,15 +57,15 @@ test("a digest does not depend on the order of keys, and on all else", () => {
 test("a result comes back from its code, whatever letters are in it", () => {
   often(300, (dice) => {
     const text = (most) => Array.from({ length: dice.below(most) }, () => dice.one([..."Az09 .,−°", "Ж", "ү", "💥", "\"", "\\"])).join("");
-    const result = { lesson: digest(text(9)), name: text(40), answers: Array.from({ length: dice.below(30) }, () => (dice.below(4) ? text(20) : null)) };
+    const result = { lesson: digest(text(9)), name: text(40), answers: Array.from({ length: dice.below(30) }, () => (dice.below(4) ? { given: text(20), tries: dice.below(9), shown: dice.below(2) === 0 } : null)) };
     const code = toCode(result);
-    assert.match(code, /^assur1\.[\w-]+\.[a-z0-9]+$/);
+    assert.match(code, /^assur2\.[\w-]+\.[a-z0-9]+$/);
     assert.deepEqual(fromCode(` ${code}\n`), result);
   });
 });
 
 test("a slip of copying a code is found: a letter left out, doubled or exchanged", () => {
-  const code = toCode({ lesson: "0123456789abcdef", name: "Ann Lee", answers: ["40,4", null, "1"] });
+  const code = toCode({ lesson: "0123456789abcdef", name: "Ann Lee", answers: [{ given: "40,4", tries: 2, shown: false }, null, { given: "1", tries: 0, shown: true }] });
   for (let i = 0; i < code.length; i++) {
     const [before, letter, after] = [code.slice(0, i), code[i], code.slice(i + 1)];
     for (const slip of [before + after, before + letter + letter + after, `${before}${letter === "x" ? "y" : "x"}${after}`, before + letter.toUpperCase() + after]) {
@@ -76,12 +76,17 @@ test("a slip of copying a code is found: a letter left out, doubled or exchanged
 
 test("what is no code is none, even where its sum is right", () => {
   const packed = (value) => btoa(typeof value === "string" ? value : JSON.stringify(value)).replace(/=+$/, "");
-  const signed = (text) => `assur1.${text}.${hash(text).toString(36)}`;
+  const signed = (text, version = "assur1") => `${version}.${text}.${hash(text).toString(36)}`;
+  for (const value of [["a", "b", "3"], ["a", "b", ["3"]], ["a", "b", ["3", -1, 0]], ["a", "b", ["3", 1.5, 0]], ["a", "b", ["3", 1, 2]], ["a", "b", ["3", 1, true]], ["a", "b", [3, 1, 0]]]) {
+    assert.equal(fromCode(signed(packed(value), "assur2")), null, JSON.stringify(value));
+  }
   for (const value of [{}, "text", [1, "a"], ["a"], ["a", "b", 3], ["a", "b", {}], ["a", "b", "x".repeat(201)], "\xff\xfe", "[", ["a", "b".repeat(201)]]) {
     assert.equal(fromCode(signed(packed(value))), null, JSON.stringify(value));
   }
   assert.deepEqual(fromCode(signed(packed(["a", "b", null]))), { lesson: "a", name: "b", answers: [null] });
-  for (const text of ["", "hello", "assur1", "assur1..", "assur2.YQ.1", `${signed(packed(["a", "b"]))}.x`, "x".repeat(30_000)]) assert.equal(fromCode(text), null, text.slice(0, 40));
+  // A code from before tries were counted.
+  assert.deepEqual(fromCode(signed(packed(["a", "b", "40,4"]))), { lesson: "a", name: "b", answers: [{ given: "40,4", tries: 0, shown: false }] });
+  for (const text of ["", "hello", "assur1", "assur1..", "assur3.YQ.1", `${signed(packed(["a", "b"]))}.x`, "x".repeat(30_000)]) assert.equal(fromCode(text), null, text.slice(0, 40));
 });
 
 test("fields go by the names of links and points, numbers are put where the field says", () => {

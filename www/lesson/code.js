@@ -1,9 +1,14 @@
 // The result of a lesson as a line of text: who answered what. Its check sum finds slips of copying; it proves nothing.
 import { hash } from "assur/lesson/chance.js";
 
-/** @typedef {Readonly<{ lesson: string, name: string, answers: readonly (string | null)[] }>} Result the digest of the lesson, and by step what was answered */
+/**
+ * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer what was answered last, how many answers were judged, whether the right one was shown
+ * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result the digest of the lesson, and by step what was answered, null
+ * where nothing is asked
+ */
 
-const VERSION = "assur1";
+/** Of codes with tries, and of the older ones without. */
+const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
 /** Longer ones are none of ours. */
 const LONGEST = 20_000;
@@ -14,7 +19,8 @@ const LONGEST_ANSWER = 200;
  * @returns {string}
  */
 export function toCode({ lesson, name, answers }) {
-  const bytes = new TextEncoder().encode(JSON.stringify([lesson, name, ...answers]));
+  const plain = answers.map((answer) => answer && [answer.given, answer.tries, answer.shown ? 1 : 0]);
+  const bytes = new TextEncoder().encode(JSON.stringify([lesson, name, ...plain]));
   const packed = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
   return `${VERSION}.${packed}.${checkSum(packed)}`;
 }
@@ -30,16 +36,35 @@ function checkSum(packed) {
  */
 export function fromCode(text) {
   const [version, packed, sum, ...more] = text.trim().split(".");
-  if (text.length > LONGEST || version !== VERSION || !packed || more.length > 0 || sum !== checkSum(packed)) return null;
+  if (text.length > LONGEST || (version !== VERSION && version !== WITHOUT_TRIES) || !packed || more.length > 0 || sum !== checkSum(packed)) return null;
   try {
     const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (char) => char.charCodeAt(0));
     /** @type {unknown} */
     const value = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
     if (!Array.isArray(value)) return null;
-    const [lesson, name, ...answers] = value;
-    const plain = (/** @type {unknown} */ one) => typeof one === "string" && one.length <= LONGEST_ANSWER;
-    return plain(lesson) && plain(name) && answers.every((one) => one === null || plain(one)) ? { lesson, name, answers } : null;
+    const [lesson, name, ...rest] = value;
+    const answers = rest.map((one) => (one === null ? null : answerIn(version === VERSION ? one : [one, 0, 0])));
+    return isShort(lesson) && isShort(name) && !answers.includes(undefined) ? { lesson, name, answers: /** @type {(Answer | null)[]} */ (answers) } : null;
   } catch {
     return null;
   }
+}
+
+/**
+ * @param {unknown} value
+ * @returns {value is string}
+ */
+function isShort(value) {
+  return typeof value === "string" && value.length <= LONGEST_ANSWER;
+}
+
+/**
+ * @param {unknown} value
+ * @returns {Answer | undefined} undefined if it is none
+ */
+function answerIn(value) {
+  if (!Array.isArray(value) || value.length !== 3) return undefined;
+  const [given, tries, shown] = value;
+  if (!isShort(given) || !Number.isSafeInteger(tries) || tries < 0 || (shown !== 0 && shown !== 1)) return undefined;
+  return { given, tries, shown: shown === 1 };
 }

@@ -1,7 +1,8 @@
 // A lesson of ours, from its folder: what its steps show and ask, in the words of the reader's language.
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
-import { open } from "assur/lesson/show.js";
+import { END } from "assur/lesson/panel.js";
+import { holds, open } from "assur/lesson/show.js";
 
 /**
  * @typedef {import("assur/state/state.js").Documents} Documents
@@ -63,18 +64,21 @@ export class FolderLesson {
   #lesson;
   #presets;
   #page;
+  #next;
 
   /**
    * @param {string} id of the lesson
    * @param {{ kind: Kind, steps: readonly Step[] }} lesson
    * @param {OwnPresets} presets
    * @param {import("assur/app/page.js").Page} page
+   * @param {import("assur/lesson/offer.js").Entry} [next] the lesson after it
    */
-  constructor(id, lesson, presets, page) {
+  constructor(id, lesson, presets, page, next) {
     this.id = this.name = id;
     this.#lesson = lesson;
     this.#presets = presets;
     this.#page = page;
+    this.#next = next;
   }
 
   /**
@@ -82,7 +86,7 @@ export class FolderLesson {
    * @returns {readonly Told[]}
    */
   tell(words) {
-    return this.#lesson.steps.map((step) => this.#step(step, words));
+    return [...this.#lesson.steps.map((step, index) => this.#step(step, index, words)), this.#end(words)];
   }
 
   /** @param {Words} words */
@@ -96,11 +100,29 @@ export class FolderLesson {
   }
 
   /**
-   * @param {Step} step
+   * The end of the lesson: what was learnt, and what comes next.
    * @param {Words} words
    * @returns {Told}
    */
-  #step(step, words) {
+  #end(words) {
+    const entry = this.#next;
+    const failed = () => this.#page.notices.tell(LOST);
+    const further = entry
+      ? { text: words.text("lesson.further", { title: words.text(`lessons.${entry.id}.title`) }), open: () => import("assur/lesson/begin.js").then(({ begin }) => begin(this.#page, entry)).catch(failed) }
+      : { text: words.text("lesson.gallery"), open: () => import("assur/gallery/gallery.js").then(({ openGallery }) => openGallery(this.#page)).catch(failed) };
+    return {
+      id: END, title: words.text("lesson.learnt"), text: words.text("learnt"), formula: "", shows: [{ id: "lesson-further", ...further }], from: null, question: null,
+      errata: false, tools: {},
+    };
+  }
+
+  /**
+   * @param {Step} step
+   * @param {number} index
+   * @param {Words} words
+   * @returns {Told}
+   */
+  #step(step, index, words) {
     const { id, formula, shows, question, errata = false } = step;
     const { choices, unit = "", within, hides = [] } = question;
     const tolerance = within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(within, 3) + unit })}` : "";
@@ -112,8 +134,10 @@ export class FolderLesson {
       shows: shows.map((show) => ({
         id: show.name ? `lesson-show-${show.name}` : "lesson-show",
         text: words.text(show.name ? `${id}.show.${show.name}` : "lesson.show"),
-        open: () => open(show, this.#presets, this.#page),
+        open: (view) => open(show, this.#presets, this.#page, view),
+        opened: holds(show, this.#presets, this.#page.engine),
       })),
+      from: index,
       errata,
       tools: step,
       question: {
@@ -124,6 +148,8 @@ export class FolderLesson {
         judge: (given, snapshot) => judge(question, given, snapshot, step.kind ?? this.#lesson.kind),
         hint: () => words.text(`${id}.hint`),
         right: (snapshot) => right(step, snapshot, words),
+        answer: (snapshot) => answered(step, snapshot, words),
+        ofPage: true,
       },
     };
   }
@@ -141,6 +167,18 @@ function right({ id, question }, { summary }, words) {
   const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
   if (question.whole) return words.counted(`${id}.right`, exact, Object.fromEntries(places));
   return words.text(`${id}.right`, { value: words.numbers.upTo(exact, 3) + (question.unit ?? "") });
+}
+
+/**
+ * @param {Step} step
+ * @param {Snapshot} snapshot of the step's mechanism
+ * @param {Words} words
+ * @returns {string | null} the right answer
+ */
+function answered({ id, question }, { summary }, words) {
+  const exact = question.answer(summary);
+  if (exact === undefined || exact === Infinity) return null;
+  return typeof exact === "string" ? words.text(`${id}.choice.${exact}`) : words.numbers.upTo(exact, 3) + (question.unit ?? "");
 }
 
 /**

@@ -11,28 +11,8 @@ const LESSONS = new URL("../lessons/", import.meta.url);
 const read = (path) => JSON.parse(readFileSync(new URL(path, LESSONS), "utf8"));
 
 /** What is right, by lesson and step; of a step whose buttons have names by those, null where nothing is right yet. */
-const ANSWERS = {
-  assemblies: {
-    dyad: 2, triad: { triad: "six", dyad: "two" }, ten: { arc: 10, zero: 6 }, fold: 4.470599879364521,
-    circuits: { rockers: "joined", crank: "whole", by_rocker: "pairs" }, reach: { dwell: "none", near: "some" },
-  },
-  "class4-dwell": { structure: 10, groups: "iv", driver: "ii", dwell: 184.28873866906022, regulator: 121.89581982954131, equations: 13, derivatives: 43.2908195920987 },
-  differential: {
-    parts: { single: 2, three: 2 }, sum: { driven: 39.523809523809526, alike: 30 }, hold: { ring: -20 / 43, sun: -20 / 43, carrier: -20 / 43, tied: -20 / 43 },
-    willis: { ground: -2.15, carrier: -2.15, sun: -2.15, ring: -2.15 }, ratios: "13", gaps: { mend: null, contact: 20 }, load: { brief: 18.9, light: 18.9 },
-    uses: { mixer: -440 / 7, fan: -440 / 7, brushes: -440 / 7 },
-  },
-  mixer: { machine: 4, ratio: -2, limits: 217.14984852048906, swing: 43.952267602890025, speed: 194.09849720787557, transmission: { a: "on_frame", b: "on_frame" } },
-  mobility: {
-    arm: { spherical: 7, revolute: 7 }, four_bar: 1, redundant: { parallel: 3, tilted: 2 }, contours: { class4: 2, six_bar: 2 }, spatial: 2,
-    referee: { parallelogram: "low", roller: "right", sarrus: "low", bennett: "low", rssr: "right", hooke: "low" }, moves: { cranks: 1, doubled: 1 },
-    mending: 1, practice: 7,
-  },
-  synthesis: {
-    directions: 13, one: 11.757365098410215, family: { example: 9.17984271500209, load: 11.110427982770345 }, printed: 0.24737918474644968,
-    three: "input", many: 2, theorem: "none", motion: 51.77099968117479,
-  },
-};
+const LISTS = JSON.parse(readFileSync(new URL("../../tests/data/page/lesson_answers.json", import.meta.url), "utf8"));
+const ANSWERS = Object.fromEntries(Object.entries(LISTS).map(([id, steps]) => [id, Object.fromEntries(steps)]));
 
 /**
  * A lesson as the panel receives it, in every language.
@@ -82,7 +62,10 @@ for (const [id, answers] of Object.entries(ANSWERS)) {
   test(`the lesson ${id} says everything in every language`, async () => {
     const { LESSON, languages } = await told(id, new Page("mixer-a"));
     for (const { words, steps } of languages) {
-      for (const [number, { title, text, formula, shows, question }] of steps.entries()) {
+      const end = steps.at(-1);
+      assert.deepEqual([end.id, end.question, steps.length], ["end", null, LESSON.steps.length + 1]);
+      for (const said of [end.title, end.text, end.shows[0].text]) checkSaid(said);
+      for (const [number, { title, text, formula, shows, question }] of steps.slice(0, -1).entries()) {
         for (const said of [text, question.text, question.hint()]) checkSaid(said);
         assert.ok(title.length > 2 && !title.includes("."), title);
         assert.ok(shows.every((show) => show.text.length > 1 && !show.text.includes("show.")));
@@ -124,7 +107,17 @@ function check({ question: asked }, right, now, languages, what) {
     }
     assert.equal(question.judge(String(right), { ...now, stale: true }), "stale");
     checkSaid(question.right(now));
+    assert.equal(question.judge(choiceOf(question, question.answer(now)), now), "right", what);
   }
+}
+
+/**
+ * @param {import("assur/lesson/panel.js").Question} question
+ * @param {string} answer as it is shown
+ * @returns {string} what a reader types or chooses who has read it
+ */
+function choiceOf({ options, unit }, answer) {
+  return options ? options.find(({ text }) => text === answer).value : answer.slice(0, answer.length - unit.length);
 }
 
 test("a question about another kind of document than is open has no answer", async () => {

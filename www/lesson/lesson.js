@@ -2,7 +2,7 @@
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
-import { OWN, offered, opened, readLesson } from "assur/lesson/offer.js";
+import { OWN, next, offered, opened, readLesson } from "assur/lesson/offer.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -112,7 +112,7 @@ export class Lesson {
 
   /** What is shown is so no more. */
   #leave() {
-    this.#panel?.close();
+    this.#panel?.end();
     this.#panel = this.#writer = null;
     this.#wanted = this.#shown = "";
   }
@@ -154,7 +154,7 @@ export class Lesson {
     const renew = () => {
       const { lesson } = this.#page.store.get();
       if (!lesson) return;
-      this.#panel?.close();
+      this.#panel?.end();
       this.#written = lesson;
       this.#panel = new LessonPanel(this.#place, this.#page, new WrittenLesson(lesson, this.#page, words, renew), words);
       this.#shown = OWN;
@@ -177,10 +177,10 @@ export class Lesson {
     ]);
     return { show: () => {
       if (this.#shown !== id) {
-        this.#panel?.close();
+        this.#panel?.end();
         this.#writer = null;
         this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page), text);
+        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id)), text);
       }
       this.#panel?.speak(text);
     } };

@@ -30,6 +30,14 @@ export function offered(state) {
   return opened(state) ?? (state.lesson && WRITTEN) ?? first(originOf(state)) ?? first(state.kind);
 }
 
+/**
+ * @param {string} id of a lesson
+ * @returns {Entry | undefined} the lesson after it
+ */
+export function next(id) {
+  return LESSONS[LESSONS.findIndex((lesson) => lesson.id === id) + 1];
+}
+
 /** @param {string} subject */
 function first(subject) {
   return LESSONS.find(({ about }) => about.includes(subject));

@@ -1,6 +1,7 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
 import { make, write } from "assur/core/dom.js";
 import { marked, withSubscripts } from "assur/core/subscripts.js";
+import { OwnMechanism } from "assur/lesson/own.js";
 import { Progress } from "assur/lesson/progress.js";
 import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
@@ -11,21 +12,26 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  *
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
- * @typedef {{ verdict: Verdict, document: State["document"] }} Judged the document that the verdict was given of
+ * @typedef {import("assur/state/state.js").View} View
+ * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: another mechanism was on the page and
+ * that of the step was shown again; `document`: the one that the verdict is about
  * @typedef {Readonly<{ title: string, text: string, choices: readonly string[] }>} Asked a question, with what may be chosen
  *
- * @typedef {Readonly<{ id: string, text: string, open: () => void }>} Shown a button, and what it opens instead of the document there is
+ * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean }>} Shown a button, and what it opens
+ * instead of the document there is; `opened`: whether a state holds it
  * @typedef {Readonly<{
  *   text: string, unit: string, options: readonly Readonly<{ value: string, text: string }>[] | null, hides: readonly string[],
  *   judge: (given: string, snapshot: Snapshot) => Verdict, hint: () => string, right: (snapshot: Snapshot) => string,
- *   reached?: (snapshot: Snapshot) => boolean,
+ *   answer: (snapshot: Snapshot) => string | null, ofPage: boolean, reached?: (snapshot: Snapshot) => boolean,
  * }>} Question
- * `options`: of a choice, else a number is typed; `hides`: the read-outs that tell the answer, which the page withholds until it was given, or the
- * reader gives up; `reached`: nothing is typed, it is answered as soon as this holds.
+ * `options`: of a choice, else a number is typed; `hides`: the read-outs that give the answer, which the page withholds until the reader has answered or
+ * given up; `answer`: the right answer in words, null if there is none; `ofPage`: the mechanism on the page is asked about, which must be the step's; `reached`:
+ * nothing is typed, the question is answered as soon as this holds.
  * @typedef {Readonly<{
- *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], question: Question | null, errata: boolean,
+ *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null, errata: boolean,
  *   tools: import("assur/lesson/tools.js").Wanted,
- * }>} Told a step in words; steps are told apart by their ids, which progress is kept by
+ * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
+ * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
  *   frame?(panel: HTMLElement[], progress: Progress): HTMLElement[], answered?(): void,
@@ -33,6 +39,9 @@ import { withView } from "assur/state/state.js";
  * Where a lesson comes from: what it is called in links, by what name its progress is kept, its steps, and what stands around them and
  * is told when an answer is another.
  */
+
+/** The id of what closes a lesson and is no step of it. */
+export const END = "end";
 
 export class LessonPanel {
   #page;
@@ -48,6 +57,8 @@ export class LessonPanel {
   #judged = new Map();
   /** @type {readonly unknown[]} step and words that are shown */
   #shown = [];
+  /** The id of the step whose mechanism is followed. */
+  #begun = "";
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button" }, ["‹"]);
   #on = make("button", { id: "lesson-on", class: "control icon", type: "button" }, ["›"]);
@@ -63,8 +74,7 @@ export class LessonPanel {
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools = new Tools();
-  /** @type {Set<string>} those of which the reader has asked to see the answer */
-  #revealed = new Set();
+  #own;
 
   /**
    * @param {HTMLElement} place
@@ -77,7 +87,7 @@ export class LessonPanel {
     this.#source = source;
     this.#words = words;
     this.#steps = source.tell(words);
-    this.#progress = new Progress(source.name, this.#steps);
+    this.#progress = new Progress(source.name, this.#steps.filter(({ id }) => id !== END));
     const form = this.#form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), make("div", { class: "lesson-buttons" }, [this.#check, this.#reveal]), this.#said]);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
@@ -85,15 +95,18 @@ export class LessonPanel {
     });
     this.#back.addEventListener("click", () => this.#go(-1));
     this.#on.addEventListener("click", () => this.#go(1));
+    this.#own = new OwnMechanism(page, this.#tools.element);
     this.#errata.addEventListener("click", () => source.openErrata?.(this.#words));
-    this.#reveal.addEventListener("click", () => {
-      this.#revealed.add(this.#step.id);
-      this.#withhold();
-      this.#check.focus();
-    });
+    this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
-    const panel = [walk, this.#title, this.#text, this.#shows, this.#tools.element, this.#errata, form];
+    const panel = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata, make("div", { class: "lesson-foot" }, [form, walk])];
     place.replaceChildren(...(source.frame?.(panel, this.#progress) ?? panel));
+  }
+
+  /** Shuts the lesson for good. */
+  end() {
+    this.close();
+    this.#own.close();
   }
 
   /** Gives back what the page has lent, and withholds nothing. */
@@ -154,14 +167,28 @@ export class LessonPanel {
     return this.#steps[this.#number(this.#page.store.get()) - 1];
   }
 
-  /** @param {number} by */
+  /**
+   * Goes to another step, and shows its mechanism: what the reader had is a step of undo away.
+   * @param {number} by
+   */
   #go(by) {
-    this.#page.store.update((state) => {
-      const { lesson } = state.view;
-      // Pressed twice before it is drawn, a button may lead farther than there are steps.
-      const step = Math.min(Math.max(this.#number(state) + by, 1), this.#steps.length);
-      return lesson ? withView(state, { lesson: { ...lesson, step } }) : state;
-    });
+    const { store } = this.#page;
+    const { lesson } = store.get().view;
+    const number = this.#number(store.get());
+    // Pressed twice before it is drawn, a button may lead farther than there are steps.
+    const next = Math.min(Math.max(number + by, 1), this.#steps.length);
+    if (!lesson || next === number) return;
+    const step = this.#steps[next - 1];
+    const view = { lesson: { ...lesson, step: next } };
+    this.#begin(step);
+    if (step.from === null || step.from === this.#steps[number - 1].from) store.update((state) => withView(state, view));
+    else this.#own.open(step.shows[0].open, view);
+  }
+
+  /** @param {Told} step whose mechanism is followed from now on */
+  #begin({ id, shows }) {
+    if (id !== this.#begun) this.#own.begin(shows);
+    this.#begun = id;
   }
 
   /** @param {number} number */
@@ -170,7 +197,8 @@ export class LessonPanel {
     const step = this.#steps[number - 1];
     const { title, text, formula, shows, question, errata } = step;
     this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
-    this.#on.ariaLabel = this.#on.title = words.text("lesson.on");
+    this.#on.title = words.text("lesson.on");
+    write(this.#on, `${words.text("lesson.next")} ›`);
     // A button that leads no farther gives the focus to its twin, else it would be lost.
     const focused = document.activeElement;
     this.#back.disabled = number === 1;
@@ -184,9 +212,10 @@ export class LessonPanel {
     this.#text.replaceChildren(...paragraphs, ...lines);
     this.#shows.replaceChildren(...shows.map(({ id, text: said, open }) => {
       const button = make("button", { id, class: "segment", type: "button" }, [said]);
-      button.addEventListener("click", open);
+      button.addEventListener("click", () => this.#own.open(open));
       return button;
     }));
+    this.#begin(step);
     write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;
     this.#form.hidden = !question;
@@ -203,10 +232,10 @@ export class LessonPanel {
   /** Read-outs that tell the answer are withheld until it is given, unless the reader gives up. */
   #withhold() {
     const step = this.#step;
-    const open = !this.#progress.isSolved(step.id) && !this.#revealed.has(step.id);
-    const { hides } = step.question ?? { hides: [] };
-    this.#setWithheld(open ? hides : []);
-    this.#reveal.hidden = !open || hides.length === 0;
+    const solved = this.#progress.isSolved(step.id);
+    const { hides = [], reached } = step.question ?? {};
+    this.#setWithheld(solved || this.#progress.isShown(step.id) ? [] : hides);
+    this.#reveal.hidden = solved || reached !== undefined;
   }
 
   /** @param {readonly string[]} readouts that are not to be written */
@@ -249,10 +278,46 @@ export class LessonPanel {
 
   #answer() {
     const { id, question } = this.#step;
-    if (!this.#snapshot || !question) return;
-    const verdict = question.judge(this.#progress.given(id), this.#snapshot);
-    this.#judged.set(id, { verdict, document: this.#snapshot.state.document });
-    if (verdict === "right") this.#progress.solve(id);
+    if (!question) return;
+    const brought = this.#bringOwn(question);
+    const given = this.#progress.given(id);
+    const again = this.#judged.has(id) && !brought;
+    const verdict = question.judge(given, this.#now());
+    if (!again && (verdict === "right" || verdict === "not_yet")) this.#progress.countTry(id, verdict === "right");
+    this.#judge({ verdict, brought });
+  }
+
+  /** Shows the right answer at the question, which then counts as shown. */
+  #showAnswer() {
+    const { id, question } = this.#step;
+    if (!question) return;
+    const brought = this.#bringOwn(question);
+    const verdict = question.answer(this.#now()) === null ? "none" : "shown";
+    if (verdict === "shown") this.#progress.show(id);
+    this.#judge({ verdict, brought });
+    this.#check.focus();
+  }
+
+  /**
+   * @param {Question} question
+   * @returns {boolean} whether another mechanism was on the page than the one that is asked about
+   */
+  #bringOwn({ ofPage }) {
+    if (!ofPage || this.#own.there) return false;
+    this.#own.bringBack();
+    return true;
+  }
+
+  /** @returns {Snapshot} of the page as it is, drawn or not */
+  #now() {
+    const { model, store } = this.#page;
+    model.follow(store.get());
+    return this.#snapshot = model.snapshot(store.get(), this.#page.words, true);
+  }
+
+  /** @param {Pick<Judged, "verdict" | "brought">} judged */
+  #judge(judged) {
+    this.#judged.set(this.#step.id, { ...judged, document: this.#page.store.get().document });
     this.#withhold();
     this.#say();
     this.#said.scrollIntoView({ block: "nearest" });
@@ -262,22 +327,31 @@ export class LessonPanel {
   #say() {
     const words = this.#words;
     const step = this.#step;
-    const [number, count] = [this.#steps.indexOf(step) + 1, this.#steps.length].map((one) => words.numbers.exact(one));
-    const { solved } = this.#progress;
+    const asking = this.#steps.filter(({ id }) => id !== END);
+    const [number, count] = [this.#steps.indexOf(step) + 1, asking.length].map((one) => words.numbers.exact(one));
+    const { solved, shown } = this.#progress;
     const done = solved > 0 ? `, ${words.counted("lesson.solved", solved)}` : "";
-    write(this.#walked, words.text("lesson.progress", { number, count }) + done);
-    const verdict = this.#judged.get(step.id)?.verdict ?? null;
-    this.#said.dataset.verdict = verdict ?? "";
-    write(this.#said, verdict ? [words.text(`lesson.${verdict}`), this.#reason(step, verdict)].join(" ") : "");
+    const given = shown > 0 ? `, ${words.text("lesson.shown", { count: words.numbers.exact(shown) })}` : "";
+    const place = step.id === END ? words.text("lesson.end") : words.text("lesson.progress", { number, count });
+    write(this.#walked, place + done + given);
+    const judged = this.#judged.get(step.id);
+    this.#said.dataset.verdict = judged?.verdict ?? "";
+    write(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
     this.#source.answered?.();
   }
 
   /**
    * @param {Told} step
-   * @param {Verdict} verdict
+   * @param {Judged} judged
+   * @returns {string[]}
    */
-  #reason({ question }, verdict) {
-    if (verdict === "not_yet") return question?.hint() ?? "";
-    return verdict === "right" && this.#snapshot ? (question?.right(this.#snapshot) ?? "") : "";
+  #sentences({ question }, { verdict, brought }) {
+    const words = this.#words;
+    const snapshot = this.#snapshot;
+    const back = brought ? [words.text("lesson.brought_back")] : [];
+    if (!question || !snapshot) return back;
+    const said = verdict === "shown" ? words.text("lesson.answer", { answer: question.answer(snapshot) ?? "" }) : words.text(`lesson.${verdict}`);
+    const reason = verdict === "not_yet" ? question.hint() : verdict === "right" || verdict === "shown" ? question.right(snapshot) : "";
+    return [...back, said, reason];
   }
 }

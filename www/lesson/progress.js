@@ -6,8 +6,12 @@ export class Progress {
   #steps;
   /** @type {Map<string, string>} what was answered, by step */
   #given = new Map();
-  /** @type {Set<string>} */
+  /** @type {Set<string>} steps that were answered rightly */
   #solved = new Set();
+  /** @type {Set<string>} steps of which the reader had the answer shown */
+  #shown = new Set();
+  /** @type {Map<string, number>} how many answers were judged, by step */
+  #tries = new Map();
 
   /**
    * @param {string} lesson
@@ -16,11 +20,14 @@ export class Progress {
   constructor(lesson, steps) {
     this.#name = `lesson.${lesson}`;
     this.#steps = steps;
-    const { given, solved } = read(kept(this.#name));
+    const { given, solved, shown, tries } = read(kept(this.#name));
     for (const { id } of steps) {
       const text = given[id];
       if (typeof text === "string") this.#given.set(id, text);
       if (solved.includes(id)) this.#solved.add(id);
+      if (shown.includes(id)) this.#shown.add(id);
+      const count = tries[id];
+      if (typeof count === "number" && Number.isSafeInteger(count) && count > 0) this.#tries.set(id, count);
     }
   }
 
@@ -29,14 +36,32 @@ export class Progress {
     return this.#solved.has(step);
   }
 
-  /** The first step that was not answered rightly; −1 where all were. */
-  get next() {
-    return this.#steps.findIndex(({ id }) => !this.#solved.has(id));
+  /** @param {string} step */
+  isShown(step) {
+    return this.#shown.has(step);
   }
 
-  /** How many steps were answered rightly. */
+  /**
+   * @param {string} step
+   * @returns {number} how many of its answers were judged, up to the right one
+   */
+  tries(step) {
+    return this.#tries.get(step) ?? 0;
+  }
+
+  /** The index of the first step that is still open, −1 if there is none. */
+  get next() {
+    return this.#steps.findIndex(({ id }) => !this.#solved.has(id) && !this.#shown.has(id));
+  }
+
+  /** How many steps were answered rightly before their answer was shown. */
   get solved() {
     return this.#solved.size;
+  }
+
+  /** How many steps had their answer shown. */
+  get shown() {
+    return this.#shown.size;
   }
 
   /** @param {string} step */
@@ -53,26 +78,42 @@ export class Progress {
     this.#keep();
   }
 
-  /** @param {string} step */
-  solve(step) {
-    this.#solved.add(step);
+  /**
+   * Counts an answer that was judged; once the step is solved or shown, no more are counted.
+   * @param {string} step
+   * @param {boolean} right
+   */
+  countTry(step, right) {
+    if (this.#solved.has(step) || this.#shown.has(step)) return;
+    this.#tries.set(step, this.tries(step) + 1);
+    if (right) this.#solved.add(step);
+    this.#keep();
+  }
+
+  /** @param {string} step that the reader gives up */
+  show(step) {
+    if (this.#solved.has(step)) return;
+    this.#shown.add(step);
     this.#keep();
   }
 
   #keep() {
-    keep(this.#name, JSON.stringify({ given: Object.fromEntries(this.#given), solved: [...this.#solved] }));
+    const [given, tries] = [this.#given, this.#tries].map((map) => Object.fromEntries(/** @type {Map<string, string | number>} */ (map)));
+    keep(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries }));
   }
 }
 
 /**
  * @param {string | null} text from the store, which anyone may have written
- * @returns {{ given: Readonly<Record<string, unknown>>, solved: readonly unknown[] }} nothing where it has not the form
+ * @returns {Readonly<Record<"given" | "tries", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} nothing where it has not
+ * the form
  */
 function read(text) {
+  const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);
   try {
-    const { given, solved } = JSON.parse(text ?? "{}");
-    return { given: Object(given), solved: Array.isArray(solved) ? solved : [] };
+    const { given, solved, shown, tries } = JSON.parse(text ?? "{}");
+    return { given: Object(given), tries: Object(tries), solved: list(solved), shown: list(shown) };
   } catch {
-    return { given: {}, solved: [] };
+    return { given: {}, tries: {}, solved: [], shown: [] };
   }
 }

@@ -12,7 +12,7 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 /** More than a class has. */
 const MOST = 200;
 
-const SIGNS = Object.freeze({ right: "✓", wrong: "✗", open: "–" });
+const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "–" });
 
 export class Results {
   #page;
@@ -74,7 +74,7 @@ export class Results {
     this.#table.replaceChildren(make("table", {}, [
       make("thead", {}, [make("tr", {}, heads.map((head) => make("th", { scope: "col" }, [head])))]),
       make("tbody", {}, codes.map((code, line) => this.#row(code, line, lesson, own, asked))),
-    ]));
+    ]), make("p", { class: "lesson-note" }, [words.text("write.signs", SIGNS)]));
   }
 
   /**
@@ -92,10 +92,12 @@ export class Results {
     if (!result) return bad("write.bad_code");
     if (result.lesson !== own || result.answers.length !== lesson.steps.length) return bad("write.other_lesson", result.name);
     const verdicts = asked.map((i) => {
-      const given = result.answers[i] ?? "";
-      if (given === "") return { sign: SIGNS.open, given, right: false };
+      const { given = "", tries = 0, shown = false } = result.answers[i] ?? {};
+      const count = tries > 0 ? `(${words.numbers.exact(tries)})` : "";
+      if (shown) return { sign: SIGNS.shown, given: count, right: false };
+      if (given === "") return { sign: SIGNS.open, given: count, right: false };
       const right = verdictOn(lesson, i, given, result.name, this.#page.engine) === "right";
-      return { sign: right ? SIGNS.right : SIGNS.wrong, given: saidOf(lesson, i, given), right };
+      return { sign: right ? SIGNS.right : SIGNS.wrong, given: `${saidOf(lesson, i, given)} ${count}`.trim(), right };
     });
     const count = words.text("write.of", {
       right: words.numbers.exact(verdicts.filter(({ right }) => right).length), all: words.numbers.exact(asked.length),

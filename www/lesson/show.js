@@ -1,7 +1,7 @@
 // What a step of a lesson shows: the document that it opens, and how that is looked at.
 import { fieldOf } from "assur/lesson/field.js";
 import { Coordinate } from "assur/state/coordinate.js";
-import { SWITCHES } from "assur/state/state.js";
+import { SWITCHES, contains } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -35,6 +35,17 @@ export function open(show, presets, page, view = {}) {
   const whole = opens(show, presets, page.engine);
   if (whole) page.choose(whole.kind, whole.document, edits(show, whole.document, page.engine), (summary) => ({ ...looked(show, summary), ...view }));
   return whole !== undefined;
+}
+
+/**
+ * @param {Show} show
+ * @param {OwnPresets} presets of the lesson
+ * @param {Engine} engine
+ * @returns {((state: import("assur/state/state.js").State) => boolean) | undefined} whether a state holds what the show opens; undefined where the engine edits it
+ */
+export function holds(show, presets, engine) {
+  const whole = show.set || show.drive ? undefined : opens(show, presets, engine);
+  return whole && ((state) => contains(state, whole));
 }
 
 /**

@@ -149,7 +149,7 @@ test("a lesson is told from others by what it is, not by how it is written down"
   assert.equal(digestOf(read, engine), digestOf(lesson, engine));
   assert.notEqual(digestOf({ ...lesson, title: "Other" }, engine), digestOf(lesson, engine));
   // A code of the one lesson is not that of the other.
-  const code = toCode({ lesson: digestOf(lesson, engine), name: "Ann Lee", answers: ["40,4"] });
+  const code = toCode({ lesson: digestOf(lesson, engine), name: "Ann Lee", answers: [{ given: "40,4", tries: 1, shown: false }] });
   assert.equal(fromCode(code).lesson, digestOf(read, engine));
 });
 

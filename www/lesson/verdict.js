@@ -11,6 +11,9 @@ import { answerOf } from "assur/lesson/tasks.js";
 /** What a step that is reached has in a code. */
 export const REACHED = "1";
 
+/** By what name the browser's own store keeps the digest of the lesson that was written here last. */
+export const WRITTEN_HERE = "lesson.written";
+
 /**
  * @param {Written} lesson
  * @param {import("assur/engine.js").Engine} engine

@@ -9,8 +9,10 @@ import { shownNow, withMoved, withNewStep, withStep, withoutStep } from "assur/l
 import { shownBy } from "assur/lesson/tasks.js";
 import "assur/lesson/style.js";
 import { Varying } from "assur/lesson/varying.js";
+import { WRITTEN_HERE, digestOf } from "assur/lesson/verdict.js";
 import { openShown } from "assur/lesson/written.js";
 import { withFurther, withView } from "assur/state/state.js";
+import { keep } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -163,6 +165,7 @@ export class Writer {
     write(this.#said, problems.map((problem) => sentence(problem, this.#words)).join(" "));
     if (problems.length > 0) return false;
     store.update((now) => withFurther(now, { lesson: next }));
+    keep(WRITTEN_HERE, digestOf(next, engine));
     return true;
   }
 

@@ -9,7 +9,7 @@ import { isRound, measured, tellers, unitOf } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
-import { REACHED, digestOf, verdictOn } from "assur/lesson/verdict.js";
+import { REACHED, WRITTEN_HERE, digestOf, verdictOn } from "assur/lesson/verdict.js";
 import { keep, kept } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
@@ -22,8 +22,9 @@ import { usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
  */
 
-/** Characters of a name. */
+/** Characters of a name, and of an answer in a code. */
 const LONGEST_NAME = 80;
+const LONGEST_ANSWER = 60;
 
 /**
  * Opens what a step shows, with the numbers of a reader.
@@ -31,15 +32,16 @@ const LONGEST_NAME = 80;
  * @param {number} index
  * @param {string} name
  * @param {import("assur/app/page.js").Page} page
+ * @param {Partial<import("assur/state/state.js").View>} [further] what else it is looked at with
  */
-export function openShown(lesson, index, name, page) {
+export function openShown(lesson, index, name, page, further = {}) {
   const found = shownBy(lesson, index);
   if (!found) return;
   const { kind, document, view } = found.shows;
   const task = taskOf(lesson, index, name, page.engine);
   // Language, lesson and the like stay the reader's.
   const look = Object.entries(usualView({ ...RESTING, ...view })).filter(([key]) => !READERS.includes(key));
-  page.choose(kind, task?.state.document ?? document, [], () => Object.fromEntries(look));
+  page.choose(kind, task?.state.document ?? document, [], () => ({ ...Object.fromEntries(look), ...further }));
 }
 
 export class WrittenLesson {
@@ -87,6 +89,7 @@ export class WrittenLesson {
       text,
       formula,
       shows: this.#shows(index),
+      from: shownBy(this.#lesson, index)?.index ?? null,
       question: question ? this.#question(question, index) : null,
       errata: false,
       tools: {},
@@ -95,7 +98,7 @@ export class WrittenLesson {
 
   /** @param {number} index */
   #shows(index) {
-    const open = () => openShown(this.#lesson, index, this.#reader, this.#page);
+    const open = (/** @type {Partial<import("assur/state/state.js").View>} */ view = {}) => openShown(this.#lesson, index, this.#reader, this.#page, view);
     return shownBy(this.#lesson, index) ? [{ id: "lesson-show", text: this.#words.text("lesson.show"), open }] : [];
   }
 
@@ -127,6 +130,12 @@ export class WrittenLesson {
         const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
         return exact === null ? "" : words.text("written.exactly", { value: measured(words.numbers.upTo(exact, 4), unit) });
       },
+      answer: () => {
+        if (choice) return choice.options[choice.answer] ?? null;
+        const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
+        return exact === null ? null : measured(words.numbers.upTo(exact, 4), unit);
+      },
+      ofPage: false,
       ...reached,
     };
   }
@@ -142,7 +151,9 @@ export class WrittenLesson {
     const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
     const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button" }, [words.text("written.write")]);
     rewrite.addEventListener("click", () => this.#page.lesson.write(true));
-    if (!steps.some(({ question }) => question)) return [head, ...panel, rewrite];
+    // The form has the answers in it: a copy of another's lesson opens it from the menu alone.
+    const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
+    if (!steps.some(({ question }) => question)) return [head, ...panel, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
     reader.value = this.#reader;
     reader.addEventListener("change", () => {
@@ -151,8 +162,8 @@ export class WrittenLesson {
       this.#renew();
       document.getElementById("lesson-reader")?.focus();
     });
-    const own = steps.some(({ shows }) => shows?.vary?.length);
-    const note = own ? [make("p", { class: "lesson-note" }, [words.text(this.#reader.trim() ? "written.own" : "written.name_first")])] : [];
+    const varied = steps.some(({ shows }) => shows?.vary?.length);
+    const note = varied ? [make("p", { class: "lesson-note" }, [words.text(this.#reader.trim() ? "written.own" : "written.name_first")])] : [];
     const copy = make("button", { id: "lesson-copy", class: "control", type: "button" }, [words.text("written.copy")]);
     copy.addEventListener("click", async () => {
       this.#code.select();
@@ -165,7 +176,7 @@ export class WrittenLesson {
       make("div", { class: "lesson-buttons" }, [copy, save]),
     );
     const whose = make("div", { class: "lesson-whose" }, [make("label", { for: "lesson-reader" }, [words.text("written.reader")]), reader, ...note]);
-    return [head, whose, ...panel, this.#result, rewrite];
+    return [head, whose, ...panel, this.#result, ...own];
   }
 
   /** Writes the code of what is answered now. */
@@ -175,12 +186,12 @@ export class WrittenLesson {
     const answers = this.#lesson.steps.map(({ question }, i) => {
       const id = String(i + 1);
       if (!question) return null;
-      if (question.reach) return progress.isSolved(id) ? REACHED : "";
-      return progress.given(id);
+      const given = question.reach ? (progress.isSolved(id) ? REACHED : "") : progress.given(id).slice(0, LONGEST_ANSWER);
+      return { given, tries: progress.tries(id), shown: progress.isShown(id) };
     });
-    this.#result.hidden = this.#reader.trim() === "" || !answers.some((answer) => answer);
+    this.#result.hidden = this.#reader.trim() === "" || !answers.some((answer) => answer && (answer.given || answer.shown));
     if (this.#result.hidden) return;
-    const code = toCode({ lesson: this.#digest, name: this.#reader.trim(), answers: answers.map((answer) => answer && answer.slice(0, 60)) });
+    const code = toCode({ lesson: this.#digest, name: this.#reader.trim(), answers });
     if (this.#code.value !== code) this.#code.value = code;
   }
 }

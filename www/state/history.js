@@ -72,6 +72,11 @@ export class History {
     return this.#future.length > 0;
   }
 
+  /** Whether a change of now is one of undo or redo. */
+  get walking() {
+    return this.#walking;
+  }
+
   /** What changes next is a step of its own. */
   close() {
     this.#open = false;

@@ -1,0 +1,97 @@
+// The mechanism of a lesson's step: the one that its buttons showed last, with the changes made by its own controls.
+import { READERS } from "assur/lesson/steps.js";
+
+/**
+ * @typedef {import("assur/state/state.js").State} State
+ * @typedef {import("assur/lesson/panel.js").Shown} Shown
+ */
+
+/** Each of these may change a document; its target says whether a control of the step did. */
+const ACTS = Object.freeze(["pointerdown", "click", "input", "change", "keydown", "drop", "hashchange"]);
+
+export class OwnMechanism {
+  #page;
+  /** @type {readonly Shown[]} */
+  #shows = [];
+  /** @type {WeakSet<State["document"]>} documents of the step: undo and redo bring back the same objects */
+  #own = new WeakSet();
+  /** @type {State | null} the last state with such a document */
+  #last = null;
+  #opening = false;
+  /** Whether the last act of the reader was on a control of the step. */
+  #acted = false;
+  #ended = new AbortController();
+
+  /**
+   * @param {Pick<import("assur/app/page.js").Page, "store" | "history" | "choose">} page
+   * @param {HTMLElement} controls the element that holds the controls of the step
+   */
+  constructor(page, controls) {
+    this.#page = page;
+    const unsubscribe = page.store.subscribe((next, previous) => this.#follow(next, previous));
+    const { signal } = this.#ended;
+    signal.addEventListener("abort", unsubscribe);
+    const note = (/** @type {Event} */ { target }) => (this.#acted = target instanceof Node && controls.contains(target));
+    for (const act of ACTS) addEventListener(act, note, { capture: true, signal });
+  }
+
+  /** Follows the page no longer. */
+  close() {
+    this.#ended.abort();
+  }
+
+  /**
+   * Begins a step, whose mechanism may be on the page already (by a link, say).
+   * @param {readonly Shown[]} shows buttons of the step
+   */
+  begin(shows) {
+    this.#shows = shows;
+    this.#own = new WeakSet();
+    this.#last = null;
+    const state = this.#page.store.get();
+    if (shows.some((one) => one.opened?.(state))) this.#add(state);
+  }
+
+  /**
+   * Shows a mechanism of the step.
+   * @param {Shown["open"]} open
+   * @param {Partial<State["view"]>} [view] what else it is looked at with
+   */
+  open(open, view) {
+    this.#opening = true;
+    open(view);
+    this.#opening = false;
+    this.#add(this.#page.store.get());
+  }
+
+  /** Whether the page shows the mechanism of the step; any mechanism is one of a step that shows none. */
+  get there() {
+    return this.#shows.length === 0 || this.#own.has(this.#page.store.get().document);
+  }
+
+  /** Shows the mechanism of the step again, in one step of undo. */
+  bringBack() {
+    const last = this.#last;
+    if (!last) {
+      this.open(this.#shows[0].open);
+      return;
+    }
+    const look = Object.fromEntries(Object.entries(last.view).filter(([key]) => !READERS.includes(key)));
+    this.#page.choose(last.kind, last.document, [], () => look);
+  }
+
+  /**
+   * @param {State} next
+   * @param {State} previous
+   */
+  #follow(next, previous) {
+    const changed = next.kind === previous.kind && this.#acted && !this.#page.history.walking && this.#own.has(previous.document);
+    if (this.#opening || changed || this.#own.has(next.document)) this.#add(next);
+  }
+
+  /** @param {State} state */
+  #add(state) {
+    this.#own.add(state.document);
+    this.#last = state;
+  }
+}
