@@ -336,7 +336,11 @@ export type LinkHere = { link: string,
 /**
  * How far off it is drawn, in the unit of the lengths.
  */
-off: number, };
+off: number, 
+/**
+ * The wheel on whose disc the place is.
+ */
+wheel: string | null, };
 export type SchemeSummary = { 
 /**
  * Nothing does.

@@ -156,7 +156,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-fn place(motion: &Motion, input: f64, name: &str) -> Point {
+pub(crate) fn place(motion: &Motion, input: f64, name: &str) -> Point {
     let mechanism: &Mechanism = motion.mechanism();
     let pose = motion.pose::<1>(input).unwrap();
     mechanism

@@ -107,3 +107,46 @@ async fn a_picture_is_laid_by_two_of_its_places() {
     assert_eq!(page.picture("mechanism").await.places(FROM).count(), 0);
     page.close().await;
 }
+
+/// A photograph laid to a scale in millimetres stays in sight, and so does what is traced over it.
+#[tokio::test]
+async fn a_picture_in_millimetres_stays_in_sight() {
+    let page = Page::open().await;
+    let mut sheet = Sheet::new(&page).await;
+    sheet.tool("picture").await;
+    page.choose_file("draw-picture-file", &file("mm.svg", SCAN))
+        .await;
+    taken(&page).await;
+    page.press("draw-picture-opacity", Key::End).await;
+    let spots = async || {
+        let seen = page.picture("mechanism").await;
+        [FROM, TO].map(|spot| seen.cloud(spot))
+    };
+    for seen in spots().await {
+        page.drag_along("mechanism", &[(seen.x, seen.y)]).await;
+    }
+    for (part, value) in [("length", "400"), ("angle", "0"), ("x", "0"), ("y", "0")] {
+        page.write(&format!("draw-picture-{part}"), value).await;
+    }
+    for seen in spots().await {
+        assert!(seen.count > 20, "{seen:?}");
+    }
+    // A link from spot to spot is 400 long, within a pixel.
+    sheet.tool("bars").await;
+    for seen in spots().await {
+        page.drag_along("mechanism", &[(seen.x, seen.y)]).await;
+    }
+    sheet.end().await;
+    let document = crate::draw_more::drawn(&sheet).await;
+    let [a, b] = [0, 1].map(|k| assur::Point::from(document.points[k].at));
+    assert!(((b - a).norm() - 400.0).abs() < 8.0, "{a} {b}");
+    // Far out there is room for more.
+    for _ in 0..30 {
+        page.click("zoom-out").await;
+    }
+    page.click("zoom-fit").await;
+    for seen in spots().await {
+        assert!(seen.count > 20, "{seen:?}");
+    }
+    page.close().await;
+}

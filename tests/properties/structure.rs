@@ -126,7 +126,10 @@ proptest! {
 
 fn sorted(mut fault: Fault) -> Fault {
     match &mut fault {
-        Fault::Apart { links } | Fault::Undriven { links, .. } | Fault::Sliding { links } => {
+        Fault::Apart { links }
+        | Fault::Undriven { links, .. }
+        | Fault::Sliding { links }
+        | Fault::Rigid { links } => {
             links.sort_unstable();
         }
         Fault::Overconstrained { links, drivers, .. } => {
@@ -141,7 +144,10 @@ fn sorted(mut fault: Fault) -> Fault {
 fn rename(mut fault: Fault, to: &Shuffled) -> Fault {
     let rename = |links: &mut Vec<usize>| links.iter_mut().for_each(|link| *link = to.links[*link]);
     match &mut fault {
-        Fault::Apart { links } | Fault::Undriven { links, .. } | Fault::Sliding { links } => {
+        Fault::Apart { links }
+        | Fault::Undriven { links, .. }
+        | Fault::Sliding { links }
+        | Fault::Rigid { links } => {
             rename(links);
         }
         Fault::Overconstrained { links, drivers, .. } => {

@@ -15,6 +15,9 @@ fn one_driver_too_few_names_what_is_loose() {
             freedoms: 2
         }]
     );
+    // Where nothing could be driven, no driver is asked for.
+    let triangle = hinged(3, &[&[0, 1], &[1, 2], &[2, 0]]);
+    assert_eq!(faults(&triangle, &[]), [Fault::Rigid { links: vec![1, 2] }]);
     assert_eq!(
         faults(&graph, &[]),
         [

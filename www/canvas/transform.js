@@ -88,7 +88,7 @@ export class Transform {
 export class Zoom {
   /** Nothing but the fit. */
   static NONE = new Zoom(1, 0, 0);
-  static LEAST = 0.25;
+  static LEAST = 1 / 64;
   static MOST = 64;
 
   /**

@@ -46,9 +46,10 @@ export class Drawing {
     page.mechanism.lay((context, view, theme) => {
       if (this.#on) paint(context, view, theme, { page, work: this.#work, selection: this.#selection, hand: this.#hand });
     });
+    const { picture } = this.#work;
     page.mechanism.layUnder((context, view) => {
-      if (this.#on) this.#work.picture.paint(context, view);
-    });
+      if (this.#on) picture.paint(context, view);
+    }, () => (this.#on ? picture.bounds : null));
     addEventListener("keydown", (event) => this.#key(event), true);
     addEventListener("drop", (event) => this.#bring(event, event.dataTransfer), true);
     addEventListener("paste", (event) => this.#bring(event, event.clipboardData), true);

@@ -247,11 +247,12 @@ export class Hand {
   #target(at, event) {
     const touch = event.pointerType === "touch";
     // A picture is marked where its own places are.
-    if (this.#work.tool === "picture") return { point: null, link: null, at: this.#snapped(at, true) };
+    if (this.#work.tool === "picture") return { point: null, link: null, wheel: null, at: this.#snapped(at, true) };
     const joint = this.#joint(at, touch);
-    if (joint) return { point: joint.name, link: this.#linkOf(joint.name), at: [joint.x, joint.y] };
+    if (joint) return { point: joint.name, link: this.#linkOf(joint.name), wheel: this.#wheelOn(joint.name), at: [joint.x, joint.y] };
     // With Alt neither the grid nor a link below holds the place.
-    return { point: null, link: event.altKey ? null : this.#link(at, touch), at: this.#snapped(at, event.altKey) };
+    const below = event.altKey ? { link: null, wheel: null } : this.#link(at, touch);
+    return { point: null, ...below, at: this.#snapped(at, event.altKey) };
   }
 
   /**
@@ -273,15 +274,27 @@ export class Hand {
   }
 
   /**
+   * @param {string} point
+   * @returns {string | null} the wheel that was put on it last, beside other links
+   */
+  #wheelOn(point) {
+    const { links = [], slides = [] } = this.#document();
+    const having = links.filter(({ points }) => points.includes(point));
+    const alone = having.findLast(({ name, points }) => points.length === 1 && !slides.some(({ link }) => link === name));
+    return having.length > 1 && alone ? alone.name : null;
+  }
+
+  /**
    * @param {Place} at
    * @param {boolean} touch
-   * @returns {string | null}
+   * @returns {Pick<Target, "link" | "wheel">}
    */
   #link(at, touch) {
     const [x, y] = this.#view.toModel(at.x, at.y);
     const input = inputNow(this.#page);
     const near = attempt(() => this.#page.engine.linkAt(input, x, y)).value;
-    return near && near.off * this.#view.scale <= REACH.link[Number(touch)] ? near.link : null;
+    const reached = near && near.off * this.#view.scale <= REACH.link[Number(touch)];
+    return { link: reached ? near.link : null, wheel: near?.wheel ?? null };
   }
 
   /**

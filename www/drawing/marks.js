@@ -1,4 +1,5 @@
 // What is painted over a drawing while it is drawn: what is selected, what was pressed, the next bar.
+import { level } from "assur/drawing/tools.js";
 
 /**
  * @typedef {{ page: import("assur/app/page.js").Page, work: import("assur/drawing/tools.js").Work, selection: import("assur/drawing/selection.js").Selection,
@@ -8,6 +9,8 @@
 /** Radius of the ring around a point, width of the line over a link, in pixels. */
 const RING = 10;
 const OVER = 12;
+/** Radius of the ring around a link of one point: a wheel or a block. */
+const WHEEL = 22;
 /** Width of the mark of what is locked, and how far from its point that of an angle is. */
 const LOCK = 9;
 const AWAY = 24;
@@ -32,6 +35,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   for (const { name, points } of links) {
     if (!selection.links.has(name) && !work.pressed.some(({ point, link }) => point === null && link === name)) continue;
     const corners = points.flatMap((point) => places.get(point) ?? []);
+    if (corners.length === 2) ring(context, corners, WHEEL * theme.weight);
     context.beginPath();
     for (let k = 0; k < corners.length; k += 2) context.lineTo(corners[k], corners[k + 1]);
     context.closePath();
@@ -54,10 +58,12 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   const last = work.pressed.at(-1);
   if (hand.over && last) {
     const from = (last.point && places.get(last.point)) || view.toScreen(...last.at);
+    // A guide is level or plumb where it nearly is.
+    const to = work.tool === "slide" ? level(last.at, hand.over) : hand.over;
     context.setLineDash([...DASHES]);
     context.beginPath();
     context.moveTo(...from);
-    context.lineTo(...view.toScreen(...hand.over));
+    context.lineTo(...view.toScreen(...to));
     context.stroke();
   }
   if (work.tool === "picture") {

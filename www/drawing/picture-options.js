@@ -89,8 +89,11 @@ export class PictureOptions {
   #lay(part, value) {
     const { base } = this.#picture;
     if (!base) return value;
-    if (this.#picture.lay({ ...base, [part]: value })) unsay(this.#page);
-    else refuse(this.#page, "no_length");
+    if (this.#picture.lay({ ...base, [part]: value })) {
+      unsay(this.#page);
+      const { bounds } = this.#picture;
+      if (bounds) this.#page.mechanism.seek(bounds);
+    } else refuse(this.#page, "no_length");
     return this.#picture.base?.[part] ?? value;
   }
 }

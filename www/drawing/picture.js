@@ -146,6 +146,16 @@ export class BackPicture {
     });
   }
 
+  /** @returns {number[] | null} xmin, ymin, xmax, ymax of the picture in the model */
+  get bounds() {
+    const frame = this.#frame;
+    if (!frame) return null;
+    const { pixels: { width, height }, origin: [x, y], right: [right, up] } = frame;
+    const corners = [[0, 0], [width, 0], [0, height], [width, height]].map(([column, row]) => [x + right * column + up * row, y + up * column - right * row]);
+    const [xs, ys] = [corners.map(([one]) => one), corners.map(([, one]) => one)];
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  }
+
   /**
    * @param {CanvasRenderingContext2D} context
    * @param {import("assur/canvas/transform.js").Transform} view

@@ -162,6 +162,8 @@ export class DrawingRail {
     }
     if (links.size === 1 && points.size === 0) {
       buttons.push(act("drive", { edit: "drive", link }));
+      const one = document.links.find(({ name }) => name === link);
+      if (one?.points.length === 1) buttons.push(act(one.fixed_to === "frame" ? "unfix" : "fix", { edit: "weld", links: [link, "frame"] }));
       if (document.links.find(({ name }) => name === link)?.centre_of_mass) buttons.push(act("unmass", { edit: "mass", link, at: null }));
       content.push(this.#measures(link, words));
     }

@@ -8,7 +8,8 @@ import { BackPicture } from "assur/drawing/picture.js";
  * @typedef {import("assur/types/edit.js").End} End
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
- * @typedef {{ point: string | null, link: string | null, at: Place }} Target what is pressed: a point, else a link, else paper
+ * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target what is pressed: a point, else a link, else paper; `wheel`: the
+ * wheel on whose disc that is, whatever lies over it
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: what
  * it waits for in turn, of a dyad by the pair
  */
@@ -98,6 +99,19 @@ export class Work {
   }
 
   /**
+   * A link that is pressed slides with its first point, from which the guide goes.
+   * @param {Target} target
+   * @returns {Target}
+   */
+  guided(target) {
+    if (target.point || !target.link) return target;
+    const { links } = /** @type {import("assur/state/state.js").LinkageDocument} */ (this.#page.store.get().document);
+    const first = links.find(({ name }) => name === target.link)?.points[0];
+    const joint = this.#page.mechanism.joints().find(({ name }) => name === first);
+    return joint ? { ...target, at: [joint.x, joint.y] } : target;
+  }
+
+  /**
    * Takes what was pressed until there is enough.
    * @param {Target} target
    * @param {number} count
@@ -129,7 +143,7 @@ export class Work {
     const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
     if (!made) return;
     // Where something is, the bars are joined to it and end.
-    this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null }];
+    this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null, wheel: null }];
     this.#loose = !target.point && !target.link;
   }
 
@@ -142,7 +156,7 @@ export class Work {
     }
     const { link, at } = target;
     const made = this.do(link ? { edit: "corner", link, end: { at: [...at] } } : { edit: "point", at: [...at], fixed: true });
-    if (made?.point) this.pressed = [{ ...target, point: made.point, link: null }];
+    if (made?.point) this.pressed = [{ ...target, point: made.point, link: null, wheel: null }];
   }
 }
 
@@ -158,14 +172,18 @@ const ACTS = Object.freeze({
     }
   },
   slide: (work, target) => {
-    const both = work.gather(target, 2);
+    const both = work.gather(work.pressed.length === 0 ? work.guided(target) : target, 2);
     if (!both) return;
     const [first, second] = both;
     const along = second.link && !second.point ? { link: second.link } : { toward: level(first.at, second.at) };
     if (!first.point && first.link) work.do({ edit: "slide", link: first.link, along });
     else work.do({ edit: "block", end: end(first), along });
   },
-  fix: (work, { point, at }) => work.do(point ? { edit: "fix", point } : { edit: "point", at: [...at], fixed: true }),
+  fix: (work, { point, wheel, at }) => {
+    if (point) work.do({ edit: "fix", point });
+    else if (wheel) work.do({ edit: "weld", links: [wheel, "frame"] });
+    else work.do({ edit: "point", at: [...at], fixed: true });
+  },
   drive: (work, { link }) => {
     if (link) work.do({ edit: "drive", link });
     else work.refuse("press_link");
@@ -182,7 +200,8 @@ const ACTS = Object.freeze({
     if (three) work.do({ edit: "triad", ends: /** @type {[End, End, End]} */ (three.map(end)) });
   },
   wheel: (work, target) => work.do({ edit: "wheel", end: end(target) }),
-  mesh: (work, target) => {
+  mesh: (work, pressed) => {
+    const target = { ...pressed, link: pressed.wheel ?? pressed.link };
     if (!target.link) work.refuse("press_link");
     else {
       const both = work.gather(target, 2);
@@ -198,9 +217,11 @@ const ACTS = Object.freeze({
     else work.refuse("press_link");
   },
   picture: ({ picture }, { at }) => picture.mark(at),
-  remove: (work, { point, link }) => {
-    if (point) work.do({ edit: "remove", points: [point], links: [] });
-    else if (link) work.do({ edit: "remove", points: [], links: [link] });
+  remove: (work, { point, link, wheel }) => {
+    // A wheel goes alone, and leaves its hinge to the other links.
+    const gone = (point && wheel) || (point ? null : link);
+    if (gone) work.do({ edit: "remove", points: [], links: [gone] });
+    else if (point) work.do({ edit: "remove", points: [point], links: [] });
   },
 });
 
@@ -228,7 +249,7 @@ function outerPair(letter, target) {
  * @param {Place} to
  * @returns {[number, number]} the same place, or one level with the first or plumb above it
  */
-function level([x, y], [right, up]) {
+export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];
   if (Math.abs(dy) <= LEVEL * Math.abs(dx)) return [right, y];
   return Math.abs(dx) <= LEVEL * Math.abs(dy) ? [x, up] : [right, up];

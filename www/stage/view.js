@@ -22,6 +22,10 @@ const SMALL_MARGIN = 36;
 /** A drawing whose shorter side has less is a small one. */
 const SMALL = 320;
 
+/** Of the canvas, what is worked with takes at least and at most so much. */
+const SMALLEST_SHARE = 0.1;
+const LARGEST_SHARE = 2;
+
 /** Radius and strength of the ring around a joint that can be dragged. */
 const RING = 15;
 const RING_OPACITY = 0.28;
@@ -47,7 +51,7 @@ export class MechanismView {
   #ringed = "";
   /** @type {Laid[]} */
   #laid = [];
-  /** @type {Laid[]} */
+  /** @type {{ paint: Laid, bounds: () => readonly number[] | null }[]} */
   #under = [];
 
   /**
@@ -75,9 +79,12 @@ export class MechanismView {
     this.#laid.push(paint);
   }
 
-  /** @param {Laid} paint what is painted between the paper and the mechanism, and in no exported picture */
-  layUnder(paint) {
-    this.#under.push(paint);
+  /**
+   * @param {Laid} paint what is painted between the paper and the mechanism, and in no exported picture
+   * @param {() => readonly number[] | null} bounds of what is painted there: xmin, ymin, xmax, ymax
+   */
+  layUnder(paint, bounds) {
+    this.#under.push({ paint, bounds });
   }
 
   /** Paints what is there once more. */
@@ -199,6 +206,19 @@ export class MechanismView {
   }
 
   /**
+   * Fits the view anew if the bounds are out of sight, or too small or too large to work with.
+   * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
+   */
+  seek([xmin, ymin, xmax, ymax]) {
+    const { width, height } = this.#surface;
+    const [left, bottom] = this.view.toScreen(xmin, ymin);
+    const [right, top] = this.view.toScreen(xmax, ymax);
+    const seen = left < width && right > 0 && top < height && bottom > 0;
+    const share = Math.max((right - left) / width, (bottom - top) / height);
+    if (!seen || share < SMALLEST_SHARE || share > LARGEST_SHARE) this.fit();
+  }
+
+  /**
    * @param {boolean} on whether the view stays where it is while something is drawn
    * @param {number} inset pixels at the top of the canvas on which tools stand
    */
@@ -233,7 +253,7 @@ export class MechanismView {
     const { width, height, visible } = this.#surface;
     if (!visible) return;
     this.#held = null;
-    this.#bounds ??= this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
+    this.#bounds ??= this.#whole;
     this.#zoom = Zoom.between(this.#fit(), view, this.#bounds, width, height);
     this.#shown();
   }
@@ -255,8 +275,15 @@ export class MechanismView {
   /** @returns {Transform} */
   #fit() {
     const { width, height } = this.#surface;
-    const bounds = this.#bounds ?? this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
-    return Transform.fit(bounds, width, height - this.#inset, this.#margin).moved(0, this.#inset);
+    return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
+  }
+
+  /** @returns {readonly number[]} the bounds of the mechanism and of what lies under it; of an empty sheet, of that alone if there is something */
+  get #whole() {
+    const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
+    const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);
+    const all = under.length > 0 && handles.length === 0 ? under : [bounds, ...under];
+    return [0, 1, 2, 3].map((side) => (side < 2 ? Math.min : Math.max)(...all.map((one) => one[side])));
   }
 
   /** @returns {Edges} */
@@ -285,7 +312,7 @@ export class MechanismView {
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
-    for (const paint of this.#under) paint(this.#surface.context, view, this.#theme);
+    for (const { paint } of this.#under) paint(this.#surface.context, view, this.#theme);
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
     for (const paint of this.#laid) paint(this.#surface.context, view, this.#theme);

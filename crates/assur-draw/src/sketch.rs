@@ -28,13 +28,25 @@ const ROLES: [Role; 6] = [
     Role::Accent6,
 ];
 
-/// What is said of links in colour.
-#[derive(Clone, Debug, Default)]
+/// What is said of links in colour, and how large an empty sheet is.
+#[derive(Clone, Debug)]
 pub struct SketchView {
     /// Links that move by themselves or hang on nothing.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
+    /// By how much the sheet of an empty drawing is larger than that of lengths without a unit.
+    pub sheet: f64,
+}
+
+impl Default for SketchView {
+    fn default() -> Self {
+        Self {
+            loose: Vec::new(),
+            locked: Vec::new(),
+            sheet: 1.0,
+        }
+    }
 }
 
 /// A draft as a drawing. All of it is in the coordinates of the frame.
@@ -52,7 +64,7 @@ pub struct Sketch {
 impl Sketch {
     /// The drawing of a draft. Things that it names and has not are passed over.
     pub fn new(draft: &Draft, view: &SketchView) -> Self {
-        let bounds = bounds(draft);
+        let bounds = bounds(draft, SHEET.map(|side| side * view.sheet));
         let mut sketch = Self {
             roles: roles(draft, view),
             draft: draft.clone(),
@@ -98,19 +110,41 @@ impl Sketch {
         numbers
     }
 
-    /// The link drawn nearest to a place, and how far that is from it.
+    /// The link drawn nearest to a place, and how far that is from it. Bars, plates and blocks lie over wheels.
     pub fn link_at(&self, place: Point) -> Option<(&str, f64)> {
         let links = self.draft.links.iter().filter_map(|link| {
             let outline = parts::hull(self.corners(link));
             let off = match outline[..] {
                 [] => return None,
+                [_] if self.is_wheel(link) => return None,
                 [at] => (place - at).norm() - BLOCK[1] * self.unit,
                 [from, to] => parts::distance(place, from, to) - BAR * self.unit,
                 _ => parts::distance_to_plate(place, &outline)? - BAR * self.unit,
             };
             Some((link.name.as_str(), off.max(0.0)))
         });
-        links.reduce(|best, next| if next.1 < best.1 { next } else { best })
+        let wheels = self.wheels();
+        let wheels = wheels.iter().map(|(link, at, radius)| {
+            let off = (place - at).norm() - radius;
+            (self.draft.links[*link].name.as_str(), off.max(0.0))
+        });
+        links
+            .chain(wheels)
+            .reduce(|best, next| if next.1 < best.1 { next } else { best })
+    }
+
+    /// The smallest wheel on whose disc a place is.
+    pub fn wheel_at(&self, place: Point) -> Option<&str> {
+        let wheels = self.wheels();
+        let mut wheels = wheels.iter();
+        let (link, ..) = wheels.find(|(_, at, radius)| (place - at).norm() <= *radius)?;
+        Some(&self.draft.links[*link].name)
+    }
+
+    /// Whether a link is a wheel alone, without a bar or a block.
+    fn is_wheel(&self, link: &DraftLink) -> bool {
+        let mut slides = self.draft.slides.iter();
+        link.points.len() == 1 && !slides.any(|slide| slide.link == link.name)
     }
 
     fn place(&self, name: &str) -> Option<Point> {
@@ -175,47 +209,43 @@ impl Sketch {
     }
 
     fn draw_wheels(&mut self) {
-        let first = |name: &str| {
-            let mut links = self.draft.links.iter();
-            let link = links.find(|link| link.name == name)?;
-            self.place(link.points.first()?)
+        for (link, at, radius) in self.wheels().into_iter().rev() {
+            self.list.circle(self.roles[link], Look::Pale, at, radius);
+        }
+    }
+
+    /// The wheels, the smallest first: the number of the link, the centre, the radius of the pitch circle in each mesh. One in no mesh
+    /// has a radius of its own.
+    fn wheels(&self) -> Vec<(usize, Point, f64)> {
+        let of = |name: &str| {
+            let links = self.draft.links.iter();
+            let (at, link) = links.enumerate().find(|(_, link)| link.name == name)?;
+            Some((at, self.place(link.points.first()?)?))
         };
-        let mut circles = Vec::new();
+        let mut wheels = Vec::new();
         for gear in &self.draft.gears {
             let [one, other] = &gear.links;
-            if let (Some(a), Some(b)) = (first(one), first(other)) {
+            if let (Some((one, a)), Some((other, b))) = (of(one), of(other)) {
                 let [z1, z2] = gear.teeth;
                 let sum = match gear.mesh {
                     assur::gears::Mesh::Internal => (z1 - z2).abs(),
                     _ => z1 + z2,
                 };
                 let module = (b - a).norm() / sum;
-                circles.push((self.role(one), a, module * z1));
-                circles.push((self.role(other), b, module * z2));
+                wheels.push((one, a, module * z1));
+                wheels.push((other, b, module * z2));
             }
         }
-        for link in &self.draft.links {
-            let slides = self
-                .draft
-                .slides
-                .iter()
-                .any(|slide| slide.link == link.name);
-            let meshes = self
-                .draft
-                .gears
-                .iter()
-                .any(|gear| gear.links.contains(&link.name));
-            if let ([_], false, false) = (&link.points[..], slides, meshes)
-                && let Some(at) = first(&link.name)
-            {
-                circles.push((self.role(&link.name), at, WHEEL * self.unit));
+        for link in self.draft.links.iter().filter(|link| self.is_wheel(link)) {
+            let mut gears = self.draft.gears.iter();
+            let meshes = gears.any(|gear| gear.links.contains(&link.name));
+            if let (false, Some((number, at))) = (meshes, of(&link.name)) {
+                wheels.push((number, at, WHEEL * self.unit));
             }
         }
-        for (role, at, radius) in circles {
-            if radius.is_finite() {
-                self.list.circle(role, Look::Pale, at, radius);
-            }
-        }
+        wheels.retain(|(_, _, radius)| radius.is_finite());
+        wheels.sort_by(|one, other| one.2.total_cmp(&other.2));
+        wheels
     }
 
     fn draw_links(&mut self) {
@@ -344,7 +374,7 @@ fn roles(draft: &Draft, view: &SketchView) -> Vec<Role> {
 }
 
 /// The rectangle around all points, with room; a sheet where there are too few.
-fn bounds(draft: &Draft) -> [f64; 4] {
+fn bounds(draft: &Draft, sheet: [f64; 4]) -> [f64; 4] {
     let places = draft.points.iter().map(|point| point.at.coords);
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
@@ -354,11 +384,11 @@ fn bounds(draft: &Draft) -> [f64; 4] {
     let size = (high - low).norm();
     let far = low.amax().max(high.amax());
     if !size.is_finite() {
-        return SHEET;
+        return sheet;
     }
     if size <= LEAST * far || size == 0.0 {
         let [x, y] = [low.x, low.y];
-        return [SHEET[0] + x, SHEET[1] + y, SHEET[2] + x, SHEET[3] + y];
+        return [sheet[0] + x, sheet[1] + y, sheet[2] + x, sheet[3] + y];
     }
     let room = Vector::repeat(ROOM * size);
     let [low, high] = [low - room, high + room];

@@ -122,9 +122,14 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
                 .any(|next| moves(&after.document, next))
         })
     };
-    let adding = all
-        .iter()
-        .filter(|mend| matches!(mend, Mend::Drive(_) | Mend::Fix(_)));
+    // Of what has no freedom a link goes first; anything else is driven or fixed first.
+    let mobility = document.draft().counts().map(|counts| counts.mobility);
+    let rigid = document.drivers.is_empty() && mobility.is_ok_and(|mobility| mobility <= 0);
+    let adding = all.iter().filter(|mend| match mend {
+        Mend::Remove(_) => rigid,
+        Mend::Drive(_) | Mend::Fix(_) => !rigid,
+        _ => false,
+    });
     // Points of the frame first: what is to be driven turns about one.
     let (fixes, drives): (Vec<&Mend>, Vec<&Mend>) =
         adding.partition(|mend| matches!(mend, Mend::Fix(_)));

@@ -131,9 +131,11 @@ impl Drawing {
         Ok(())
     }
 
-    /// Two links turn as one, or no more.
+    /// A link turns as one with another one or stands with the frame, or no more.
     pub(crate) fn weld(&mut self, [first, second]: &[String; 2]) -> Done {
-        self.linked(second)?;
+        if second != FRAME {
+            self.linked(second)?;
+        }
         let fixed = self.linked(first)?.fixed_to.as_ref() != Some(second);
         self.redraw(|link| link.name == *first);
         self.change(first, |link| link.fixed_to = fixed.then(|| second.clone()));

@@ -81,7 +81,7 @@ pub enum Edit {
     MakeExact {},
     /// Two links turn as one from now on, or no more if they did.
     Weld {
-        /// The links: the first is fixed to the second.
+        /// The links: the first is fixed to the second, which may be the frame.
         links: [String; 2],
     },
     /// Two points become one hinge, where the second is.

@@ -96,6 +96,47 @@ fn what_needs_two_edits_is_told_the_first() {
     assert_eq!(next.mends[0], Mend::Drive(text("AB")));
 }
 
+/// A triangle has nothing to drive: it is locked, and may lose a link.
+#[test]
+fn what_is_rigid_is_told_by_its_count() {
+    let rigid = done(
+        &four_bar(),
+        &[
+            Edit::Remove {
+                points: vec![text("D")],
+                links: vec![],
+            },
+            Edit::Fix { point: text("C") },
+        ],
+    );
+    let advice = Advice::of(&rigid).unwrap().unwrap();
+    assert_eq!(advice.mobility, Some(0));
+    assert_eq!(advice.locked, ["AB", "BC"]);
+    let [Problem::Linkage(LinkageProblem::Locked { mobility: 0, .. })] = &advice.problems[..]
+    else {
+        panic!("{:?}", advice.problems);
+    };
+    assert_eq!(
+        advice.mends,
+        [Mend::Remove(text("AB")), Mend::Remove(text("BC"))]
+    );
+}
+
+/// A ring stands with the frame, or is let go.
+#[test]
+fn a_wheel_is_fixed_to_the_frame() {
+    let wheel = done(
+        &LinkageDocument::default(),
+        &[Edit::Wheel { end: at(0.0, 0.0) }],
+    );
+    let weld = Edit::Weld {
+        links: [text("wheel"), text("frame")],
+    };
+    let fixed = done(&wheel, std::slice::from_ref(&weld));
+    assert_eq!(fixed.links[0].fixed_to.as_deref(), Some("frame"));
+    assert_eq!(done(&fixed, &[weld]), wheel);
+}
+
 /// Three cranks that are parallel to four decimals: the offer moves every point by less than that, and then they turn.
 #[test]
 fn what_is_nearly_redundant_is_made_exact() {

@@ -60,8 +60,10 @@ pub(crate) trait Capabilities {
         let moving = self.linkage()?;
         let pose = moving.pose(input).ok()?;
         let (link, off) = moving.figure().link_at(&pose, at)?;
-        let link = moving.mechanism().link_name(link).to_owned();
-        Some(LinkHere { link, off })
+        let name = |link| moving.mechanism().link_name(link).to_owned();
+        let wheel = moving.figure().wheel_at(&pose, at).map(name);
+        let link = name(link);
+        Some(LinkHere { link, off, wheel })
     }
 }
 
@@ -72,6 +74,8 @@ pub(crate) struct LinkHere {
     pub(crate) link: String,
     /// How far off it is drawn, in the unit of the lengths.
     pub(crate) off: f64,
+    /// The wheel on whose disc the place is.
+    pub(crate) wheel: Option<String>,
 }
 
 /// What moves by an input; what is told of it is in its summary.

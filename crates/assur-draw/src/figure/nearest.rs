@@ -29,4 +29,9 @@ impl Figure {
             .filter_map(|(off, link)| Some((mechanism.root_of(link)?, off)))
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
+
+    /// The wheel on whose disc a place is in a pose, of several the smallest.
+    pub fn wheel_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
+        self.gearing.wheel_at(self.motion.mechanism(), pose, place)
+    }
 }

@@ -223,6 +223,22 @@ impl Gearing {
         })
     }
 
+    /// The smallest wheel on whose disc a place is.
+    pub(super) fn wheel_at<const N: usize>(
+        &self,
+        mechanism: &Mechanism,
+        pose: &Pose<N>,
+        place: Point,
+    ) -> Option<LinkId> {
+        let on_disc = |drawn: &&Drawn| {
+            let off = (place - mechanism.place(pose, drawn.hinge).place()).norm();
+            off <= drawn.rim()
+        };
+        let discs = self.wheels.iter().filter(on_disc);
+        let smallest = discs.min_by(|one, other| one.rim().total_cmp(&other.rim()))?;
+        Some(smallest.link)
+    }
+
     /// Where the number of a wheel stands.
     pub(super) fn tagged<const N: usize>(
         &self,

@@ -22,6 +22,7 @@ fn links_are_found_and_told_in_colour() {
     let view = SketchView {
         loose: vec!["two".to_owned()],
         locked: vec!["nowhere".to_owned()],
+        ..SketchView::default()
     };
     let sketch = Sketch::new(&draft, &view);
     assert_eq!(sketch.roles(), [Role::Crank, Role::Loose, Role::Locked]);
@@ -42,4 +43,67 @@ fn damaged_drafts_are_drawn_without_what_is_not_there() {
         .slide("none", "Q", "bar", ["A", "B"]);
     let sketch = Sketch::new(&draft, &SketchView::default());
     assert!(sketch.frame().iter().all(|number| number.is_finite()));
+}
+
+#[test]
+fn a_sheet_has_room_for_its_unit() {
+    let view = SketchView {
+        sheet: 20.0,
+        ..SketchView::default()
+    };
+    let sketch = Sketch::new(&Draft::default(), &view);
+    assert_eq!(sketch.bounds(), SHEET.map(|side| 20.0 * side));
+    let one = Draft::default().point("A", 100.0, 50.0);
+    let bounds = Sketch::new(&one, &view).bounds();
+    assert_eq!(bounds, [-20.0, -30.0, 220.0, 130.0]);
+}
+
+/// A carrier with a wheel at either end, one of them in a ring: each is found on its disc, the smaller one before that
+/// in which it is, and the bar over both.
+#[test]
+fn wheels_are_found_by_their_discs() {
+    let mut draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 4.0, 0.0)
+        .bar("carrier", &["A", "B"])
+        .bar("sun", &["A"])
+        .bar("planet", &["B"])
+        .bar("ring", &["A"])
+        .fixed(&["A"]);
+    let unmeshed = Sketch::new(&draft, &SketchView::default());
+    let rim = WHEEL * unmeshed.unit;
+    let above = |x: f64, y: f64| Point::new(x, y);
+    assert_eq!(unmeshed.wheel_at(above(4.0, 0.9 * rim)), Some("planet"));
+    assert_eq!(
+        unmeshed.link_at(above(4.0, 0.9 * rim)),
+        Some(("planet", 0.0))
+    );
+    assert_eq!(unmeshed.wheel_at(above(4.0, 1.1 * rim)), None);
+
+    draft.gears = vec![
+        assur::mechanism::DraftGear {
+            links: ["sun", "planet"].map(str::to_owned),
+            carrier: "carrier".to_owned(),
+            teeth: [20.0, 20.0],
+            mesh: assur::gears::Mesh::External,
+        },
+        assur::mechanism::DraftGear {
+            links: ["planet", "ring"].map(str::to_owned),
+            carrier: "carrier".to_owned(),
+            teeth: [20.0, 60.0],
+            mesh: assur::gears::Mesh::Internal,
+        },
+    ];
+    let sketch = Sketch::new(&draft, &SketchView::default());
+    for (place, wheel, link) in [
+        (above(0.0, 1.5), Some("sun"), Some("sun")),
+        (above(4.0, -1.5), Some("planet"), Some("planet")),
+        (above(-5.0, 0.5), Some("ring"), Some("ring")),
+        (above(1.0, 0.0), Some("sun"), Some("carrier")),
+        (above(6.5, 0.0), None, None),
+    ] {
+        assert_eq!(sketch.wheel_at(place), wheel, "{place}");
+        let found = sketch.link_at(place).filter(|(_, off)| *off == 0.0);
+        assert_eq!(found.map(|(name, _)| name), link, "{place}");
+    }
 }

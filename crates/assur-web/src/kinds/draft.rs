@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use assur::Point;
 use assur_draw::{Sketch, SketchView};
 use assur_edit::{Advice, Edit, Mend, edited, selected};
-use assur_file::{Document, DraftDocument, LinkageDocument, Problem, State};
+use assur_file::{Document, DraftDocument, LengthUnit, LinkageDocument, Problem, State};
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
@@ -71,6 +71,11 @@ impl Drawing {
         let view = SketchView {
             loose: told.map(|one| one.loose.clone()).unwrap_or_default(),
             locked: told.map(|one| one.locked.clone()).unwrap_or_default(),
+            sheet: match document.unit {
+                Some(LengthUnit::Mm) => 20.0,
+                Some(LengthUnit::Cm) => 2.0,
+                _ => 1.0,
+            },
         };
         Ok(Self {
             sketch: Sketch::new(&document.draft(), &view),
@@ -134,7 +139,8 @@ impl Capabilities for Drawing {
     fn link_at(&self, _input: f64, at: Point) -> Option<LinkHere> {
         let (link, off) = self.sketch.link_at(at)?;
         let link = link.to_owned();
-        Some(LinkHere { link, off })
+        let wheel = self.sketch.wheel_at(at).map(str::to_owned);
+        Some(LinkHere { link, off, wheel })
     }
 }
 

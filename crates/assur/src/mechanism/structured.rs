@@ -51,7 +51,9 @@ pub(super) fn structured(
                 mobility,
                 links: named(links),
             },
-            Fault::Overconstrained { links, .. } | Fault::Sliding { links } => Defect::Locked {
+            Fault::Overconstrained { links, .. }
+            | Fault::Sliding { links }
+            | Fault::Rigid { links } => Defect::Locked {
                 mobility,
                 links: named(links),
             },

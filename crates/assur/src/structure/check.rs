@@ -19,9 +19,6 @@ pub(super) fn check(
     let (mut pebbles, surplus) = Pebbles::count(graph, drivers, |_| true);
 
     let mut faults = vec![];
-    if drivers.is_empty() {
-        faults.push(Fault::NoDriver);
-    }
     let (with_ground, joined) = joined_to_ground(graph);
     let apart = (0..graph.links).filter(|&link| !with_ground[link]);
     let apart: Vec<usize> = apart.collect();
@@ -32,6 +29,17 @@ pub(super) fn check(
         link != graph.ground && with_ground[link] && !pebbles.locked(graph.ground, link)
     });
     let undriven: Vec<usize> = undriven.collect();
+    if drivers.is_empty() {
+        let links: Vec<usize> = (0..graph.links)
+            .filter(|&link| link != graph.ground && with_ground[link])
+            .collect();
+        // A driver is asked for only where something could be driven. Surplus constraints are a fault of their own.
+        if !undriven.is_empty() || links.is_empty() {
+            faults.push(Fault::NoDriver);
+        } else if surplus_allowed || surplus.is_empty() {
+            faults.push(Fault::Rigid { links });
+        }
+    }
     if !undriven.is_empty() {
         faults.push(Fault::Undriven {
             links: undriven,

@@ -63,6 +63,11 @@ pub enum Fault {
         /// How many freedoms they have together: so many drivers are missing.
         freedoms: usize,
     },
+    /// Links with no freedom to drive, where no driver is given.
+    Rigid {
+        /// The links, all but the ground.
+        links: Vec<usize>,
+    },
     /// Links that hold too many constraints: they count as locked, and more
     /// than that. There may be several such parts.
     Overconstrained {
