@@ -128,7 +128,7 @@ export class Engine {
    * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; none where it is too long
    */
   code(text) {
-    return module.qr_code(text);
+    return this.ask(() => module.qr_code(text));
   }
 
   /** @returns {Promise<Engine>} */
@@ -154,6 +154,7 @@ export class Engine {
     });
     this.#good = state;
     this.trapped = false;
+    this.#outliveCompared();
     return summary;
   }
 
@@ -244,7 +245,16 @@ export class Engine {
    * @returns {import("assur/state/compared.js").Beside | null} what is compared with it there, where it can be assembled
    */
   compared(input) {
-    return this.#compared.at(input, this);
+    const beside = this.#compared.at(input, this);
+    this.#outliveCompared();
+    return beside;
+  }
+
+  /** What is compared with the mechanism may break down, and the instance of the module with it. */
+  #outliveCompared() {
+    if (!this.#compared.broken) return;
+    this.#compared.lose();
+    this.#renew();
   }
 
   /**
@@ -453,7 +463,8 @@ export class Engine {
       if (Array.isArray(thrown)) throw new Refusal(thrown);
       console.error(thrown);
       this.trapped = true;
-      this.#recover();
+      this.#compared.forget();
+      this.#renew();
       throw new Refusal([{ code: "trapped" }]);
     }
   }
@@ -479,9 +490,21 @@ export class Engine {
     this.quantities = of("″");
   }
 
-  /** A trap leaves a simulator unusable: a new one takes over with the last good state. */
-  #recover() {
+  /**
+   * After a trap the stack of the instance stays as it was, and what was borrowed stays borrowed: a new instance takes over, with the last good
+   * state. All simulators of the old one are gone.
+   */
+  #renew() {
+    module.__wbg_reset_state();
     this.#simulator = new module.Simulator();
-    if (this.#good) this.#simulator.set(alone(this.#good));
+    const good = this.#good;
+    if (!good) return;
+    try {
+      this.#simulator.set(alone(good));
+    } catch (thrown) {
+      console.error(thrown);
+      this.#good = null;
+      this.#renew();
+    }
   }
 }

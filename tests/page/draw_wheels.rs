@@ -96,7 +96,7 @@ async fn a_guide_is_as_announced() {
     sheet.line(&[[0.0, 0.5], [3.0, 2.1]]).await;
     assert_eq!(page.text("problem").await, "");
     let document = drawn(&sheet).await;
-    let place = |name: &str| {
+    let at = |name: &str| {
         document
             .points
             .iter()

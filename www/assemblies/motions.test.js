@@ -4,6 +4,7 @@ import test, { afterEach } from "node:test";
 import { Motions } from "assur/assemblies/motions.js";
 import { alone, withDocument } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
+import { withoutStack } from "assur/tests/stack.js";
 import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 
 const engine = newEngine();
@@ -115,4 +116,21 @@ test("after a break at an input the next one is answered, by a worker of its own
   await until(() => motions.belonging);
   assert.deepEqual([motions.lost, motions.current, Worker.running.size], [false, true, 1]);
   assert.deepEqual(motions.belonging.reached, [[], null]);
+});
+
+test("a worker whose stack overflows is lost, ten in a row, and the next one answers", PATIENCE, async (t) => {
+  const { motions, until } = begin();
+  const small = t.mock.method(globalThis, "fetch", async (url) => {
+    const wasm = await (await fetchFile(url)).arrayBuffer();
+    return new Response(withoutStack(new Uint8Array(wasm)), { headers: { "Content-Type": "application/wasm" } });
+  });
+  for (let times = 0; times < 10; times++) {
+    motions.of(times + 1, times % 2 ? rocker : class4);
+    await until(() => motions.lost);
+    assert.equal(Worker.running.size, 0);
+  }
+  small.mock.restore();
+  motions.of(11, rocker);
+  await until(() => motions.current);
+  assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
 });

@@ -32,6 +32,8 @@ export function discard(simulator) {
 export class Compared {
   /** @type {Simulator | null} with A, where it can be shown */
   simulator = null;
+  /** Whether its simulator has trapped: the instance of the engine is of no use any more. */
+  broken = false;
   #newSimulator;
   #seen = new Seen();
   /** @type {Summary | null} */
@@ -87,6 +89,19 @@ export class Compared {
     }
   }
 
+  /** A is shown no more until another one comes. */
+  lose() {
+    this.broken = false;
+    this.simulator = null;
+    this.#summary = null;
+  }
+
+  /** Its simulator is gone with the instance of the engine: A is taken anew with the next state. */
+  forget() {
+    this.lose();
+    this.#seen = new Seen();
+  }
+
   /** @param {State} state */
   #take({ compared, view }) {
     this.#drop();
@@ -95,6 +110,7 @@ export class Compared {
     const state = initialState(compared.kind, compared.document, shared);
     // A may lack what is plotted or measured of B.
     for (const wanted of [state, withView(state, PARTS)]) {
+      if (this.broken) return;
       const simulator = this.#newSimulator();
       try {
         this.#summary = /** @type {Summary} */ (simulator.set(wanted));
@@ -109,12 +125,12 @@ export class Compared {
     }
   }
 
-  /** @param {unknown} thrown problems, or by a trap, after which the simulator is of no use */
+  /** @param {unknown} thrown problems, or by a trap */
   #lost(thrown) {
     if (Array.isArray(thrown)) return;
     console.error(thrown);
-    this.simulator = null;
-    this.#summary = null;
+    this.lose();
+    this.broken = true;
   }
 
   #drop() {

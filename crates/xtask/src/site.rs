@@ -75,6 +75,8 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path, place: &Path) -> Res
         .args(["--target", "web"])
         .args(["--encode-into", "always"])
         .args(["--remove-name-section", "--remove-producers-section"])
+        // A trap leaves the stack of the instance as it was: the page begins another one.
+        .arg("--experimental-reset-state-function")
         .arg("--out-dir")
         .arg(place)
         .arg(wasm);

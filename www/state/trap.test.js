@@ -1,0 +1,127 @@
+// The engine without room on its stack: each exported call in turn traps, is said to, and leaves an engine that works on.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Engine } from "assur/engine.js";
+import * as module from "assur/pkg/assur_web.js";
+import { withFurther } from "assur/state/state.js";
+import { Context, themeOf } from "assur/tests/canvas.js";
+import { stateOf } from "assur/tests/engine.js";
+import { begin, exhaust } from "assur/tests/stack.js";
+
+begin();
+const engine = new Engine();
+const state = stateOf(engine, "crank-rocker");
+const shared = withFurther(state, { compared: { kind: state.kind, document: engine.preset("class4-dwell").document } });
+const INPUT = 0.5;
+const { palette, scale } = themeOf(engine.roles);
+const REQUEST = { width: 400, height: 300, palette, scale, ratio: 1, whole: false, only: "all", around: 0 };
+const EDIT = { edit: "place", point: "B", at: [1, 1] };
+
+/** What each method of a simulator is called with. */
+const METHODS = {
+  set: [state], lengths: [], choosesLengths: [], labelNames: [], scene: [], at: [INPUT], plotted: [INPUT], why: [INPUT], readoutNames: [], drag: ["B", INPUT, 1, 1],
+  press: ["B"], edit: [EDIT, INPUT], part: [["A"], [], INPUT], linkAt: [INPUT, 1, 1], asKind: ["mixer", INPUT], trace: [INPUT, 1, 1], setDimension: ["links[0].length", 2, INPUT],
+  drive: ["rocker", INPUT], assemblies: [INPUT], assemble: [1, INPUT], advance: [INPUT, 0.1], chart: [new Context(), REQUEST], sweep: [12], equations: [INPUT, 2], curvature: [INPUT],
+  polygons: [INPUT, 3],
+};
+
+/** What each function of the module is called with. */
+const FUNCTIONS = {
+  blank: [], catalogue: [], checkKeys: ["{}"], isImport: ["{}"], numbersOf: [state], qr_code: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
+  shelves: [], task: [1],
+};
+
+/** Those with two simulators have a test of their own. */
+const ELSEWHERE = ["constructor", "free", "__destroy_into_raw", "chartCompared", "sweepCompared"];
+
+test("every exported call is here", () => {
+  const methods = Object.getOwnPropertyNames(module.Simulator.prototype).filter((name) => !ELSEWHERE.includes(name));
+  assert.deepEqual(methods.sort(), Object.keys(METHODS).sort());
+  const functions = Object.keys(module).filter((name) => !["AllMotions", "Design", "Simulator", "default", "initSync", "__wbg_reset_state"].includes(name));
+  assert.deepEqual(functions.sort(), Object.keys(FUNCTIONS).sort());
+});
+
+/**
+ * Has a call trap ten times in a row, and looks whether the engine works on.
+ * @param {string} name
+ * @param {(simulator: module.Simulator) => unknown} call
+ * @returns {number} how often it trapped
+ */
+function trapped(name, call) {
+  let count = 0;
+  for (let times = 0; times < 10; times++) {
+    engine.set(state);
+    const before = engine.at(INPUT);
+    exhaust();
+    try {
+      engine.ask(call);
+    } catch (refusal) {
+      assert.deepEqual([refusal.problems, engine.trapped], [[{ code: "trapped" }], true], name);
+      count++;
+    }
+    assert.deepEqual(engine.at(INPUT), before, name);
+    assert.deepEqual(engine.set(state).counts.mobility, 1, name);
+    assert.equal(engine.trapped, false);
+  }
+  return count;
+}
+
+const quiet = (t) => t.mock.method(console, "error", () => {});
+
+for (const [name, given] of Object.entries(METHODS)) {
+  test(`${name} overflows ten times, and the engine works on`, (t) => {
+    quiet(t);
+    assert.equal(trapped(name, (simulator) => simulator[name](...given)), 10);
+  });
+}
+
+for (const [name, given] of Object.entries(FUNCTIONS)) {
+  test(`${name} overflows ten times, and the engine works on`, (t) => {
+    quiet(t);
+    assert.equal(trapped(name, () => module[name](...given)), 10);
+  });
+}
+
+test("what is compared overflows: it is shown no more, and the mechanism works on without a word of it", (t) => {
+  quiet(t);
+  for (let times = 0; times < 10; times++) {
+    engine.set(state);
+    engine.set(shared);
+    assert.ok(engine.compared(INPUT));
+    const before = engine.at(INPUT);
+    exhaust();
+    assert.equal(engine.compared(INPUT), null);
+    assert.equal(engine.trapped, false);
+    assert.deepEqual(engine.at(INPUT), before);
+    assert.equal(engine.compares, false);
+  }
+});
+
+for (const [name, call] of Object.entries({ chart: () => engine.chart(new Context(), REQUEST), sweep: () => engine.sweep(12) })) {
+  test(`${name} with what is compared overflows ten times, and the engine works on`, (t) => {
+    quiet(t);
+    for (let times = 0; times < 10; times++) {
+      engine.set(state);
+      engine.set(shared);
+      assert.ok(engine.compares);
+      exhaust();
+      assert.throws(call, ({ problems }) => problems[0].code === "trapped");
+      engine.set(shared);
+      assert.ok(engine.compares);
+      call();
+    }
+  });
+}
+
+test("a simulator beside overflows, and what is compared comes again with the next state", (t) => {
+  quiet(t);
+  engine.set(shared);
+  assert.throws(() => engine.beside((other) => {
+    other.set(state);
+    exhaust();
+    return other.at(INPUT);
+  }), ({ problems }) => problems[0].code === "trapped");
+  assert.equal(engine.compared(INPUT), null);
+  engine.set(shared);
+  assert.ok(engine.compared(INPUT));
+});
