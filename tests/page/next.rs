@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use serde_json::Value;
-use thirtyfour::prelude::*;
 
 use crate::browser::Page;
 use crate::host::home;
