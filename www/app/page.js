@@ -116,6 +116,7 @@ export class Page {
     requestAnimationFrame(() => requestAnimationFrame(() => {
       setData(document.documentElement, "ready", "true");
       performance.mark("ready");
+      dispatchEvent(new Event("ready"));
       this.#prepare();
     }));
   }

@@ -13,6 +13,7 @@ import { Measures } from "assur/controls/measures.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
 import { Transport } from "assur/controls/transport.js";
+import { Bringing } from "assur/core/bringing.js";
 import { byId, setData } from "assur/core/dom.js";
 import { HERE, LATER } from "assur/kinds/index.js";
 import { PlotBar } from "assur/plots/bar.js";
@@ -57,11 +58,9 @@ export class Views {
   #moving;
   /** The kind of what is drawn. */
   #kind = "";
-  /** @type {Map<string, readonly View[]>} those of the kinds that were loaded, or are on their way */
+  /** @type {Map<string, readonly View[]>} those of the kinds that were loaded */
   #own = new Map();
-  #described = false;
-  /** Panels that were loaded, or are on their way, by the switch that asks for them. */
-  #brought = /** @type {Set<keyof typeof PANELS | keyof typeof TOOLS>} */ (new Set());
+  #bringing;
   /** Whether the first rest is a reader's doing. */
   #opened;
 
@@ -80,6 +79,7 @@ export class Views {
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
     this.#held = held;
     this.#rendering = new Rendering(() => page.notices.tell(BROKE));
+    this.#bringing = new Bringing(() => page.redraw(), () => page.notices.tell(LOST));
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
     this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page), new Measures(page), new Comparing(page)];
@@ -99,12 +99,12 @@ export class Views {
   /** @param {AnySnapshot} snapshot */
   #write(snapshot) {
     const { state, kind } = snapshot;
-    if (!state.view.playing && !this.#described) this.#describe();
+    if (!state.view.playing) this.#describe();
     if (kind !== this.#kind) this.#turn(kind);
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     this.#rendering.all(this.#views, snapshot);
-    for (const name of TOOL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, TOOLS[name], this.#views);
-    for (const name of PANEL_NAMES) if (state.view[name] && !this.#brought.has(name)) this.#bringLater(name, PANELS[name], this.#moving);
+    for (const name of TOOL_NAMES) if (state.view[name]) this.#bringLater(name, TOOLS[name], this.#views);
+    for (const name of PANEL_NAMES) if (state.view[name]) this.#bringLater(name, PANELS[name], this.#moving);
     if (moves(snapshot)) this.#rendering.all(this.#moving, snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -125,16 +125,9 @@ export class Views {
   }
 
   /** @param {string} kind */
-  async #bring(kind) {
-    this.#own.set(kind, []);
-    try {
-      const loading = LATER.get(kind)?.();
-      const later = loading && (await awaited(loading));
-      if (later) this.#add(kind, later.views);
-      this.#page.redraw();
-    } catch {
-      this.#page.notices.tell(LOST);
-    }
+  #bring(kind) {
+    const load = LATER.get(kind);
+    if (load) this.#bringing.bring(`kind ${kind}`, async () => this.#add(kind, (await awaited(load())).views));
   }
 
   /**
@@ -153,27 +146,18 @@ export class Views {
    * @param {(page: Page) => Promise<T>} load
    * @param {T[]} views to which it comes
    */
-  async #bringLater(name, load, views) {
-    this.#brought.add(name);
-    try {
+  #bringLater(name, load, views) {
+    this.#bringing.bring(name, async () => {
       views.push(await awaited(load(this.#page)));
-      this.#page.redraw();
-    } catch {
-      this.#brought.delete(name);
-      this.#page.notices.tell(LOST);
-    }
+    });
   }
 
   /** Most visits begin in motion, and need no sentences for screen readers. */
-  async #describe() {
-    this.#described = true;
-    try {
+  #describe() {
+    this.#bringing.bring("description", async () => {
       const { Description } = await import("assur/app/description.js");
       this.#moving.push(new Description(this.#page.chart, this.#opened));
-      this.#page.redraw();
-    } catch {
-      this.#described = false;
-    }
+    });
   }
 }
 

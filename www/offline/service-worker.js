@@ -41,11 +41,13 @@ addEventListener("fetch", (event) => {
 /** All files or none: a version that is not whole never answers. */
 async function install() {
   const own = PREFIX + BUILD;
+  // One that is there already may be what the page lives on.
+  const begun = !(await caches.has(own));
   const cache = await caches.open(own);
   try {
     await Promise.all(FILES.map((name) => keep(cache, name)));
   } catch (thrown) {
-    await caches.delete(own);
+    if (begun) await caches.delete(own);
     throw thrown;
   }
   await worker.skipWaiting();

@@ -17,6 +17,7 @@ globalThis.caches = {
     if (!stores.has(name)) stores.set(name, new Map());
     return storeOf(name);
   },
+  has: async (name) => stores.has(name),
   keys: async () => [...stores.keys()],
   delete: async (name) => stores.delete(name),
   match: async (url) => [...stores.values()].find((store) => store.has(url.url ?? url))?.get(url.url ?? url).clone(),
@@ -81,6 +82,16 @@ test("a version that is not whole is none", async () => {
     await assert.rejects(worker.install());
     assert.deepEqual([[...stores.keys()], skipped], [[], 0]);
   }
+});
+
+test("a version that is whole outlives an install that fails", async () => {
+  const worker = await version("b1", "./", "files/a.js");
+  await worker.install();
+  net = { "": new TypeError("no net") };
+  const again = await version("b1", "./", "files/a.js");
+  await assert.rejects(again.install());
+  assert.equal(await worker.get("files/a.js"), "a");
+  assert.equal(await worker.get(""), "page of b1");
 });
 
 test("a file that any version kept is taken from there, all else is asked for anew", async () => {
