@@ -57,8 +57,13 @@ pub(crate) async fn answer(page: &Page, text: &str) -> String {
     verdict(page).await
 }
 
-/// The rows of the table of results, cells with a bar between them.
+/// The rows of the table of results, cells with a bar between them, once all codes are judged.
 async fn table(page: &Page) -> Vec<String> {
+    let codes = page.written("write-codes").await.lines().count();
+    page.until("all rows", async || {
+        page.count("#write-table tbody tr").await == codes
+    })
+    .await;
     let script = "return [...document.querySelectorAll('#write-table tbody tr')]
         .map((row) => [...row.cells].map(({ textContent }) => textContent).join('|'))";
     serde_json::from_value(page.ask(script).await).unwrap()

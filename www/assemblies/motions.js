@@ -49,6 +49,15 @@ export class Motions {
     this.#ask({ revision, state });
   }
 
+  /** Ends the worker, and forgets what was found: nobody looks at it. */
+  close() {
+    this.#end();
+    this.#next = this.#state = this.map = this.belonging = null;
+    this.#revision = 0;
+    this.#asked = "";
+    this.current = this.lost = false;
+  }
+
   /**
    * @param {number} input
    * @param {number} number of the assembly that is shown, from 0
@@ -84,14 +93,22 @@ export class Motions {
     try {
       const response = await fetchWasm();
       const wasm = await response.arrayBuffer();
+      if (worker !== this.#worker) return;
       // A worker knows nothing of the linkage that another one broke at: what is asked of it waits for the map.
       const question = this.#next && "state" in this.#next ? this.#next : { revision: this.#revision, state: this.#state };
       if (question === this.#next) this.#next = null;
       worker.postMessage({ wasm, ...question }, [wasm]);
     } catch {
+      if (worker !== this.#worker) return;
       this.#next = null;
       this.#hear({ lost: true, broken: true });
     }
+  }
+
+  #end() {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#busy = true;
   }
 
   /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean, broken?: boolean }} answer */
@@ -109,16 +126,16 @@ export class Motions {
     }
     if (broken) {
       // What is asked next gets a worker of its own.
-      this.#worker?.terminate();
-      this.#worker = null;
-      this.#busy = true;
+      this.#end();
       if (this.#next) this.#begin();
       this.#changed();
       return;
     }
     // While a length is dragged it rests twice as long as it worked: the page draws with the same processors.
     const rest = map && this.#next ? 2 * (performance.now() - this.#since) : 0;
+    const worker = this.#worker;
     setTimeout(() => {
+      if (worker !== this.#worker) return;
       this.#busy = false;
       this.#send();
     }, rest);

@@ -134,3 +134,18 @@ test("a worker whose stack overflows is lost, ten in a row, and the next one ans
   await until(() => motions.current);
   assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
 });
+
+test("once nobody looks the worker is ended, and another one answers who looks again", PATIENCE, async () => {
+  const { motions, until } = begin();
+  motions.of(1, rocker);
+  motions.close();
+  assert.equal(Worker.running.size, 0);
+  motions.of(1, rocker);
+  await until(() => motions.current);
+  motions.close();
+  assert.deepEqual([motions.map, motions.current, Worker.running.size], [null, false, 0]);
+  motions.close();
+  motions.of(1, rocker);
+  await until(() => motions.current);
+  assert.equal(Worker.running.size, 1);
+});

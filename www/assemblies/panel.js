@@ -67,6 +67,7 @@ export class Assemblies {
     // Of what is no linkage none are told.
     this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.assemblies(frameInput)).value) || null;
     this.element.hidden = !this.#here;
+    if (!state.view.all_assemblies) this.#motions.close();
     if (!this.#here) return;
     this.#motions.of(snapshot.revision, state);
     this.#show(this.#here, snapshot);

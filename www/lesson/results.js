@@ -12,6 +12,9 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 /** More than a class has. */
 const MOST = 200;
 
+/** So long codes are judged before the page has its turn, in milliseconds. */
+const SLICE = 12;
+
 const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "–" });
 
 export class Results {
@@ -22,6 +25,10 @@ export class Results {
   #table = make("div", { id: "write-table", class: "write-table", role: "status" });
   /** @type {Written | null} */
   #lesson = null;
+  /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} on answers to the lesson, by step, name and answer: each costs the engine a mechanism */
+  #verdicts = new Map();
+  /** How often the table was begun. */
+  #begun = 0;
   element;
 
   /**
@@ -56,11 +63,13 @@ export class Results {
   render(lesson) {
     if (lesson === this.#lesson) return;
     this.#lesson = lesson;
+    this.#verdicts.clear();
     this.#list();
   }
 
-  /** Writes the table of all codes: what each said is judged anew. */
-  #list() {
+  /** Writes the table of all codes, row by row, unless it is begun anew meanwhile. */
+  async #list() {
+    const begun = ++this.#begun;
     const lesson = this.#lesson;
     const codes = lines(this.#codes.value);
     if (!lesson || codes.length === 0) {
@@ -71,10 +80,34 @@ export class Results {
     const asked = lesson.steps.flatMap(({ question }, i) => (question ? [i] : []));
     const heads = [words.text("write.result_name"), ...asked.map((i) => words.numbers.exact(i + 1)), words.text("write.result_right")];
     const own = digestOf(lesson, this.#page.engine);
-    this.#table.replaceChildren(make("table", {}, [
-      make("thead", {}, [make("tr", {}, heads.map((head) => make("th", { scope: "col" }, [head])))]),
-      make("tbody", {}, codes.map((code, line) => this.#row(code, line, lesson, own, asked))),
-    ]), make("p", { class: "lesson-note" }, [words.text("write.signs", SIGNS)]));
+    const rows = make("tbody");
+    this.#table.replaceChildren(
+      make("table", {}, [make("thead", {}, [make("tr", {}, heads.map((head) => make("th", { scope: "col" }, [head])))]), rows]),
+      make("p", { class: "lesson-note" }, [words.text("write.signs", SIGNS)]),
+    );
+    let due = performance.now() + SLICE;
+    for (const [line, code] of codes.entries()) {
+      if (performance.now() > due) {
+        await new Promise((done) => setTimeout(done));
+        if (begun !== this.#begun) return;
+        due = performance.now() + SLICE;
+      }
+      rows.append(this.#row(code, line, lesson, own, asked));
+    }
+  }
+
+  /**
+   * @param {Written} lesson
+   * @param {number} step
+   * @param {string} given
+   * @param {string} name
+   * @returns {boolean} whether the answer is right
+   */
+  #isRight(lesson, step, given, name) {
+    const key = JSON.stringify([step, given, name]);
+    const verdict = this.#verdicts.get(key) ?? verdictOn(lesson, step, given, name, this.#page.engine);
+    this.#verdicts.set(key, verdict);
+    return verdict === "right";
   }
 
   /**
@@ -96,7 +129,7 @@ export class Results {
       const count = tries > 0 ? `(${words.numbers.exact(tries)})` : "";
       if (shown) return { sign: SIGNS.shown, given: count, right: false };
       if (given === "") return { sign: SIGNS.open, given: count, right: false };
-      const right = verdictOn(lesson, i, given, result.name, this.#page.engine) === "right";
+      const right = this.#isRight(lesson, i, given, result.name);
       return { sign: right ? SIGNS.right : SIGNS.wrong, given: `${saidOf(lesson, i, given)} ${count}`.trim(), right };
     });
     const count = words.text("write.of", {
