@@ -179,11 +179,11 @@ function readPoses(frame) {
 
 /**
  * A name, or a symbol with the value that it has in the very frame that is drawn.
- * @param {string} label a name, or a symbol and the read-out it is written with: `μ=C.transmission`
+ * @param {string} label a name, or a symbol and the read-out it is written with, a tab between them: no name has one
  * @param {Snapshot} snapshot
  */
 function labelText(label, { frameInput, coordinate, readouts, words, state, withheld }) {
-  const [symbol, readout] = label.split("=");
+  const [symbol, readout] = label.split("\t");
   if (readout === undefined) return low(called(label, words));
   const decimals = readable(1, state?.view.playing ?? false);
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;

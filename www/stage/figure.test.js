@@ -117,3 +117,19 @@ test("what is compared is drawn in one colour, without labels", () => {
   assert.deepEqual(texts(beside), texts(alone));
   assert.deepEqual([...beside.shapes].filter((colour) => !alone.shapes.has(colour)), [theme.colours.secondary].filter((colour) => !alone.shapes.has(colour)));
 });
+
+test("names are names, whatever they look like", () => {
+  const { page, paint } = begin("crank-rocker", { transmission: true });
+  const { document } = page.store.get();
+  const rename = (name) => ({ B: "x=input", M: "A=1" })[name] ?? name;
+  const named = (points) => points.map((name) => rename(name));
+  const other = {
+    ...document, points: document.points.map((point) => ({ ...point, name: rename(point.name) })), links: document.links.map((link) => ({ ...link, points: named(link.points) })),
+    traces: [], plots: [],
+  };
+  page.choose("linkage", other);
+  assert.deepEqual(page.now().problems, []);
+  const written = texts(paint((state) => withView(state, { transmission: true, phi_deg: 62 })));
+  assert.ok(written.includes("x=input") && written.includes("A=1"), written.join("|"));
+  assert.ok(written.includes("φ₁ = 62.0°") && written.some((text) => /^μ = \d/.test(text)), written.join("|"));
+});

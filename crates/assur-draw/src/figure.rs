@@ -6,7 +6,7 @@ mod bounds;
 mod given;
 mod layout;
 mod lines;
-mod names;
+pub(crate) mod names;
 mod nearest;
 mod numbers;
 mod overlaid;
@@ -214,7 +214,7 @@ impl Figure {
     }
 
     /// What the labels' numbers stand for: the names of the points, then symbols. One
-    /// of the form `μ=C.transmission` is written with the value of that read-out (of
+    /// followed by a tab and the name of a read-out, as `μ` and `C.transmission`, is written with its value (of
     /// `input`: the input), an angle.
     pub fn names(&self) -> &[String] {
         self.names.all()

@@ -247,14 +247,14 @@ mod tests {
         }
     }
 
-    /// A label of the form SYMBOL=READOUT has the value in degrees, if there is one.
+    /// A label of a symbol and a read-out has the value in degrees, if there is one.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();
         for name in 0..2 {
             list.name(Role::Ink, name, assur::Point::origin(), [0.0, 0.0]);
         }
-        let names = ["φ₁=input", "μ=C.transmission"].map(str::to_owned);
+        let names = ["φ₁\tinput", "μ\tC.transmission"].map(str::to_owned);
         let mut svg = Svg::new(100.0);
         svg.drawing(50.0, &drawing(&list, &names));
         let text = svg.finish("");

@@ -2,8 +2,10 @@
 
 use assur::mechanism::{Mechanism, PointId};
 
-/// The points' names, then symbols. A symbol that is written with a value has the
-/// form `μ=C.transmission`.
+/// Between a symbol and the read-out whose value it is written with: no name has control characters.
+pub(crate) const VALUE: char = '\t';
+
+/// The points' names, then symbols. A symbol that is written with a value is followed by [`VALUE`] and the name of the read-out.
 #[derive(Clone, Debug)]
 pub(super) struct Names(Vec<String>);
 
@@ -24,6 +26,11 @@ impl Names {
             self.0.push(symbol);
             self.0.len() - 1
         })
+    }
+
+    /// The number of a symbol that is written with the value of a read-out.
+    pub(super) fn add_valued(&mut self, symbol: &str, readout: &str) -> usize {
+        self.add(format!("{symbol}{VALUE}{readout}"))
     }
 
     pub(super) fn all(&self) -> &[String] {

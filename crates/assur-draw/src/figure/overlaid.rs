@@ -80,8 +80,7 @@ impl Overlaid {
         };
         let measured = |one: &Quantity| {
             let symbol = if one.is_angle() { "θ" } else { "d" };
-            let label = format!("{symbol}={}", one.name(mechanism, 0));
-            (*one, names.add(label))
+            (*one, names.add_valued(symbol, &one.name(mechanism, 0)))
         };
         overlaid.measures = view.measures.iter().map(measured).collect();
         if shown.loop_vectors {
@@ -96,8 +95,8 @@ impl Overlaid {
         if shown.transmission {
             let named = |dyad: &RrrDyad| {
                 let [from, to] = dyad.outer.map(|outer| outer.point);
-                let label = format!("μ={}.transmission", names.of(dyad.inner));
-                ([from, dyad.inner, to], names.add(label))
+                let readout = format!("{}.transmission", names.of(dyad.inner));
+                ([from, dyad.inner, to], names.add_valued("μ", &readout))
             };
             overlaid.transmission = dyads.iter().map(named).collect();
         }
@@ -212,7 +211,7 @@ impl InputArc {
             radius: 0.5 * arms.find(|arm| *arm > 0.0)?,
             least: motion.cycle().axis()[0],
             role: layout.drawn_role(link),
-            name: names.add(format!("{symbol}=input")),
+            name: names.add_valued(&symbol, "input"),
         })
     }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{Drawing, css, escaped};
+use crate::figure::names::VALUE;
 use crate::list::Role;
 
 /// For each look, as in the page's painter: opacity of the filling (negative: filled
@@ -98,9 +99,9 @@ impl Painter<'_> {
         }
     }
 
-    /// A label; with the value of what stands behind its sign of equality, degrees.
+    /// A label; of a symbol and a read-out with its value, degrees.
     fn written(&self, label: &str) -> String {
-        let Some((symbol, what)) = label.split_once('=') else {
+        let Some((symbol, what)) = label.split_once(VALUE) else {
             return label.to_owned();
         };
         let value = (self.drawing.values)(what);

@@ -204,7 +204,7 @@ fn transmission_arc_spans_the_angle() {
         let spanned = (spanned - TAU * (spanned / TAU).round()).abs();
         let expected = drawn.mixer.linkage.transmission_angle(crank).unwrap();
         assert!((spanned - expected).abs() < 1e-5, "{crank}: {spanned}");
-        drawn.label(&moving, "μ=C.transmission");
+        drawn.label(&moving, "μ\tC.transmission");
     }
 }
 

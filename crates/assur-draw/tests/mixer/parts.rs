@@ -30,7 +30,7 @@ fn lists_are_whole_and_bodies_have_poses() {
         let moving = drawn.moving(1.0);
         let labels = moving.iter().filter(|record| record[0] == 4.0);
         let labels: Vec<&str> = labels.map(|label| drawn.text(label)).collect();
-        assert_eq!(labels, ["A", "B", "C", "D", "4", "5", "φ₁=input"]);
+        assert_eq!(labels, ["A", "B", "C", "D", "4", "5", "φ₁\tinput"]);
         assert_eq!(moving.len(), labels.len() + 3);
     }
 }
@@ -163,7 +163,7 @@ fn six_wheels_are_whole_with_and_without_idlers() {
             "8",
             "9",
             "10",
-            "φ₁=input",
+            "φ₁\tinput",
         ];
         assert_eq!(named, expected);
     }
