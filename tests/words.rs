@@ -432,7 +432,7 @@ fn lessons_have_their_words_and_no_more() {
     for name in lessons() {
         let script = source(&format!("{name}/lesson.js"));
         let words = &tables(&format!("{name}/words.*.json"))[0].2;
-        let mut expected = BTreeSet::from(["title", "line"].map(str::to_owned));
+        let mut expected = BTreeSet::from(["title", "line", "learnt"].map(str::to_owned));
         for step in script.split("    id: \"").skip(1) {
             let id = step.split('"').next().unwrap();
             expected.extend(

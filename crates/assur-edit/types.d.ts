@@ -74,7 +74,7 @@ link: string, } | { "edit": "fix",
  */
 point: string, } | { "edit": "make_exact", } | { "edit": "weld", 
 /**
- * The links: the first is fixed to the second.
+ * The links: the first is fixed to the second, which may be the frame.
  */
 links: [string, string], } | { "edit": "join", 
 /**

@@ -12,7 +12,7 @@ import { answerOf } from "assur/lesson/tasks.js";
 export const REACHED = "1";
 
 /** By what name the browser's own store keeps the digest of the lesson that was written here last. */
-export const WRITTEN_HERE = "lesson.written";
+export const WRITTEN_HERE = "written-here";
 
 /**
  * @param {Written} lesson
