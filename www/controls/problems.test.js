@@ -107,7 +107,7 @@ test("what is wrong with a lesson is said by its place and its step", () => {
   const { kind, document } = page.store.get();
   const good = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document }, question: { text: "?", number: { quantity: "F.y", within: 0.1 } } }] };
   for (const [change, part] of [
-    [(lesson) => (lesson.title = 7), "lesson.title"], [(lesson) => (lesson.steps = "all"), "lesson.steps"], [(lesson) => (lesson.steps = []), "Steps of the lesson"],
+    [(lesson) => (lesson.title = 7), "lesson.title"], [(lesson) => (lesson.steps = "all"), "lesson.steps"], [(lesson) => (lesson.steps = []), "Steps in the lesson"],
     [(lesson) => (lesson.steps[0].text = { html: "<b>" }), "lesson.steps[0].text"], [(lesson) => (lesson.steps[0].question.number.within = -1), "In step 1 of the lesson"],
     [(lesson) => (lesson.steps[0].shows.document.links = []), "In step 1 of the lesson"],
   ]) {

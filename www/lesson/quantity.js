@@ -1,6 +1,7 @@
 // Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. What they are called, in which unit they are told, and which
 // read-outs of the page tell them.
-import { readoutOf, symbol } from "assur/core/symbols.js";
+import { called } from "assur/core/names.js";
+import { calledWhole, readoutOf, symbol } from "assur/core/symbols.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -68,11 +69,13 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === W) return W;
   const [name, whole] = quantity.split(":");
   const bare = name.replace(/[′″]$/, "");
-  const of = bare.slice(0, bare.lastIndexOf("."));
+  const dot = bare.lastIndexOf(".");
+  const [of, what] = [bare.slice(0, dot), bare.slice(dot + 1)];
   const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
   const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
   const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
-  const said = short.endsWith(of) || bare.endsWith(".transmission") || bare.endsWith(".pressure") ? short : `${short} (${of})`;
+  const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
+  const said = short.endsWith(whose) ? short : `${short} (${whose})`;
   return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
 }
 

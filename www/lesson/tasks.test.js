@@ -170,6 +170,16 @@ test("every quantity that is offered has a value, a name, a unit, and is hidden 
   }
 });
 
+test("quantities are named by what their links are called in the reader’s language", () => {
+  const russian = wordsOf("ru");
+  const named = (id, quantity) => quantityName(quantity, snapshotOf(engine, stateOf(engine, id), russian), russian);
+  assert.equal(named("crank-rocker", "rocker.angle′"), "φ′ коромысло");
+  assert.equal(named("crank-rocker", "C.transmission"), "μ C");
+  assert.equal(named("mixer-a", "rocker.angle"), "φ₃ (коромысло)");
+  assert.equal(named("mixer-a", "wheel5.angle:swing"), "размах: φ₅ (колесо 5)");
+  assert.equal(named("mixer-a", "C2.x″"), "x″ (C₂)");
+});
+
 test("read-outs that tell a quantity are those of its derivative and of the whole motion", () => {
   const all = {
     "rocker.angle:swing": ["course-stroke", "linkage-swing", "swing-rocker"], "slider.x:swing": ["course-stroke", "linkage-stroke"], "rocker.angle:time_ratio": ["linkage-time-ratio", "time-ratio"],

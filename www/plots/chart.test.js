@@ -144,7 +144,7 @@ test("any two quantities are plotted against each other, by axes with names and 
   assert.ok(against.curve.flat().every(Number.isFinite) && against.curve.flat().length > 300);
   const input = draw((state) => withView(state, { against: { x: "input", y: "rocker.angle" } }));
   for (const title of ["↑ φ₃, °", "φ₁, ° →"]) assert.ok(input.texts.includes(title), `${title}: ${input.texts}`);
-  assert.ok(described(input.against, input.snapshot).startsWith("φ₃ over φ₁."), described(input.against, input.snapshot));
+  assert.ok(described(input.against, input.snapshot).startsWith("φ₃ against φ₁."), described(input.against, input.snapshot));
   const train = begin("train-gears", { against: { x: "carrier.angle", y: "carrier.dangle" } }).draw();
   has(train.texts, "↑ ω₃, rad/s");
   assert.ok(train.texts.includes("φ₃, ° →"), String(train.texts));
