@@ -1,6 +1,7 @@
 // The name of the mechanism in the header, with what it is good for, and what is called by it.
 import { byId, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
+import { titleOf } from "assur/core/titles.js";
 
 export class Title {
   #place = byId("mechanism-name", HTMLElement);
@@ -17,21 +18,11 @@ export class Title {
   render({ state, words }) {
     if (this.#shown.same(state.document, words)) return;
     const preset = this.#engine.presetOf(state);
-    const name = preset ? words.text(`gallery.${preset.id}`) : named(state, words);
+    const name = titleOf(state, this.#engine, words);
     write(this.#place, name);
     document.title = `${name} · Assur`;
     this.#place.title = preset ? words.text(`about.${preset.id}`) : "";
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);
   }
-}
-
-/**
- * @param {import("assur/state/state.js").State} state
- * @param {import("assur/core/words.js").Words} words
- * @returns {string} the title of what is not in the catalogue, else what its kind is called
- */
-function named({ document, kind }, words) {
-  const title = "title" in document && document.title;
-  return title || words.text(`kind.${kind}`);
 }

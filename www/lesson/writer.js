@@ -2,6 +2,7 @@
 import { sentence } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { titleOf } from "assur/core/titles.js";
 import { Asking } from "assur/lesson/asking.js";
 import { FIELDS, valueTyped } from "assur/lesson/fields.js";
 import { Results } from "assur/lesson/results.js";
@@ -110,9 +111,9 @@ export class Writer {
     none.disabled = !step.shows;
     const shown = shownBy(lesson, index);
     open.disabled = !shown;
-    const title = shown && titleOf(shown.shows);
     const key = !shown ? "write.shown.none" : step.shows ? "write.shown.own" : "write.shown.before";
-    write(this.#shown, this.#words.text(key, { title: title || this.#words.text(`kind.${shown?.shows.kind}`) }));
+    const title = shown ? titleOf(shown.shows, this.#page.engine, this.#words) : "";
+    write(this.#shown, this.#words.text(key, { title }));
     const sort = this.#asking.render(snapshot, lesson, index);
     for (const [field, { control, row }] of this.#fields) {
       row.hidden = field.of === "question" && (sort === "none" || (field.sorts !== undefined && !field.sorts.includes(sort)));
@@ -201,12 +202,4 @@ export class Writer {
  */
 function indexOf({ view, lesson }) {
   return Math.min(view.lesson?.step ?? 1, lesson?.steps.length ?? 1) - 1;
-}
-
-/**
- * @param {NonNullable<Written["steps"][number]["shows"]>} shows
- * @returns {string} what it is called
- */
-function titleOf({ document }) {
-  return ("title" in document && document.title) || ("origin" in document && document.origin) || "";
 }

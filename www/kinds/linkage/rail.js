@@ -3,6 +3,7 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
+import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
 
 /**
@@ -65,9 +66,10 @@ export class LinkageRail {
       this.#built = built;
       this.#build(summary, linkage, words);
     }
-    // That of the catalogue is in English.
-    this.#source.lang = linkage.origin ? "en" : words.lang;
-    write(this.#source, linkage.source ?? "");
+    const source = sourceOf(linkage, this.#page.engine, words);
+    // That of a lesson on a linkage of the catalogue is in English.
+    this.#source.lang = linkage.origin && source === linkage.source ? "en" : words.lang;
+    write(this.#source, source);
     const [driver] = linkage.drivers;
     this.#driver.value = driver?.crank ?? linkage.slides?.[driver?.slide ?? -1]?.link ?? "";
     this.#rows.forEach((row, i) => row.show(dimensions[i].value, words, wrong.has(row.field)));
