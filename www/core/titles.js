@@ -25,7 +25,7 @@ export function titleOf(state, engine, words) {
  * @param {Words} words
  * @returns {string} the note of the catalogue on where it comes from; one that is not the catalogue's as it is
  */
-export function sourceOf({ origin = "", source = "" }, engine, words) {
-  const noted = /** @type {Partial<Documents["linkage"]> | undefined} */ (engine.preset(origin)?.document)?.source;
-  return source && source === noted ? words.text(`source.${origin}`) : source;
+export function sourceOf({ origin, source }, engine, words) {
+  const noted = /** @type {Partial<Documents["linkage"]> | undefined} */ (engine.preset(origin ?? "")?.document)?.source;
+  return source && source === noted ? words.text(`source.${origin}`) : source ?? "";
 }
