@@ -131,7 +131,7 @@ async fn any_two_quantities_are_chosen() {
     page.until("the description", async || {
         page.text("charts-description")
             .await
-            .starts_with("φ₃ over φ₁.")
+            .starts_with("φ₃ against φ₁.")
     })
     .await;
     open_dialog(&page).await;

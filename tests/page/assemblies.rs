@@ -169,7 +169,7 @@ async fn another_engine_is_taken_for_one_that_broke() {
     page.stop_at("70").await;
     shown(&page).await;
     page.until("that there is no map", async || {
-        page.text("assembly-mapped").await == "The map could not be made."
+        page.text("assembly-mapped").await == "The map could not be drawn."
     })
     .await;
     assert_eq!(page.ask("return window.ended").await, json!(1));

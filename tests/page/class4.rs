@@ -397,7 +397,10 @@ async fn the_frame_is_regulated() {
     .await;
     agrees(&page, &moved, "CD.angle").await;
 
-    for (text, sentence) in [("far", "x of fixed pivot H"), ("40", "cannot be joined")] {
+    for (text, sentence) in [
+        ("far", "x of fixed pivot H"),
+        ("40", "can no longer be joined"),
+    ] {
         page.write(&format!("field-point-{H}-x"), text).await;
         page.until("a sentence", async || {
             page.text("problem").await.contains(sentence)

@@ -202,7 +202,7 @@ async fn a_is_in_the_table_and_told() {
         let said = page.ask(said).await;
         let said = said.as_str().unwrap();
         let value = format!(" {:.1}°, B − A = ", shown[0]);
-        said.contains("Beside it mechanism A: ") && said.contains(&value)
+        said.contains("For comparison, mechanism A: ") && said.contains(&value)
     })
     .await;
     open_dialog(&page).await;

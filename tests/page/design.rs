@@ -181,7 +181,7 @@ async fn a_search_is_stopped_and_wishes_are_refused() {
     let told = page.text("design-progress").await;
     assert_eq!(
         told,
-        "Wanted dwell: it must be greater than zero, and an arc no more than a full turn."
+        "Target dwell: it must be greater than zero, and an arc no more than a full turn."
     );
     page.write("field-design-arc", "184").await;
     for index in [1, FK, 6] {

@@ -77,7 +77,7 @@ async fn what_cannot_be_is_refused_at_its_row() {
     let said = page.text("problem").await;
     for part in [
         "Length of link EG is too small by",
-        "EG, FG cannot be joined",
+        "EG, FG can no longer be joined",
         "is 0.7",
     ] {
         assert!(said.contains(part), "{said}");

@@ -206,14 +206,14 @@ async fn what_cannot_be_drawn_is_said() {
     sheet.press(4.0, 3.0).await;
     assert_eq!(
         page.text("problem").await,
-        "Press a link here, not the paper."
+        "Click a link here, not empty space."
     );
     assert_eq!(drawn(&sheet).await, before);
     // Two points in one place, by numbers.
     page.write("draw-x-B", "-3").await;
     page.write("draw-y-B", "-1").await;
     let said = page.text("draw-reasons").await;
-    assert!(said.contains("given at one place"), "{said}");
+    assert!(said.contains("coincide"), "{said}");
     page.write("draw-y-B", "1e12").await;
     assert!(
         page.text("problem").await.contains("B"),

@@ -132,11 +132,11 @@ async fn unknown_parameters_are_sentences_and_no_markup() {
     let page = at("embed=stage&play=no&%3Cimg%20src=x%3E=1&lang=%3Cb%3Exx&step=0&edit=no&lesson=mixer#jansen&v.phi_deg=30").await;
     let said = page.text("notice-text").await;
     for part in [
-        "The parameter <img src of the frame is not known.",
-        "The parameter lang of the frame cannot be “<b>xx”.",
-        "The parameter step of the frame cannot be “0”.",
-        "The parameter edit of the frame cannot be “no”.",
-        "The rest is shown as the address says.",
+        "Unknown frame parameter: <img src.",
+        "The frame parameter lang cannot be “<b>xx”.",
+        "The frame parameter step cannot be “0”.",
+        "The frame parameter edit cannot be “no”.",
+        "Everything else is shown as the address specifies.",
     ] {
         assert!(said.contains(part), "{said}");
     }

@@ -427,7 +427,7 @@ async fn what_is_no_mechanism_names_links_and_points() {
                 one.links[1].length = None;
                 one.points[2].at = one.points[1].at;
             }),
-            "Link rod: its points B, C are given at one place, so its direction is unknown.",
+            "Link rod: its points B, C coincide, so its direction is unknown.",
         ),
         (
             broken(|one| one.links[1].length = Some(0.0)),

@@ -309,7 +309,7 @@ async fn bad_speeds_are_said() {
     for (field, named) in [
         ("rpm-1", "Input shaft 1"),
         ("rpm-2", "Input shaft 2"),
-        ("start_s-2", "time of starting from rest"),
+        ("start_s-2", "run-up time from rest"),
     ] {
         let id = format!("field-{field}");
         let good = page.written(&id).await;

@@ -104,7 +104,7 @@ async fn a_link_of_pmks_is_pasted() {
     page.choose("lang", "ru").await;
     told(&page, "Силы опущены: F1.").await;
     assert!(paste(&page, FIRST, "body").await);
-    told(&page, "pmksplus.mech.website: открыто.").await;
+    told(&page, "pmksplus.mech.website): ").await;
     page.click("undo").await;
     page.choose("lang", "en").await;
     page.click("undo").await;
@@ -172,7 +172,7 @@ async fn damaged_ones_change_nothing() {
     assert!(paste(&page, cut, "body").await);
     let said = told(&page, "check character").await;
     assert!(
-        said.starts_with("What was pasted could not be opened"),
+        said.starts_with("The pasted text could not be opened"),
         "{said}"
     );
     for (name, text, part) in [
@@ -193,7 +193,7 @@ async fn damaged_ones_change_nothing() {
         page.click("notice-close").await;
     }
     drop_on(&page, None, "some other text").await;
-    told(&page, "neither a link of PMKS+ nor a file of Linkage").await;
+    told(&page, "neither a PMKS+ link nor a Linkage file").await;
     page.click("notice-close").await;
     assert_eq!(page.count("#notice img").await, 0);
     assert_eq!(page.text("mechanism-name").await, before);

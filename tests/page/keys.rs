@@ -58,7 +58,7 @@ async fn every_key_does_what_the_help_says() {
     page.until("help", async || page.count("#help[open]").await == 1)
         .await;
     let help = page.text("help").await;
-    for said in ["Ctrl", "Drag the paper", "Smelyagin", "Assur 0."] {
+    for said in ["Ctrl", "Drag empty space", "Smelyagin", "Assur 0."] {
         assert!(help.contains(said), "{said}: {help}");
     }
     page.keys(Key::Escape + "").await;

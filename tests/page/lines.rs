@@ -117,7 +117,7 @@ async fn polygons_say_where_there_are_none() {
     page.stop_at("40").await;
     shown(&page).await;
     let said = page.text("polygon-equations").await;
-    assert!(said.contains("no dyad"), "{said}");
+    assert!(said.contains("not a dyad"), "{said}");
     // Watt's chain driven by its rocker has a dead point at 90°.
     open(&page, "watt-1").await;
     shown(&page).await;

@@ -62,7 +62,7 @@ async fn what_is_locked_holds_while_it_is_dragged() {
     drag(&sheet, at(&before, "C"), to).await;
     assert_eq!(
         page.text("problem").await,
-        "What is locked lets it go no farther."
+        "The locks do not let it move any further."
     );
     let after = drawn(&sheet).await;
     for pair in [["A", "B"], ["B", "C"], ["A", "C"]] {

@@ -86,7 +86,7 @@ async fn a_picture_is_laid_by_two_of_its_places() {
     let none = file("none.png", "<img src=x onerror='parent.hacked = true'>");
     page.choose_file("draw-picture-file", &none).await;
     page.until("the sentence", async || {
-        page.text("problem").await == "This is no picture that the browser can show."
+        page.text("problem").await == "The browser cannot show this file as a picture."
     })
     .await;
     assert_eq!(

@@ -187,15 +187,11 @@ async fn a_damaged_picture_is_told_by_its_field() {
         (
             "image",
             json!(long),
-            "Picture behind the drawing: more than",
+            "Picture behind the drawing: no more than",
         ),
         ("image", json!(7), "picture.image"),
         ("width", json!(0), "Width of the picture"),
-        (
-            "opacity",
-            json!(2),
-            "How much of the paper the picture covers",
-        ),
+        ("opacity", json!(2), "Opacity of the picture"),
         ("at", json!([0]), "picture.at"),
         ("onload", json!("parent.hacked = true"), "picture.onload"),
     ] {
@@ -226,7 +222,7 @@ async fn a_damaged_picture_is_told_by_its_field() {
     fs::write(&path, bad.to_string()).unwrap();
     page.choose_file("file", &path).await;
     page.until("the sentence", async || {
-        page.text("problem").await == "This is no picture that the browser can show."
+        page.text("problem").await == "The browser cannot show this file as a picture."
     })
     .await;
     assert_eq!(
@@ -312,7 +308,7 @@ async fn a_large_photograph_is_made_smaller_and_what_does_not_fit_is_said() {
     page.until("the sentence", async || {
         page.text("notice-text")
             .await
-            .contains("too large for what this browser keeps")
+            .contains("too large for this browser to store")
     })
     .await;
     page.reload().await;

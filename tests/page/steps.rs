@@ -553,7 +553,7 @@ async fn answers_are_not_told_while_they_are_asked_for() {
     let told = page
         .ask("return document.getElementById('out-ratio').textContent")
         .await;
-    assert_eq!(told, json!("? hidden while it is asked for"));
+    assert_eq!(told, json!("? hidden until you answer"));
     // Nor is it told of another mechanism, or in another language.
     page.click("lesson-show").await;
     page.speak("ru").await;

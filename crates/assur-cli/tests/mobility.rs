@@ -230,12 +230,12 @@ fn bad_files_are_refused_with_every_reason() {
         (
             r#""freedoms": 2"#,
             r#""freedoms": 6"#,
-            "Pair D cannot leave 6 freedoms",
+            "Pair D cannot have 6 degrees of freedom",
         ),
         (
             r#""freedoms": 2"#,
             r#""freedoms": 0"#,
-            "Pair D cannot leave 0 freedoms",
+            "Pair D cannot have 0 degrees of freedom",
         ),
         (r#""name": "B""#, r#""name": "A""#, "“A” is used twice"),
         (
@@ -312,5 +312,5 @@ fn what_does_not_move_is_counted() {
 
     linkage["links"][2]["points"][1] = json!("X");
     let unknown = Scratch::new("unknown.json", &linkage.to_string());
-    assert!(refused(&[unknown.path()]).contains("Nothing has the name X"));
+    assert!(refused(&[unknown.path()]).contains("Nothing is called X"));
 }

@@ -32,8 +32,9 @@ fn names_of_the_catalogue_that_move_by_time() {
         "train-bevel",
     ] {
         for command in COMMANDS {
-            let expected =
-                format!("assur: {name}: This train moves by time; it is not a linkage.\n");
+            let expected = format!(
+                "assur: {name}: This train moves as a function of time; it is not a linkage.\n"
+            );
             assert_eq!(refused(&with(command, name)), expected);
         }
     }
@@ -43,7 +44,7 @@ fn names_of_the_catalogue_that_move_by_time() {
 #[test]
 fn files_that_move_by_time() {
     let drives = r#""drives": [{"shaft": "sun", "rpm": 60}, {"shaft": "ring"}]"#;
-    let by_time = "This train moves by time; it is not a linkage.";
+    let by_time = "This train moves as a function of time; it is not a linkage.";
     for (at, (text, said)) in [
         (format!(r#"{{"z1": 20, "z2": 10, "z4": 43, {drives}}}"#), by_time),
         (format!(r#"{{"z1": 0, "z2": 10, "z4": 43, {drives}}}"#), by_time),

@@ -51,8 +51,8 @@ fn arguments_that_are_none() {
         (&["assemblies", "no-such-mixer"], 2, "no such name"),
         (&["assemblies", "mixer-a", "--at", "NaN"], 2, "--at NaN"),
         (&["assemblies", "mixer-a", "--at", "1e300"], 2, "--at"),
-        (&["assemblies", "mobility-1a"], 2, "has no motion"),
-        (&["circuits", "mobility-1a"], 2, "has no motion"),
+        (&["assemblies", "mobility-1a"], 2, "does not move"),
+        (&["circuits", "mobility-1a"], 2, "does not move"),
         (
             &["circuits", "./no-such-file.json"],
             1,

@@ -195,7 +195,8 @@ fn a_drawing_that_tells_no_assembly() {
     linkage["points"][3]["at"] = json!([20, -15]);
     let misdrawn = Scratch::with("misdrawn.json", &linkage.to_string());
     let (_, complaint) = refused(&["structure", misdrawn.path()]);
-    let part = "the drawing does not tell which assembly is meant. Draw the points nearer to their places.\n";
+    let part =
+        "so it is unclear which assembly is meant. Draw the points closer to their positions.\n";
     assert!(complaint.contains(part), "{complaint}");
     assert!(complaint.contains("--assemble N"), "{complaint}");
     let table = Table::of(&said(&["assemblies", misdrawn.path()]));

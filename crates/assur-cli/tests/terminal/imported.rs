@@ -39,11 +39,14 @@ fn a_link_is_a_name() {
     let cut = &LINK[..LINK.len() - 9];
     let (status, said) = refused(&["sweep", cut]);
     assert_eq!(status, 2);
-    assert!(said.contains("its check character does not fit"), "{said}");
+    assert!(
+        said.contains("its check character does not match"),
+        "{said}"
+    );
     assert!(said.starts_with(&format!("assur: {place}")), "{said}");
     let (status, said) = refused(&["sweep", "https://example.org/?a=b"]);
     let neither =
-        "assur: https://example.org/?a=b: This is neither a link of PMKS+ nor a file of Linkage.\n";
+        "assur: https://example.org/?a=b: This is neither a PMKS+ link nor a Linkage file.\n";
     assert_eq!((status, said.as_str()), (2, neither));
 }
 

@@ -75,7 +75,7 @@ fn bad_linkages_are_refused() {
                 ],
                 "drivers": [{"crank": "first"}, {"crank": "second", "rate": 0.333}],
             }),
-            "second cannot go at 0.333 to the first driver: the motion must repeat within 24 turns",
+            "second cannot run at 0.333 times the first driver: the motion must repeat within 24 turns",
         ),
         (
             "undriven",
@@ -85,7 +85,7 @@ fn bad_linkages_are_refused() {
         (
             "coincident",
             changed("/points/1/at", json!([0, 0])),
-            "Link crank: its points A, B are given at one place, so its direction is unknown",
+            "Link crank: its points A, B coincide, so its direction is unknown",
         ),
         (
             "zero",
@@ -110,7 +110,7 @@ fn bad_linkages_are_refused() {
         (
             "unknown",
             changed("/links/2/points/1", json!("X")),
-            "Nothing has the name X",
+            "Nothing is called X",
         ),
         (
             "path",
@@ -174,7 +174,7 @@ fn bad_higher_groups_are_refused() {
         (
             "flat",
             changed(&|linkage| linkage["points"][3]["at"] = linkage["points"][2]["at"].clone()),
-            "Link EGF: its points E, G are given at one place",
+            "Link EGF: its points E, G coincide",
         ),
         (
             "short",
