@@ -45,7 +45,7 @@ const DEFECTS: &str = r#"
             [top, bottom] = [Math.max(top, clip.top), Math.min(bottom, clip.bottom)];
         }
         // What is scrolled below the foot of a lesson comes up from there.
-        const foot = element.closest("#lesson")?.querySelector(".lesson-foot");
+        const foot = element.closest('#lesson')?.querySelector('.lesson-foot');
         if (foot && !foot.contains(element)) bottom = Math.min(bottom, foot.getBoundingClientRect().top);
         return { left, right, top, bottom, width: right - left, height: bottom - top };
     };

@@ -69,6 +69,7 @@ mod steps;
 mod synthesis;
 mod synthesis_lesson;
 mod tasks;
+mod textbook;
 mod touch;
 mod tour;
 mod tracers;

@@ -154,6 +154,8 @@ export class DrawingRail {
     const [point] = points;
     const [link, other] = links;
     if (points.size + links.size === 1) content.push(this.#name(point ?? link, words));
+    const tracer = document.tracers?.find(({ name }) => name === point);
+    if (tracer && points.size === 1 && links.size === 0) content.push(this.#carried(tracer.name, words));
     const own = point && document.points.some(({ name }) => name === point);
     const buttons = [];
     if (points.size === 1 && links.size === 0 && own) {
@@ -214,30 +216,67 @@ export class DrawingRail {
    * @param {Words} words
    */
   #measures(link, words) {
-    const ends = () => {
-      const { links } = /** @type {Document} */ (this.#page.store.get().document);
-      const [from, to] = (links.find(({ name }) => name === link)?.points ?? []).map((name) => this.#places.get(name));
-      return from && to ? [to[0] - from[0], to[1] - from[1]] : null;
+    const off = () => {
+      const [from, to] = this.#ends(link);
+      return from && to ? [to[0] - from[0], to[1] - from[1]] : [0, 0];
     };
-    const box = (/** @type {"length" | "angle"} */ what, /** @type {(value: number) => Edit} */ wanted, /** @type {(x: number, y: number) => number} */ measured) => {
-      const input = make("input", { id: `draw-${what}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${what}` });
-      const value = () => {
-        const off = ends();
-        return off ? measured(off[0], off[1]) : 0;
-      };
-      const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
-        edit(this.#page, wanted(number));
-        this.#keep();
-        return value();
-      });
-      this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
-      return [make("span", {}, [words.text(`draw.${what}`)]), input];
-    };
-    if (!ends()) return make("div");
+    if (this.#ends(link).length < 2) return make("div");
     return make("div", { class: "draw-numbers" }, [
-      ...box("length", (length) => ({ edit: "stretch", link, length }), (x, y) => Math.hypot(x, y)),
-      ...box("angle", (angle) => ({ edit: "turn", link, angle_deg: angle }), (x, y) => (Math.atan2(y, x) * 180) / Math.PI),
+      ...this.#box("length", words, () => Math.hypot(...off()), (length) => ({ edit: "stretch", link, length })),
+      ...this.#box("angle", words, () => (Math.atan2(off()[1], off()[0]) * 180) / Math.PI, (angle) => ({ edit: "turn", link, angle_deg: angle })),
     ]);
+  }
+
+  /**
+   * Where a link carries a traced point: along it from its first point, and to the left of that.
+   * @param {string} point
+   * @param {Words} words
+   */
+  #carried(point, words) {
+    const tracer = () => /** @type {Document} */ (this.#page.store.get().document).tracers?.find(({ name }) => name === point);
+    const at = () => tracer()?.at ?? [0, 0];
+    /** @type {(along: number, across: number) => Edit} */
+    const wanted = (along, across) => {
+      const [[x, y] = [0, 0], [right, up] = [x + 1, y]] = this.#ends(tracer()?.link ?? "");
+      const length = Math.hypot(right - x, up - y) || 1;
+      const [cos, sin] = [(right - x) / length, (up - y) / length];
+      return { edit: "place", point, at: [x + cos * along - sin * across, y + sin * along + cos * across] };
+    };
+    return make("div", { class: "draw-numbers" }, [
+      ...this.#box("along", words, () => at()[0], (along) => wanted(along, at()[1])),
+      ...this.#box("across", words, () => at()[1], (across) => wanted(at()[0], across)),
+    ]);
+  }
+
+  /**
+   * @param {string} link
+   * @returns {(readonly [number, number])[]} where its first two points are
+   */
+  #ends(link) {
+    const { links } = /** @type {Document} */ (this.#page.store.get().document);
+    const points = links.find(({ name }) => name === link)?.points ?? [];
+    return points.slice(0, 2).flatMap((name) => {
+      const place = this.#places.get(name);
+      return place ? [place] : [];
+    });
+  }
+
+  /**
+   * A number of what is selected, with its name.
+   * @param {string} what
+   * @param {Words} words
+   * @param {() => number} value
+   * @param {(value: number) => Edit} wanted
+   */
+  #box(what, words, value, wanted) {
+    const input = make("input", { id: `draw-${what}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${what}` });
+    const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
+      edit(this.#page, wanted(number));
+      this.#keep();
+      return value();
+    });
+    this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
+    return [make("span", {}, [words.text(`draw.${what}`)]), input];
   }
 
   /**
