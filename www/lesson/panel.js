@@ -34,7 +34,7 @@ import { withView } from "assur/state/state.js";
  * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
- *   frame?(panel: HTMLElement[], progress: Progress): HTMLElement[], answered?(): void,
+ *   frame?(step: HTMLElement[], progress: Progress): HTMLElement[], answered?(): void,
  * }} Source
  * Where a lesson comes from: what it is called in links, by what name its progress is kept, its steps, and what stands around them and
  * is told when an answer is another.
@@ -99,8 +99,9 @@ export class LessonPanel {
     this.#errata.addEventListener("click", () => source.openErrata?.(this.#words));
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
-    const panel = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata, make("div", { class: "lesson-foot" }, [form, walk])];
-    place.replaceChildren(...(source.frame?.(panel, this.#progress) ?? panel));
+    const step = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata];
+    const body = make("div", { class: "lesson-body" }, source.frame?.(step, this.#progress) ?? step);
+    place.replaceChildren(body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
   /** Shuts the lesson for good. */

@@ -141,10 +141,10 @@ export class WrittenLesson {
   }
 
   /**
-   * @param {HTMLElement[]} panel
+   * @param {HTMLElement[]} step
    * @param {Progress} progress
    */
-  frame(panel, progress) {
+  frame(step, progress) {
     this.#progress = progress;
     const { title, author, steps } = this.#lesson;
     const words = this.#words;
@@ -153,7 +153,7 @@ export class WrittenLesson {
     rewrite.addEventListener("click", () => this.#page.lesson.write(true));
     // The form has the answers in it: a copy of another's lesson opens it from the menu alone.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
-    if (!steps.some(({ question }) => question)) return [head, ...panel, ...own];
+    if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
     reader.value = this.#reader;
     reader.addEventListener("change", () => {
@@ -176,7 +176,7 @@ export class WrittenLesson {
       make("div", { class: "lesson-buttons" }, [copy, save]),
     );
     const whose = make("div", { class: "lesson-whose" }, [make("label", { for: "lesson-reader" }, [words.text("written.reader")]), reader, ...note]);
-    return [head, whose, ...panel, this.#result, ...own];
+    return [head, whose, ...step, this.#result, ...own];
   }
 
   /** Writes the code of what is answered now. */
