@@ -170,10 +170,10 @@ impl Page {
         self.driver.find_all(By::Css(selector)).await.unwrap().len()
     }
 
-    /// What a script of the test returns.
+    /// What a script of the test returns, with plain spaces.
     pub(crate) async fn ask(&self, script: &str) -> Value {
         let answer = self.driver.execute(script, Vec::new()).await.unwrap();
-        answer.json().clone()
+        spaced(answer.json().clone())
     }
 
     /// Has the browser's own tools do something.
@@ -377,9 +377,10 @@ impl Page {
         }
     }
 
+    /// An attribute of an element, with plain spaces.
     pub(crate) async fn attribute(&self, id: &str, name: &str) -> Option<String> {
-        self.read(id, async |element| element.attr(name).await)
-            .await
+        let found = self.read(id, async |element| element.attr(name).await);
+        found.await.map(|text| plain(&text))
     }
 
     pub(crate) async fn text(&self, id: &str) -> String {
@@ -389,7 +390,7 @@ impl Page {
     /// What a text field holds.
     pub(crate) async fn written(&self, id: &str) -> String {
         let value = self.read(id, async |element| element.prop("value").await);
-        value.await.unwrap_or_default()
+        plain(&value.await.unwrap_or_default())
     }
 
     pub(crate) async fn lang(&self) -> Option<String> {
@@ -414,5 +415,23 @@ impl Page {
             self.click("play").await;
         }
         self.write("angle", degrees).await;
+    }
+}
+
+/// A text with plain spaces for those at which no line breaks, as drivers tell the text of an element.
+pub(crate) fn plain(text: &str) -> String {
+    text.replace('\u{a0}', " ")
+}
+
+/// A value whose texts have plain spaces.
+fn spaced(value: Value) -> Value {
+    match value {
+        Value::String(text) => Value::String(plain(&text)),
+        Value::Array(all) => all.into_iter().map(spaced).collect(),
+        Value::Object(all) => all
+            .into_iter()
+            .map(|(name, one)| (name, spaced(one)))
+            .collect(),
+        other => other,
     }
 }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use roxmltree::{Document, Node};
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::{Page, plain, setting};
 use crate::picture::{COUPLER, CRANK, Picture, ROCKER, WHEEL5, apart};
 
 /// Pixels of an exported PNG per pixel of the page.
@@ -188,7 +188,7 @@ fn elements<'a>(svg: &'a Document<'_>) -> Vec<Node<'a, 'a>> {
 fn texts(elements: &[Node<'_, '_>]) -> Vec<String> {
     let texts = elements.iter().filter(|e| e.has_tag_name("text"));
     let read = texts.filter(|e| e.attribute("aria-hidden").is_none());
-    read.map(|e| e.text().unwrap().to_owned()).collect()
+    read.map(|e| plain(e.text().unwrap())).collect()
 }
 
 /// How many paths are filled or stroked with a colour.
@@ -240,8 +240,8 @@ async fn the_drawing_is_saved_as_svg() {
         "{width} {height} {area:?}"
     );
     assert_eq!(
-        drawn[1].text(),
-        page.attribute("mechanism", "aria-label").await.as_deref()
+        drawn[1].text().map(plain),
+        page.attribute("mechanism", "aria-label").await
     );
     let below = drawn[2].attribute("height").unwrap();
     assert_eq!(below.parse::<f64>().unwrap(), height - CAPTION);

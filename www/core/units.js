@@ -12,3 +12,12 @@ export function derived(of, by, order) {
   if (power === 0) return "1";
   return `${top || "1"}/${by}${power > 1 ? "²" : ""}`;
 }
+
+/**
+ * @param {string} number
+ * @param {string} unit
+ * @returns {string} one after the other, as they are printed, on one line
+ */
+export function measured(number, unit) {
+  return unit === "" || unit.startsWith("°") ? number + unit : `${number}\u00a0${unit}`;
+}

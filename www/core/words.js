@@ -1,8 +1,26 @@
 // Every word of the page comes from lang/*.json, those of a lesson from its folder; this file only looks them up.
 import { Numbers } from "assur/core/numbers.js";
+import { measured } from "assur/core/units.js";
 
 /** The languages there are string tables for. */
 export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
+
+/** Units that stand behind numbers in the texts. */
+const UNITS = "\\{unit\\}|%|px|rpm|об/(?:мин|хв)|айн/мин|(?:min|мин|хв)⁻¹|[NН]·[mм]|m?m|cm|s|kB|MB|м?м(?:/с)?|см|с|[кМ]Б|п[иі]кс";
+
+/** Spaces at which a line may not break: before a unit, at an equals sign before a number, before a dash, after `fig.`, an initial and a Cyrillic word of one letter. */
+const HELD = new RegExp(
+  [
+    `(?<=[\\d}]) (?=(?:${UNITS})(?!\\p{L}))`,
+    "(?<=[\\p{L}\\p{N}}′″)]) (?== [\\d{−])",
+    "(?<=[\\p{L}\\p{N}}′″)] =) (?=[\\d{−])",
+    " (?=—)",
+    "(?<=(?<!\\p{L})(?:fig|рис)\\.) ",
+    "(?<=(?<!\\p{L})\\p{Lu}\\.) (?=\\p{Lu})",
+    "(?<=(?<!\\p{L})\\p{Script=Cyrillic}) (?=[\\p{L}{])",
+  ].join("|"),
+  "gu",
+);
 
 /** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
 const tables = new Map();
@@ -39,7 +57,7 @@ export class Words {
    * @returns {string} the same as a length
    */
   length(number) {
-    return this.unit ? `${number} ${this.unit}` : number;
+    return measured(number, this.unit);
   }
 
   /**
@@ -119,5 +137,13 @@ function table(name) {
 async function fetchTable(name) {
   const response = await fetch(import.meta.resolve(`assur/${name}.json`));
   if (!response.ok) throw new Error(`${response.status} ${name}.json`);
-  return new Map(Object.entries(await response.json()));
+  return new Map(Object.entries(await response.json()).map(([key, text]) => [key, unbroken(text)]));
+}
+
+/**
+ * @param {string} text
+ * @returns {string} the same with non-breaking spaces within what is read as one
+ */
+export function unbroken(text) {
+  return text.replace(HELD, "\u00a0");
 }

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { Words } from "assur/core/words.js";
+import { measured } from "assur/core/units.js";
+import { Words, unbroken } from "assur/core/words.js";
 import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
 
 /** The forms of a noun beside a number, as grammars of the languages have them. */
@@ -43,7 +44,7 @@ for (const lang of LANGUAGES) {
     for (const unit of ["mm", "cm", "m"]) {
       const measured = words.measured(unit);
       assert.notEqual(measured.unit, `unit.${unit}`);
-      assert.equal(measured.length("1"), `1 ${measured.unit}`);
+      assert.equal(measured.length("1"), `1\u00a0${measured.unit}`);
       assert.equal(measured.measured(unit), measured);
       assert.equal(measured.measured("none").unit, "");
     }
@@ -94,4 +95,30 @@ test("tables are put one over the other, each is fetched once, and one that fail
   assert.deepEqual([loaded.text("a"), loaded.text("b")], ["own", "page"]);
   await Words.load("en", ["lang/*", "own/*"]);
   assert.deepEqual(asked.toSorted(), ["lang/en.json", "own/en.json", "own/en.json"]);
+});
+
+test("no line breaks between what is read as one", () => {
+  const shown = (text) => unbroken(text).replaceAll("\u00a0", "_");
+  const all = {
+    "{left} mm and 5 % of {n} kB, {value} {unit}": "{left}_mm and 5_% of {n}_kB, {value}_{unit}",
+    "at 60 min⁻¹, 2 N·m; {n} mirrors, 5 sides": "at 60_min⁻¹, 2_N·m; {n} mirrors, 5 sides",
+    "скорость {v} мм/с, {n} механизмов, {t} с.": "скорость {v}_мм/с, {n} механизмов, {t}_с.",
+    "At φ₁ = {phi} and W = 3·5 − 2 = −1; {a} = 2": "At φ₁_=_{phi} and W_=_3·5 − 2_=_−1; {a}_=_2",
+    "z₄ = z₁ + 2z₂, J q′ = −Φ": "z₄ = z₁ + 2z₂, J q′_=_−Φ",
+    "Esc — конец": "Esc_— конец",
+    "Случаи рис. 4, fig. 2a, в конфиг. Нет": "Случаи рис._4, fig._2a, в_конфиг. Нет",
+    "E. W. Blake, 1858; Дж. Уатт; (F. Grashof)": "E._W._Blake, 1858; Дж. Уатт; (F._Grashof)",
+    "и в доме, звено (с ползуном) а {n}": "и_в_доме, звено (с_ползуном) а_{n}",
+    "a link of a crank": "a link of a crank",
+  };
+  for (const [text, expected] of Object.entries(all)) assert.equal(shown(text), expected);
+});
+
+test("a number stays with its unit", () => {
+  assert.deepEqual([["5", ""], ["5", "°"], ["5", "°/s"], ["5", "mm"]].map((one) => measured(...one)), ["5", "5°", "5°/s", "5\u00a0mm"]);
+});
+
+test("tables are read with spaces that hold together", async (t) => {
+  t.mock.method(globalThis, "fetch", async () => Response.json({ a: "{n} mm" }));
+  assert.equal((await Words.load("en", ["held/*"])).text("a", { n: "5" }), "5\u00a0mm");
 });

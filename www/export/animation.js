@@ -5,6 +5,7 @@ import { sentence } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { Refusal } from "assur/core/problem.js";
+import { measured } from "assur/core/units.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -80,7 +81,7 @@ export function animations(page, theme, name, title) {
   };
   const width = select("width", WIDTHS, (value) => words.text("export.pixels", { n: `${value}` }));
   const moments = select("moments", MOMENTS, String);
-  const seconds = select("seconds", SECONDS, (value) => `${value} ${words.text("unit.s")}`);
+  const seconds = select("seconds", SECONDS, (value) => measured(`${value}`, words.text("unit.s")));
   const poses = select("poses", POSES, String);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
   const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {(work: Work) => Promise<Blob>} */ make_) => {

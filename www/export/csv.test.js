@@ -1,12 +1,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
+import { Words, unbroken } from "assur/core/words.js";
 import { toCsv } from "assur/export/csv.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { withDocument, withFurther, withView } from "assur/state/state.js";
 import { readCsv } from "assur/tests/csv.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
-import { wordsOf } from "assur/tests/words.js";
+import { tableOf, wordsOf } from "assur/tests/words.js";
 
 const engine = newEngine();
 const PLAIN = { comma: false, degrees: false, worded: false, dimensions: true };
@@ -16,9 +17,9 @@ const TURN = 2 * Math.PI;
  * @param {import("assur/state/state.js").State} state
  * @param {object} [choices]
  */
-function write(state, { steps = 360, lang = "en", ...choices } = {}) {
+function write(state, { steps = 360, lang = "en", words = wordsOf(lang), ...choices } = {}) {
   const { moves, cycle, input } = engine.set(state);
-  return toCsv(engine.sweep(steps), new Coordinate(moves, cycle, input), { ...PLAIN, ...choices }, wordsOf(lang).measured(engine.lengths));
+  return toCsv(engine.sweep(steps), new Coordinate(moves, cycle, input), { ...PLAIN, ...choices }, words.measured(engine.lengths));
 }
 
 const near = (found, expected, within, what) => assert.ok(Math.abs(found - expected) <= within * Math.max(1, Math.abs(expected)), `${what}: ${found} ${expected}`);
@@ -129,6 +130,13 @@ test("every column has a name in every language, and no two the same", async () 
       for (const name of header) assert.ok(!/export\.|unit\.|[{}]/.test(name), name);
     }
   }
+});
+
+test("spaces of a table are plain, whatever the page has", async () => {
+  const words = new Words("ru", new Map([...tableOf("ru")].map(([key, text]) => [key, unbroken(text)])));
+  assert.ok(words.text("export.dimension.length").includes("\u00a0"));
+  const text = await write(stateOf(engine, "mixer-a"), { steps: 2, worded: true, words }).text();
+  assert.ok(!text.includes("\u00a0") && text.includes(" = 0.37 м\n"), text.slice(0, 200));
 });
 
 test("a byte order mark stands before letters beyond ASCII, and only there", async () => {

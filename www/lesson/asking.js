@@ -1,7 +1,8 @@
 // What a lecturer's question is: its sort, the quantity that is asked for, the option that is right.
 import { make, write } from "assur/core/dom.js";
+import { measured } from "assur/core/units.js";
 import { withQuantity, withRight, withShown } from "assur/lesson/fields.js";
-import { measured, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
+import { quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
 import { QUESTIONS, sortOf, withStep } from "assur/lesson/steps.js";
 import { answerOf, quantities } from "assur/lesson/tasks.js";
 

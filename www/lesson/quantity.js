@@ -50,15 +50,6 @@ export function unitOf(asked) {
 }
 
 /**
- * @param {string} number
- * @param {string} unit
- * @returns {string} one after the other, as they are printed
- */
-export function measured(number, unit) {
-  return unit === "" || unit.startsWith("°") ? number + unit : `${number} ${unit}`;
-}
-
-/**
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "coordinate" | "state">} of
  * @param {Words} words

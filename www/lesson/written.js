@@ -1,11 +1,12 @@
 // A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
 import { make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
+import { measured } from "assur/core/units.js";
 import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
 import { OWN } from "assur/lesson/offer.js";
-import { isRound, measured, tellers, unitOf } from "assur/lesson/quantity.js";
+import { isRound, tellers, unitOf } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";

@@ -1,5 +1,6 @@
 // What the steps of the polygons say: vector equations with the numbers that are known by then.
 import { make } from "assur/core/dom.js";
+import { measured } from "assur/core/units.js";
 
 /**
  * @typedef {import("assur/types/web.js").PolygonStepHere} Step
@@ -48,7 +49,7 @@ export function told(step, done, units, words) {
  */
 export function amount(value, unit, words) {
   const number = words.numbers.short(Math.abs(value) < 1e-12 ? 0 : value);
-  return unit ? `${number} ${unit}` : number;
+  return measured(number, unit);
 }
 
 /**

@@ -2,6 +2,7 @@
 // engine has radians, the unit of the lengths, seconds.
 import { degrees, radians } from "assur/core/angles.js";
 import { subscript } from "assur/core/symbols.js";
+import { measured } from "assur/core/units.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -208,7 +209,7 @@ export class Coordinate {
    */
   #withUnit(number, words) {
     if (this.moves === "length") return words.length(number);
-    return this.#turns ? `${number}°` : `${number} ${words.text("unit.s")}`;
+    return measured(number, this.#turns ? "°" : words.text("unit.s"));
   }
 
   /** @param {number} decimals */

@@ -90,8 +90,8 @@ test("an input is written in its unit and with the decimals of its size", () => 
   assert.equal(crank.written(12.345, ru, 2), "12,35°".replace("35", String(ru.numbers.fixed(12.345, 2)).slice(-2)));
   assert.equal(crank.short(Math.PI / 2, en, 1), "90°");
   assert.equal(crank.exact(12.5, ru), "12,5°");
-  assert.equal(run.text(2, en, 1), `2.0 ${en.text("unit.s")}`);
-  assert.equal(slide.text(1.5, en.measured("mm"), 1), "1.5 mm");
+  assert.equal(run.text(2, en, 1), `2.0\u00a0${en.text("unit.s")}`);
+  assert.equal(slide.text(1.5, en.measured("mm"), 1), "1.5\u00a0mm");
   const short = new Coordinate("length", { start: 0, end: 0.05, full: false, arcs: [] });
   assert.equal(short.text(0.0123, en, 1), "0.012");
   assert.equal(slide.exact(0.1, en.measured("mm")), "0.1");
@@ -99,7 +99,7 @@ test("an input is written in its unit and with the decimals of its size", () => 
 
 test("a share of a motion is a part of a turn or of a way", () => {
   assert.deepEqual([72, 360, 3600].map((count) => crank.share(count, en)), ["5°", "1°", "0.1°"]);
-  assert.equal(slide.share(100, en.measured("m")), "0.05 m");
+  assert.equal(slide.share(100, en.measured("m")), "0.05\u00a0m");
 });
 
 test("inputs are near where nobody sees a difference, over the turn of a crank", () => {
