@@ -47,7 +47,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   },
   {
     id: "circuits",
-    formula: "l_min + l_max ≤ l′ + l″",
+    formula: "l_min + l_max ≤ p + q",
     shows: [
       { name: "rockers", preset: "triple-rocker", at: home, play: true, overlays: OVERLAYS },
       { name: "crank", preset: "crank-rocker", at: home, play: true, overlays: OVERLAYS },
