@@ -44,9 +44,6 @@ const DEFECTS: &str = r#"
             [left, right] = [Math.max(left, clip.left), Math.min(right, clip.right)];
             [top, bottom] = [Math.max(top, clip.top), Math.min(bottom, clip.bottom)];
         }
-        // What is scrolled below the foot of a lesson comes up from there.
-        const foot = element.closest('#lesson')?.querySelector('.lesson-foot');
-        if (foot && !foot.contains(element)) bottom = Math.min(bottom, foot.getBoundingClientRect().top);
         return { left, right, top, bottom, width: right - left, height: bottom - top };
     };
 

@@ -48,13 +48,12 @@ async fn an_offset_slider_crank_with_a_coupler_point() {
     sheet.end().await;
     sheet.tool("slide").await;
     sheet.line(&[[5.0, -1.0], [3.0, -1.0]]).await;
-    sheet.tool("drive").await;
-    sheet.press(0.6, 1.1).await;
     sheet.tool("tracer").await;
     sheet.press(3.1, 0.6).await;
-    // The traced point stays selected while all others are typed.
+    // The traced point stays selected while the crank is driven and all others are typed.
     sheet.tool("select").await;
     sheet.press(3.1, 0.6).await;
+    sheet.mend().await;
     let tracer = drawn(&sheet).await.tracers[0].name.clone();
     assert_eq!(page.written("draw-name").await, tracer);
     let (r, l, e): (f64, f64, f64) = (50.0, 200.0, -20.0);
