@@ -162,6 +162,8 @@ async fn the_keyboard_draws_alone() {
     page.ask("document.activeElement.blur()").await;
     page.keys("7").await;
     assert_eq!(page.focused().await.as_deref(), Some("draw-x-D"));
+    let named = page.attribute("draw-x-D", "aria-label").await;
+    assert_eq!(named.as_deref(), Some("x of point D"));
     page.close().await;
 }
 

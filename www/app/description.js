@@ -8,6 +8,7 @@ import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
 import { titled, writtenLevel, written } from "assur/plots/units.js";
+import { moves } from "assur/state/model.js";
 
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
@@ -28,7 +29,7 @@ export class Description {
   #now = byId("announcement", HTMLElement);
   #chart;
   #shown = new Seen();
-  /** @type {readonly unknown[]} angle and mechanism that were told last */
+  /** @type {readonly unknown[]} angle, mechanism and language that were told last */
   #told = [];
   #asked;
   #timer = 0;
@@ -42,14 +43,25 @@ export class Description {
     this.#asked = asked;
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render(snapshot) {
     const { state, words, revision, problems, place, withheld } = snapshot;
     const { playing } = state.view;
     if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, withheld, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
-    if (playing) write(this.#drawing, words.text("told.moving"));
-    this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
+    if (playing || !moves(snapshot)) this.#fallSilent(snapshot);
+    if (moves(snapshot)) this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
+  }
+
+  /**
+   * Nothing stays said of a pose that is no longer shown.
+   * @param {import("assur/state/model.js").AnySnapshot} snapshot
+   */
+  #fallSilent(snapshot) {
+    const moving = moves(snapshot);
+    write(this.#drawing, moving ? snapshot.words.text("told.moving") : "");
+    if (!moving) write(this.#plots, "");
+    write(this.#now, "");
   }
 
   /** @param {Snapshot} snapshot */
@@ -61,7 +73,7 @@ export class Description {
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
-    const told = [place, revision];
+    const told = [place, revision, words.lang];
     if (this.#asked && !failed && told.some((part, i) => part !== this.#told[i])) {
       write(this.#now, [pose(snapshot), ...here].join(" "));
     }

@@ -20,6 +20,7 @@ import { PlotBar } from "assur/plots/bar.js";
 import { ChartCursor } from "assur/plots/cursor.js";
 import { ChartPointer } from "assur/plots/pointer.js";
 import { ReadoutTable } from "assur/plots/readouts.js";
+import { moves } from "assur/state/model.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -156,15 +157,7 @@ export class Views {
   #describe() {
     this.#bringing.bring("description", async () => {
       const { Description } = await import("assur/app/description.js");
-      this.#moving.push(new Description(this.#page.chart, this.#opened));
+      this.#views.push(new Description(this.#page.chart, this.#opened));
     });
   }
-}
-
-/**
- * @param {AnySnapshot} snapshot
- * @returns {snapshot is Snapshot}
- */
-function moves(snapshot) {
-  return snapshot.summary.moves !== null;
 }

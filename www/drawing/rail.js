@@ -307,7 +307,7 @@ export class DrawingRail {
       const label = make("b", {}, [name]);
       const inputs = ["x", "y"].map((axis) => make("input", {
         id: `draw-${axis}-${name}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "aria-label": words.text(axis === "x" ? "field.points.x" : "field.points.y", { n: name }),
+        "aria-label": words.text(axis === "x" ? "draw.point.x" : "draw.point.y", { n: name }),
       }));
       const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#place(name, axis, value)));
       return { name, label, inputs, boxes };

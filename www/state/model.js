@@ -280,6 +280,14 @@ export class Model {
 }
 
 /**
+ * @param {AnySnapshot} snapshot
+ * @returns {snapshot is Snapshot}
+ */
+export function moves(snapshot) {
+  return snapshot.summary.moves !== null;
+}
+
+/**
  * @param {Engine} engine
  * @param {State} state
  * @returns {Drawn<Kind>}
