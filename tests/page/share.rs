@@ -106,6 +106,33 @@ async fn what_was_kept_comes_back() {
     page.close().await;
 }
 
+/// A short link, typed or followed from elsewhere, says nothing of a language.
+#[tokio::test]
+async fn the_language_that_was_chosen_holds_for_short_links() {
+    let page = Page::open().await;
+    page.speak("ru").await;
+    for name in ["klann", "jansen"] {
+        let link = format!("{}#{name}", home());
+        // In the same page, then in a new one.
+        let before = page.text("mechanism-name").await;
+        page.goto(&link).await;
+        page.until("the mechanism of the link", async || {
+            page.text("mechanism-name").await != before
+        })
+        .await;
+        page.settle().await;
+        assert_eq!(page.lang().await.as_deref(), Some("ru"), "{name}");
+        page.anew(&link).await;
+        assert_eq!(page.lang().await.as_deref(), Some("ru"), "{name}");
+    }
+    // A link that says one shows that, and chooses nothing.
+    page.anew(&format!("{}#klann&v.lang=uk", home())).await;
+    assert_eq!(page.lang().await.as_deref(), Some("uk"));
+    page.anew(&format!("{}#klann", home())).await;
+    assert_eq!(page.lang().await.as_deref(), Some("ru"));
+    page.close().await;
+}
+
 /// A browser that loads the page anew has taken the address before the page can write the last change into it.
 #[tokio::test]
 async fn what_was_changed_a_moment_ago_is_there_anew() {

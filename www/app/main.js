@@ -1,4 +1,5 @@
 // Starts the page: loads words and engine, finds the first state, puts the page together.
+import { chosenLanguage } from "assur/app/language.js";
 import { open } from "assur/app/opening.js";
 import { Page } from "assur/app/page.js";
 import { byId } from "assur/core/dom.js";
@@ -6,10 +7,10 @@ import { Words } from "assur/core/words.js";
 import { Engine } from "assur/engine.js";
 
 async function start() {
-  const { lang } = document.documentElement;
-  const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
   const { search } = location;
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
+  const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
+  const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
   // Most often these words are those of the state, too.
   const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
   const embedding = part && new part.Embedding(search);

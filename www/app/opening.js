@@ -15,8 +15,8 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
- * What the reader's browser says: no motion unasked, and a language for a state whose own there is not; in a frame of another page what
- * that wants.
+ * What the reader is used to: no motion unasked, and the language, chosen here or else the browser's, of a state that says none; in a
+ * frame of another page what that wants.
  */
 
 /** What ends the names of files of Linkage. */

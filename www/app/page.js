@@ -101,7 +101,7 @@ export class Page {
     persist(this.store, this.address, (state) => this.model.takes(state), !embedding, () => this.notices.tell(UNKEPT));
     // The address that was entered: by now another may have been written over it.
     receive(this);
-    addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, habits)));
+    addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
     welcome(this);
     speak(this.words);

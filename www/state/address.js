@@ -21,7 +21,7 @@ export class Address {
 
   /**
    * @param {import("assur/engine.js").Engine} engine
-   * @param {string} lang of the reader's browser
+   * @param {string} lang the reader's, which a short address leaves out
    */
   constructor(engine, lang) {
     this.#engine = engine;
