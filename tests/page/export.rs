@@ -115,43 +115,40 @@ async fn the_table_is_written_as_chosen() {
     );
     let header = plain.lines().find(|line| !line.starts_with("# ")).unwrap();
     for name in [
-        "phi_deg,crank.angle_rad,crank.dangle_rad_per_rad,crank.ddangle_rad_per_rad2,",
+        "phi_deg,crank.angle_deg,crank.dangle_rad_per_rad,crank.ddangle_rad_per_rad2,",
         ",C1.x_m,C1.y_m,C1.dx_m_per_rad,",
         ",C1.ddy_m_per_rad2,",
     ] {
         assert!(header.contains(name), "{name} in {header}");
     }
-    let radians = Csv::parse(&plain);
+    let degrees = Csv::parse(&plain);
 
     page.choose("export-decimal", "comma").await;
-    page.choose("export-angles", "deg").await;
+    page.choose("export-angles", "rad").await;
     page.choose("export-dimensions", "none").await;
     let chosen = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
     let header = chosen.lines().next().unwrap();
-    let begins = "phi_deg;crank.angle_deg;crank.dangle_deg_per_deg;crank.ddangle_deg_per_deg2;";
+    let begins = "phi_deg;crank.angle_rad;crank.dangle_rad_per_rad;crank.ddangle_rad_per_rad2;";
     assert!(header.starts_with(begins), "{header}");
-    let degrees = Csv::parse(&chosen);
-    let degree = 1_f64.to_radians();
-    for (column, scale) in [
-        ("rocker.angle", 1.0 / degree),
-        ("rocker.dangle", 1.0),
-        ("rocker.ddangle", degree),
-        ("C2.y", 1.0),
-        ("C2.dy", degree),
-        ("C2.ddy", degree * degree),
-    ] {
-        let expected = radians.value(75, column) * scale;
-        let off = degrees.value(75, column) / expected - 1.0;
-        assert!(off.abs() < 1e-14, "{column}: {off:e}");
+    let radians = Csv::parse(&chosen);
+    let off = degrees.value(75, "rocker.angle").to_radians() / radians.value(75, "rocker.angle");
+    assert!((off - 1.0).abs() < 1e-14, "{off:e}");
+    for column in ["rocker.dangle", "rocker.ddangle", "C2.y", "C2.dy", "C2.ddy"] {
+        let [one, other] = [&degrees, &radians].map(|csv| csv.value(75, column));
+        assert_eq!(one, other, "{column}");
     }
+    // The analogue is the number of the page's own table.
+    let shown = page.value("out-drocker").await;
+    assert!((degrees.value(75, "rocker.dangle") - shown).abs() < 1e-9);
 
+    page.choose("export-angles", "deg").await;
     page.choose("export-names", "words").await;
     let worded = save_text(&page, "export-table-csv", "assur-mixer-a.csv").await;
     let header: Vec<&str> = worded.lines().next().unwrap().split(';').collect();
     for name in [
         "angle of rocker, deg",
-        "angular acceleration analogue of rocker, deg/deg²",
-        "velocity analogue of C2 along x, m/deg",
+        "angular acceleration analogue of rocker, rad/rad²",
+        "velocity analogue of C2 along x, m/rad",
     ] {
         let called = |cell: &&str| cell.trim_start_matches('\u{feff}') == name;
         assert!(header.iter().any(called), "{name} in {header:?}");

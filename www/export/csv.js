@@ -1,5 +1,5 @@
 // The table of a sweep as CSV: numbers so short that they read back as the very same.
-import { degrees, radians } from "assur/core/angles.js";
+import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { calledWhole, isLength } from "assur/core/symbols.js";
@@ -15,7 +15,7 @@ import { calledWhole, isLength } from "assur/core/symbols.js";
  * How a table is written.
  * @typedef {object} Choices
  * @property {boolean} comma 0,5 for 0.5, and so a semicolon between cells
- * @property {boolean} degrees angles in degrees, else in radians; derivatives by a crank's angle alike
+ * @property {boolean} degrees angles in degrees, else in radians; derivatives are by radians and in them either way, as everywhere on the page
  * @property {boolean} worded columns are called in words, else as in the terminal
  * @property {boolean} dimensions those of the linkage stand first, as comments
  */
@@ -60,7 +60,7 @@ export function toCsv(table, coordinate, choices, words) {
     return `# ${of}${oneLine(words.text(DIMENSIONS[dimension.kind], { of: dimension.of, value }))}\n`;
   }));
   const heads = tables.flatMap(({ of, columns }) => [...columns.map((column) => named(column, coordinate, choices, words)), "reason"].map((name) => of + name));
-  const scales = tables.map(({ columns }) => columns.map((column) => scale(column, coordinate, choices)));
+  const scales = tables.map(({ columns }) => columns.map(({ quantity }) => (quantity && writtenInDegrees(quantity, choices) ? degrees(1) : 1)));
   const lines = table.rows.map(({ input }, row) => {
     const cells = tables.flatMap(({ rows }, of) => {
       const { values, reason } = rows[row];
@@ -81,9 +81,11 @@ export function toCsv(table, coordinate, choices, words) {
  * @param {Words} words
  * @returns {string} what it is called, with its unit
  */
-function named({ name, quantity }, { moves }, { degrees: inDegrees, worded }, words) {
+function named({ name, quantity }, { moves }, choices, words) {
   if (!quantity) return name;
   const { kind, of, order } = quantity;
+  const { worded } = choices;
+  const inDegrees = writtenInDegrees(quantity, choices);
   if (worded) {
     const angle = words.text(inDegrees ? "unit.deg" : "unit.rad");
     const length = words.unit || words.text("unit.length");
@@ -120,17 +122,11 @@ function inputName({ field, moves }, words) {
 }
 
 /**
- * @param {Column} column
- * @param {Coordinate} coordinate
+ * @param {NonNullable<Column["quantity"]>} quantity
  * @param {Choices} choices
- * @returns {number} what a value, of radians, counts by in its unit
  */
-function scale({ quantity }, { moves }, choices) {
-  if (!quantity || !choices.degrees) return 1;
-  const of = isLength(quantity.kind) ? 0 : 1;
-  const by = moves === "angle" ? quantity.order : 0;
-  // What is of an angle by an angle is the same number in both.
-  return of < by ? radians(1) ** (by - of) : degrees(1) ** (of - by);
+function writtenInDegrees({ kind, order }, choices) {
+  return choices.degrees && order === 0 && !isLength(kind);
 }
 
 /** The beginning of a cell that a spreadsheet takes for a formula. */

@@ -111,13 +111,14 @@ test("degrees, commas and words are as the reader chooses", async () => {
   const state = stateOf(engine, "mixer-a");
   const radians = await readCsv(write(state, { steps: 360 }));
   const degrees = await readCsv(write(state, { steps: 360, comma: true, degrees: true, dimensions: false }));
-  assert.deepEqual(degrees.header.slice(0, 4), ["phi_deg", "crank.angle_deg", "crank.dangle_deg_per_deg", "crank.ddangle_deg_per_deg2"]);
-  const degree = TURN / 360;
-  for (const [column, scale] of [["rocker.angle", 1 / degree], ["rocker.dangle", 1], ["rocker.ddangle", degree], ["C2.y", 1], ["C2.dy", degree], ["C2.ddy", degree ** 2]]) {
-    for (const row of [0, 75, 300]) near(degrees.value(row, column) / (radians.value(row, column) * scale), 1, 1e-14, column);
+  assert.deepEqual(degrees.header.slice(0, 4), ["phi_deg", "crank.angle_deg", "crank.dangle_rad_per_rad", "crank.ddangle_rad_per_rad2"]);
+  // Analogues are those of the page: by a radian of the crank, whatever angles are in.
+  for (const column of ["rocker.dangle", "rocker.ddangle", "C2.y", "C2.dy", "C2.ddy"]) {
+    for (const row of [0, 75, 300]) assert.equal(degrees.cell(row, column), radians.cell(row, column), column);
   }
+  for (const row of [0, 75, 300]) near(degrees.value(row, "rocker.angle") * TURN / 360, radians.value(row, "rocker.angle"), 1e-14, "rocker.angle");
   const worded = (await write(state, { steps: 2, comma: true, degrees: true, worded: true, dimensions: false }).text()).replace("\ufeff", "").split("\n")[0].split(";");
-  for (const name of ["angle of rocker, deg", "angular acceleration analogue of rocker, deg/deg²", "velocity analogue of C2 along x, m/deg"]) assert.ok(worded.includes(name), `${name} in ${worded}`);
+  for (const name of ["angle of rocker, deg", "angular acceleration analogue of rocker, rad/rad²", "velocity analogue of C2 along x, m/rad"]) assert.ok(worded.includes(name), `${name} in ${worded}`);
 });
 
 test("every column has a name in every language, and no two the same", async () => {

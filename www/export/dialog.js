@@ -45,7 +45,7 @@ function tableChoices({ moves }, words) {
   };
   const usual = words.numbers.comma ? "comma" : "point";
   const decimal = select("decimal", { point: "export.decimal.point", comma: "export.decimal.comma" }, usual);
-  const angles = select("angles", { rad: "export.angles.rad", deg: "export.angles.deg" }, "rad");
+  const angles = select("angles", { deg: "export.angles.deg", rad: "export.angles.rad" }, "deg");
   const names = select("names", { short: "export.names.short", words: "export.names.words" }, "short");
   const dimensions = select("dimensions", { first: "export.dimensions.first", none: "export.dimensions.none" }, "first");
   const row = (/** @type {HTMLSelectElement} */ made, /** @type {string} */ key) => [
