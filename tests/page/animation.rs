@@ -135,13 +135,31 @@ async fn a_film_is_recorded_where_the_browser_records() {
     page.click("export-animation-webm").await;
     let bytes = page.saved("assur-crank-rocker-animation.webm").await;
     assert_eq!(bytes[..4], [0x1a, 0x45, 0xdf, 0xa3]);
+    // The first picture and the last, the links of which leave as much ink.
     let script = "const video = document.createElement('video');
+        const canvas = document.createElement('canvas');
+        const ink = () => {
+            [canvas.width, canvas.height] = [video.videoWidth, video.videoHeight];
+            const context = canvas.getContext('2d');
+            context.drawImage(video, 0, 0);
+            const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+            let dark = 0;
+            for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 600) dark += 1;
+            return dark;
+        };
         video.muted = true;
-        video.onloadeddata = () => arguments[1]([video.videoWidth, video.videoHeight > 100]);
+        video.onloadeddata = () => {
+            const first = ink();
+            video.onended = () => arguments[1]([video.videoWidth, video.videoHeight, first, ink()]);
+            video.play();
+        };
         video.onerror = () => arguments[1](video.error.message);
         video.src = URL.createObjectURL(new Blob([Uint8Array.from(arguments[0])], { type: 'video/webm' }));";
     let shown = page.ask_later(script, vec![json!(bytes)]).await;
-    assert_eq!(shown, json!([320, true]));
+    let [width, height, first, last]: [u32; 4] =
+        serde_json::from_value(shown.clone()).unwrap_or_else(|_| panic!("{shown}"));
+    assert!(width == 320 && height > 100, "{shown}");
+    assert!(last > 500 && 10 * first > 9 * last, "{shown}");
     page.close().await;
 
     // A browser that does not record says so, and offers the others.

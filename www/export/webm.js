@@ -18,30 +18,43 @@ export async function toWebm(page, theme, { moments: count, width, seconds }, wo
   const canvas = document.createElement("canvas");
   const target = targetOn(canvas, size, width);
   const { ground, moment } = begin(theme);
-  ground(target);
-  const stream = canvas.captureStream();
-  const recorder = new MediaRecorder(stream, { mimeType: KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)), videoBitsPerSecond: BITS * canvas.width * canvas.height });
-  /** @type {Blob[]} */
-  const parts = [];
-  recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
-  const ended = new Promise((resolve) => recorder.addEventListener("stop", resolve));
   const step = (1000 * seconds) / count;
-  recorder.start();
-  const start = performance.now();
+  /** @type {ReturnType<typeof record> | null} */
+  let recording = null;
   try {
     let number = 0;
     for await (const here of moments(page, inputs(page, count), work)) {
       ground(target);
       moment(target, here);
+      // What is on the canvas as it begins is the first picture.
+      recording ??= record(canvas);
       number += 1;
-      await until(start + number * step, work.signal);
+      await until(recording.start + number * step, work.signal);
     }
   } finally {
+    recording?.stop();
+  }
+  return new Blob(await recording?.parts, { type: "video/webm" });
+}
+
+/**
+ * Records what a canvas shows from now on.
+ * @param {HTMLCanvasElement} canvas
+ */
+function record(canvas) {
+  const stream = canvas.captureStream();
+  const recorder = new MediaRecorder(stream, { mimeType: KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)), videoBitsPerSecond: BITS * canvas.width * canvas.height });
+  /** @type {Blob[]} */
+  const recorded = [];
+  recorder.addEventListener("dataavailable", ({ data }) => recorded.push(data));
+  /** @type {Promise<Blob[]>} all that was recorded, once it is stopped */
+  const parts = new Promise((resolve) => recorder.addEventListener("stop", () => resolve(recorded)));
+  recorder.start();
+  const stop = () => {
     recorder.stop();
     for (const track of stream.getTracks()) track.stop();
-  }
-  await ended;
-  return new Blob(parts, { type: "video/webm" });
+  };
+  return { start: performance.now(), parts, stop };
 }
 
 /**
