@@ -117,13 +117,30 @@ async fn nothing_is_edited_and_nothing_kept_where_it_is_not_to_be() {
     );
     page.close().await;
 
-    // With editing the same key takes the other assembly.
+    // Nor are there tools for drawing, whatever the link says.
+    for parameters in [
+        "embed=stage&edit=no&play=no#crank-rocker",
+        "embed=page&edit=no&play=no#crank-rocker&v.drawing=true",
+    ] {
+        let page = at(parameters).await;
+        if parameters.contains("page") {
+            page.click("menu").await;
+        }
+        let tools = "return ['#draw', '#trace', '#new-drawing', '#write-lesson', '[id^=become-]', '#draw-tools']
+            .filter((tool) => [...document.querySelectorAll(tool)].some((one) => one.checkVisibility()))";
+        assert_eq!(page.ask(tools).await, json!([]), "{parameters}");
+        page.close().await;
+    }
+
+    // With editing the same key takes the other assembly, and there is a pencil.
     let page = at("embed=stage&play=no#mixer-a").await;
     page.keys("2").await;
     page.until("the other assembly", async || {
         page.address().await.contains("d.assembly=2")
     })
     .await;
+    let pencil = "return document.getElementById('draw').checkVisibility()";
+    assert_eq!(page.ask(pencil).await, json!(true));
     page.close().await;
 }
 

@@ -32,7 +32,7 @@ const LONGEST_TITLE = 400;
  * @param {Habits} habits
  * @returns {Promise<Taken>}
  */
-async function take(kind, unwrap, engine, { calm, lang }) {
+async function take(kind, unwrap, engine, { calm, lang, embedding }) {
   const unwrapped = attempt(unwrap);
   let { problems } = unwrapped;
   /** @type {State | null} */
@@ -41,7 +41,8 @@ async function take(kind, unwrap, engine, { calm, lang }) {
   if (!value) return { state: null, failure: { kind, problems } };
   const { kind: of, document, view } = value;
   const playing = view.playing && !calm;
-  return { state: initialState(of, document, { ...view, playing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, value), failure: null };
+  const drawing = view.drawing && (embedding?.edits ?? true);
+  return { state: initialState(of, document, { ...view, playing, drawing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, value), failure: null };
 }
 
 /**

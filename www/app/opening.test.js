@@ -99,6 +99,13 @@ test("in a frame of another page nothing that was kept is read", async () => {
   assert.equal((await begin(HOME, { ...habits, embedding: {} })).state.kind, engine.catalogue[0].kind);
 });
 
+test("a link opens with the tools for drawing, but not in a frame where nothing is edited", async () => {
+  for (const [embedding, drawing] of [[null, true], [{ edits: true }, true], [{ edits: false }, false]]) {
+    const { state } = await takeAddress(`${HOME}#jansen&v.drawing=true`, engine, { ...habits, embedding });
+    assert.equal(state.view.drawing, drawing, JSON.stringify(embedding));
+  }
+});
+
 test("where the browser keeps nothing the page opens all the same", async (t) => {
   const forbidden = () => {
     throw new DOMException("", "SecurityError");

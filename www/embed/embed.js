@@ -59,6 +59,11 @@ export class Embedding {
     for (const [name, value] of Object.entries({ embed, edit, bar })) setData(document.documentElement, name, String(value));
   }
 
+  /** Whether anything may change the mechanism. */
+  get edits() {
+    return this.#given.edit !== "no";
+  }
+
   /**
    * @param {Habits} habits of the reader
    * @returns {Habits} as the address wants them
@@ -86,19 +91,18 @@ export class Embedding {
    * @returns {Readonly<Record<string, () => void>>} those that the frame has do something
    */
   commands(commands) {
-    const { embed, edit } = this.#given;
-    const there = new Set([...MOVING, ...(edit === "no" ? [] : EDITING)]);
-    const whole = embed === "page" && edit !== "no";
+    const there = new Set([...MOVING, ...(this.edits ? EDITING : [])]);
+    const whole = this.#given.embed === "page" && this.edits;
     return Object.fromEntries(Object.entries(commands).map(([name, act]) => [name, whole || there.has(name) ? act : () => {}]));
   }
 
   /**
    * @param {State} next
    * @param {State} now
-   * @returns {State} what a change may come to: where nothing is edited, no other document
+   * @returns {State} what a change may come to: where nothing is edited, no other document, and no tools for drawing
    */
   limit(next, now) {
-    return this.#given.edit === "no" && next.document !== now.document ? now : next;
+    return this.edits || (next.document === now.document && !next.view.drawing) ? next : now;
   }
 
   /**
