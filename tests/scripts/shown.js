@@ -11,7 +11,7 @@ const STROKES = ["", "′", "″"];
 const STATUS = {
   ratio: ({ ratios }) => ratios?.[0],
   "scheme-w": ({ counts, mobility }) => (counts && "pairs" in counts ? mobility : undefined),
-  "scheme-q": ({ redundant }) => redundant,
+  "scheme-q": ({ redundant, space }) => space?.redundant ?? redundant,
   "scheme-rank": ({ plane, space }) => (plane ?? space)?.mobility,
   "scheme-links": ({ counts }) => counts?.links,
 };

@@ -43,3 +43,23 @@ test("what was said is said again in another language, and is silent in motion",
   assert.equal(said("announcement"), "");
   assert.equal(said("mechanism-description"), page.words.text("told.moving"));
 });
+
+test("what a kind says of itself stands beside it, also of what is opened again", async (t) => {
+  const { page, said } = begin(t);
+  const { Description: Own } = await import("assur/kinds/scheme/description.js");
+  const own = new Own();
+  const now = () => {
+    said("mechanism-description");
+    if (page.store.get().kind === "scheme") own.render(page.now());
+    return globalThis.document.getElementById("mechanism-description").textContent;
+  };
+  const open = (id) => {
+    const { kind, document } = page.engine.preset(id);
+    page.choose(kind, document);
+    return now();
+  };
+  const scheme = open("mobility-2a");
+  assert.match(scheme, /4 pairs; W = 1, q = 3/);
+  assert.match(open("jansen"), /^Input angle/);
+  assert.equal(open("mobility-2a"), scheme);
+});

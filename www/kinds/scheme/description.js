@@ -1,18 +1,17 @@
 // What a screen reader is told of the drawing.
 import { byId, write } from "assur/core/dom.js";
-import { Seen } from "assur/core/seen.js";
-import { asked } from "assur/kinds/scheme/sums.js";
+import { actual, asked } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
 export class Description {
   #drawing = byId("mechanism-description", HTMLElement);
-  #shown = new Seen();
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state: { document }, summary: { links, pairs, mobility, redundant }, words, withheld } = snapshot;
-    if (this.#shown.same(document, words, withheld)) return;
+    const { state: { document }, summary, words } = snapshot;
+    const { links, pairs } = summary;
+    const { mobility, redundant } = actual(summary);
     const { numbers } = words;
     const [moving, joined] = [links.length - 1, pairs.length].map((one) => numbers.exact(one));
     const [w, q] = [asked(mobility, "w", snapshot), asked(redundant, "q", snapshot)];

@@ -2,7 +2,7 @@
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
-import { asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
+import { actual, asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
 
 /** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
@@ -31,7 +31,9 @@ export class FormulasView {
  * @returns {string[][]} what it is called, then its lines
  */
 function classical(snapshot) {
-  const { summary: { counts, mobility, redundant, redundant_by_plane: byPlane, planar }, words } = snapshot;
+  const { summary, words } = snapshot;
+  const { counts, redundant_by_plane: byPlane, planar } = summary;
+  const { mobility, redundant, ranked } = actual(summary);
   const { numbers } = words;
   const lines = [];
   if (planar && counts.planar !== null) {
@@ -50,10 +52,10 @@ function classical(snapshot) {
   );
   const all = `${constraints.join(" + ")} − 6n + W`;
   lines.push([
-    words.text("formulas.redundant"),
+    words.text(ranked ? "formulas.redundant_ranked" : "formulas.redundant"),
     `q = ${all} = ${constrained.join(" + ")} − 6·${numbers.exact(counts.links)} + ${asked(mobility, "w", snapshot)} = ${asked(redundant, "q", snapshot)}`,
   ]);
-  if (byPlane !== null) {
+  if (byPlane !== null && !ranked) {
     const pairs = counts.pairs.reduce((total, { count }) => total + count, 0);
     const removed = 5 * (pairs - counts.links);
     const inner = `(${numbers.exact(counts.links)} − ${numbers.exact(pairs)})`;
@@ -67,16 +69,19 @@ function classical(snapshot) {
  * @returns {string[][]}
  */
 function byLoops(snapshot) {
-  const { summary: { sections, counts }, words } = snapshot;
+  const { summary, words } = snapshot;
+  const { sections, counts } = summary;
   const { numbers } = words;
   const name = words.text("formulas.loops");
   if (!sections) return [[name, words.text("formulas.needs_open")]];
   if (sections.loops.length === 0) return [];
   const all = counts.spatial_pairs.reduce((total, { freedoms, count }) => total + freedoms * count, 0);
   const spaces = sections.loops.map((loop) => loop.motion_space);
-  const said = sections.loops.map(({ cut, pairs, motion_space: space, redundant }) => words.text("formulas.loop", {
-    cut, pairs: pairs.join(", "), space: numbers.exact(space), q: numbers.exact(redundant),
-  }));
+  // A contour has constraints beside its motion space by the count alone.
+  const { ranked } = actual(summary);
+  const said = sections.loops.map(({ cut, pairs, motion_space: space, redundant }) => (
+    words.text("formulas.loop", { cut, pairs: pairs.join(", "), space: numbers.exact(space) }) + (ranked ? "" : `, q = ${asked(redundant, "q", snapshot)}`)
+  ));
   return [[
     name, ...said,
     `ΣiP = ${freedomsOf(counts.spatial_pairs, numbers.exact(all), words)}; Σλ = ${sum(spaces, words)}`,

@@ -3,7 +3,7 @@ import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
+import { actual, asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -68,7 +68,7 @@ export class MethodView {
         words.text("method.mobility"), `W = W₀ − ΣS = ${numbers.exact(sections.open)} − ${numbers.exact(sections.removed)} = ${asked(mobility, "w", snapshot)}`,
       );
     }
-    if (planar && sections.cuts.length > 0) lines.push(words.text("method.redundant"), redundant(sections, snapshot));
+    if (planar && sections.cuts.length > 0) lines.push(words.text(actual(snapshot.summary).ranked ? "method.redundant_ranked" : "method.redundant"), redundant(sections, snapshot));
     if (!snapshot.withheld.has("scheme-w")) lines.push(drives(mobility, words));
     return lines;
   }
@@ -112,8 +112,9 @@ export class MethodView {
  * @param {Snapshot} snapshot
  * @returns {string} q = ΣS + W − W₀, both in space
  */
-function redundant({ loops, removed_spatial: removed, open_spatial: open, mobility, redundant: q }, snapshot) {
+function redundant({ loops, removed_spatial: removed, open_spatial: open }, snapshot) {
   const { numbers } = snapshot.words;
+  const { mobility, redundant: q } = actual(snapshot.summary);
   const terms = loops.length > 1 ? `(${loops.map((loop) => numbers.exact(loop.spatial_constraints)).join(" + ")})` : numbers.exact(removed);
   return `q = ΣS + W − W₀ = ${terms} + ${asked(mobility, "w", snapshot)} − ${numbers.exact(open)} = ${asked(q, "q", snapshot)}`;
 }

@@ -1,6 +1,6 @@
 // The status line of a scheme: what is counted, and what the rank says.
 import { StatusLine } from "assur/controls/status.js";
-import { symbolOf } from "assur/kinds/scheme/sums.js";
+import { actual, symbolOf } from "assur/kinds/scheme/sums.js";
 
 /**
  * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
@@ -8,9 +8,12 @@ import { symbolOf } from "assur/kinds/scheme/sums.js";
  */
 
 /** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: Words) => import("assur/controls/status.js").Entry | null>>} */
-const ENTRIES = Object.freeze({
+export const ENTRIES = Object.freeze({
   w: ({ mobility }, { numbers }) => ({ text: numbers.exact(mobility), value: mobility }),
-  q: ({ redundant }, { numbers }) => ({ text: numbers.exact(redundant), value: redundant }),
+  q: (summary, { numbers }) => {
+    const { redundant } = actual(summary);
+    return { text: numbers.exact(redundant), value: redundant };
+  },
   rank: ({ plane, space }, { numbers }) => {
     const judged = plane ?? space;
     return judged && { text: numbers.exact(judged.mobility), value: judged.mobility };

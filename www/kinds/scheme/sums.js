@@ -15,6 +15,16 @@ export function asked(value, which, { withheld, words }) {
   return withheld.has(`scheme-${which}`) ? "?" : words.numbers.exact(value);
 }
 
+/**
+ * W and q as they are: by the rank of the constraints in space, where place and axis of every pair are known, else by the count.
+ * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot["summary"], "mobility" | "redundant" | "space">} summary
+ * @returns {Readonly<{ mobility: number, redundant: number, ranked: boolean }>} `ranked`: whether the count says otherwise
+ */
+export function actual({ mobility, redundant, space }) {
+  const judged = space ?? { mobility, redundant };
+  return { mobility: judged.mobility, redundant: judged.redundant, ranked: judged.redundant !== redundant };
+}
+
 const SMALL = "₀₁₂₃₄₅₆₇₈₉";
 
 /** @param {number} freedoms */

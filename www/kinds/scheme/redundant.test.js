@@ -1,0 +1,49 @@
+// The redundant constraints of schemes, wherever the page tells how many there are.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import "assur/tests/document.js";
+import { FormulasView } from "assur/kinds/scheme/formulas.js";
+import { GeometryView } from "assur/kinds/scheme/geometry.js";
+import { MethodView } from "assur/kinds/scheme/method.js";
+import { Description } from "assur/kinds/scheme/description.js";
+import { ENTRIES } from "assur/kinds/scheme/status.js";
+import { initialState } from "assur/state/state.js";
+import { newEngine } from "assur/tests/engine.js";
+import { snapshotOf } from "assur/tests/shown.js";
+
+const engine = newEngine();
+const PRESETS = JSON.parse(readFileSync(new URL("../../lessons/mobility/presets.json", import.meta.url), "utf8"));
+
+const page = globalThis.document;
+
+/** All numbers that the page calls q, of a scheme that is cut open. */
+function told({ kind, document }) {
+  const closed = engine.set(initialState(kind, { ...document, cut: [] }, {}));
+  const snapshot = snapshotOf(engine, initialState(kind, { ...document, cut: closed.automatic }, { lang: "en" }));
+  page.sections = [];
+  const views = [new FormulasView(), new GeometryView({}), new MethodView({}), new Description()];
+  for (const view of views) view.render(snapshot);
+  const lines = page.sections.flatMap((section) => section.all).filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent);
+  // Of a sum what it comes to.
+  const said = [...lines, page.getElementById("mechanism-description").textContent].flatMap((line) => line.match(/\bq = [^.;]*/) ?? []);
+  const { summary, words } = snapshot;
+  return [...said.map((one) => Number(one.split("= ").at(-1))), ENTRIES.q(summary, words).value];
+}
+
+test("one scheme has one q: that of the rank", () => {
+  for (const [name, q] of [["bennett", 3], ["sarrus", 1], ["hooke", 1], ["parallelogram", 7], ["tilted", 2], ["roller", 1], ["rssr", 0]]) {
+    const numbers = told(PRESETS[name]);
+    assert.ok(numbers.length >= 4, `${name}: ${numbers}`);
+    assert.deepEqual(new Set(numbers), new Set([q]), `${name}: ${numbers}`);
+  }
+});
+
+test("where the geometry is not known q is that of the count", () => {
+  const { kind, document } = PRESETS.parallelogram;
+  const [first, ...others] = document.pairs;
+  const unknown = { ...document, pairs: [{ ...first, at: undefined }, ...others] };
+  const { summary, words } = snapshotOf(engine, initialState(kind, unknown, { lang: "en" }));
+  assert.equal(summary.space, null);
+  assert.equal(ENTRIES.q(summary, words).value, summary.redundant);
+});
