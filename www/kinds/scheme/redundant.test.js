@@ -24,10 +24,12 @@ function told({ kind, document }) {
   page.sections = [];
   const views = [new FormulasView(), new GeometryView({}), new MethodView({}), new Description()];
   for (const view of views) view.render(snapshot);
-  const lines = page.sections.flatMap((section) => section.all).filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent);
+  const { summary, words } = snapshot;
+  const lines = page.sections.flatMap((section) => section.all).filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent)
+    // Of the scheme with other pairs.
+    .filter((line) => line !== words.text("replace.said"));
   // Of a sum what it comes to.
   const said = [...lines, page.getElementById("mechanism-description").textContent].flatMap((line) => line.match(/\bq = [^.;]*/) ?? []);
-  const { summary, words } = snapshot;
   return [...said.map((one) => Number(one.split("= ").at(-1))), ENTRIES.q(summary, words).value];
 }
 
