@@ -69,8 +69,7 @@ async fn a_mechanism_is_printed_with_its_numbers_and_its_address() {
     page.close().await;
 }
 
-/// The questions of the open lesson have lines to answer on or what is to be chosen from; nothing that a step withholds
-/// is printed.
+/// The steps of the open lesson have text and formula, and lines to answer on or what is to be chosen from.
 #[tokio::test]
 async fn a_lesson_is_printed_with_its_questions() {
     let page = Page::open().await;
@@ -86,6 +85,11 @@ async fn a_lesson_is_printed_with_its_questions() {
     printed(&page).await;
     let titles = texts(&page, "#worksheet li > b").await;
     assert_eq!(titles.len(), 7, "{titles:?}");
+    let text = &texts(&page, "#worksheet li:first-child > p").await[0];
+    assert!(
+        text.starts_with("The mechanism has seven moving links"),
+        "{text}"
+    );
     assert_eq!(titles[0], title);
     for title in 1..=titles.len() {
         let lines = format!("#worksheet li:nth-child({title}) :is(.blank, .choice)");
@@ -93,6 +97,67 @@ async fn a_lesson_is_printed_with_its_questions() {
     }
     let dimensions = texts(&page, "#worksheet .tables > table td").await;
     assert!(dimensions.len() > 8, "{dimensions:?}");
+    page.close().await;
+}
+
+/// What tells the answer of any question of the open lesson is not printed, whichever step is open; on the page the others
+/// stay.
+#[tokio::test]
+async fn a_printed_lesson_does_not_answer_itself() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    page.click("tab-lesson").await;
+    page.until("the lesson", async || {
+        page.count("#lesson-check").await == 1
+    })
+    .await;
+    page.settle().await;
+    printed(&page).await;
+    let said = texts(&page, "#worksheet .tables p").await;
+    for asked in ["ratio", "swing-wheel5", "time-ratio"] {
+        let title = format!("#out-{asked}");
+        let script = format!(
+            "return document.querySelector('{title}').closest('.entry').querySelector('dt').textContent"
+        );
+        let title = page.ask(&script).await.as_str().unwrap().to_owned();
+        let entry = said.iter().find(|entry| entry.starts_with(&title));
+        let entry = entry.unwrap_or_else(|| panic!("{title}: {said:?}"));
+        assert!(
+            entry[title.len()..].trim_start().starts_with('?'),
+            "{entry}"
+        );
+    }
+    page.ask("dispatchEvent(new Event('afterprint'))").await;
+    page.show_on("", &[]).await;
+    page.settle().await;
+    assert_eq!(page.value("out-ratio").await, -2.0);
+    page.close().await;
+}
+
+/// What is printed in motion is one pose, in the drawing and in the table.
+#[tokio::test]
+async fn a_worksheet_is_of_one_pose() {
+    let page = Page::playing().await;
+    page.until("what prints", async || {
+        page.ask("return performance.getEntriesByName('printable').length")
+            .await
+            == 1
+    })
+    .await;
+    // The numbers on the page are written five times a second: some of these are in between.
+    for _ in 0..10 {
+        let script = "dispatchEvent(new Event('beforeprint'));
+            const sheet = document.getElementById('worksheet');
+            const drawn = [...sheet.querySelectorAll('figure text')].map(({ textContent }) => textContent).find((text) => text.startsWith('φ₁ = '));
+            const row = [...sheet.querySelectorAll('.tables > div tr')].find(({ textContent }) => textContent.trim().startsWith('φ₁'));
+            const written = row.children[1].textContent;
+            dispatchEvent(new Event('afterprint'));
+            arguments[0]([drawn.slice(5), written].map((text) => parseFloat(text)))";
+        let shown = page.numbers(script).await;
+        let off = (shown[0] - shown[1]).rem_euclid(360.0);
+        assert!(off.min(360.0 - off) <= 0.6, "{shown:?}");
+        page.settle().await;
+    }
     page.close().await;
 }
 

@@ -8,6 +8,7 @@ globalThis.HTMLElement = class HTMLElement extends Node {
   attributes = {};
   dataset = {};
   hidden = false;
+  title = "";
 
   constructor(tag = "") {
     super();
@@ -43,17 +44,42 @@ globalThis.HTMLElement = class HTMLElement extends Node {
     document.sections.push(...sections);
   }
 
+  remove() {}
+
   /** @returns {HTMLElement[]} what is in it, in the order of the document */
   get all() {
     return this.children.flatMap((child) => (typeof child === "string" ? [] : [child, ...child.all]));
   }
 };
 
-/** Those that are found by an id, made when they are first asked for. */
-const found = new Map();
+/** Those that are found by an id, made when they are first asked for; those that are no plain ones are put there. */
+export const found = new Map();
+
+/** A style sheet is there as soon as it is asked for. */
+class Head extends HTMLElement {
+  append(sheet) {
+    sheet.onload?.();
+  }
+}
+
+/** A parsed picture is an element that holds its text. */
+globalThis.DOMParser = class DOMParser {
+  parseFromString(text) {
+    const documentElement = new HTMLElement("svg");
+    documentElement.textContent = text;
+    return { documentElement };
+  }
+};
+globalThis.HTMLCanvasElement = class HTMLCanvasElement extends HTMLElement {};
+globalThis.getComputedStyle = () => ({ getPropertyValue: () => "", fontFamily: "sans-serif", fontSize: "14px" });
+globalThis.matchMedia = () => new EventTarget();
 
 globalThis.document = Object.assign(new EventTarget(), {
   createElement: (tag) => new HTMLElement(tag),
   sections: [],
+  body: new HTMLElement("body"),
+  head: new Head("head"),
+  createElementNS: (_, tag) => new HTMLElement(tag),
+  querySelectorAll: () => [],
   getElementById: (id) => found.get(id) ?? found.set(id, new HTMLElement()).get(id),
 });

@@ -140,6 +140,27 @@ export class Page {
   }
 
   /**
+   * Makes something of the page with drawing and numbers of one and the same pose.
+   * @template T
+   * @param {readonly string[]} hidden read-outs that are not written meanwhile
+   * @param {() => T} work
+   * @returns {T}
+   */
+  posed(hidden, work) {
+    const { model } = this;
+    const { withheld } = model;
+    model.withheld = new Set(hidden);
+    this.#unwritten = WRITING_PERIOD;
+    this.#render();
+    try {
+      return work();
+    } finally {
+      model.withheld = withheld;
+      this.redraw();
+    }
+  }
+
+  /**
    * Takes in a state from outside, as a step that can be undone.
    * @param {Promise<Taken | null>} coming
    */

@@ -1,8 +1,8 @@
-// The worksheet that is printed instead of the page: what is shown, its dimensions and values, the questions of the lesson with
+// The worksheet that is printed instead of the page: what is shown, its dimensions and values, the steps of the lesson with
 // lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
 import { byId, make } from "assur/core/dom.js";
-import { marked } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
+import { stepOnPaper } from "assur/export/steps.js";
 import "assur/export/style.js";
 
 /**
@@ -25,14 +25,20 @@ export function printWorksheets(page) {
   const clear = () => document.getElementById("worksheet")?.remove();
   addEventListener("beforeprint", () => {
     clear();
-    document.body.append(page.sheet ?? worksheet(page));
+    const steps = page.lesson.steps();
+    // A worksheet does not answer what it asks.
+    const hidden = steps.flatMap(({ question }) => question?.hides ?? []);
+    document.body.append(page.sheet ?? page.posed(hidden, () => worksheet(page, steps)));
   });
   addEventListener("afterprint", clear);
 }
 
-/** @param {Page} page */
-function worksheet(page) {
-  const { engine, model, mechanism, chart, words, address, lesson } = page;
+/**
+ * @param {Page} page
+ * @param {readonly import("assur/lesson/panel.js").Told[]} steps of the open lesson
+ */
+function worksheet(page, steps) {
+  const { engine, model, mechanism, chart, words, address } = page;
   const theme = paperTheme(engine.roles);
   const title = byId("mechanism-name", HTMLElement);
   const line = (/** @type {string} */ key) => make("span", { class: "blank" }, [words.text(key)]);
@@ -42,7 +48,7 @@ function worksheet(page) {
   };
   const figures = [figure(mechanism.cropped(), "mechanism")];
   if (model.summary.moves !== null) figures.push(figure(withLegend(chart, theme, words), "charts"));
-  const questions = lesson.questions();
+  const items = steps.map(({ question, ...step }) => stepOnPaper({ ...step, question: question && { text: question.text, options: (question.options ?? []).map(({ text }) => text) } }));
   return make("section", { id: "worksheet", class: "paper", lang: words.lang }, [
     make("header", {}, [
       make("h1", {}, [title.textContent ?? ""]),
@@ -51,7 +57,7 @@ function worksheet(page) {
     ]),
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(), values()]),
-    ...(questions.length > 0 ? [make("ol", {}, questions.map(question))] : []),
+    ...(items.length > 0 ? [make("ol", {}, items)] : []),
     foot(address.link(model.good), engine),
   ]);
 }
@@ -76,17 +82,6 @@ function values() {
   const said = entries.map((entry) => make("p", {}, [entry.textContent?.replace(/\s+/g, " ").trim() ?? ""]));
   table.append(make("tbody", {}, rows));
   return make("div", {}, [table, ...said]);
-}
-
-/**
- * @param {{ title: string, text: string, choices: readonly string[] }} asked
- * @returns {HTMLElement}
- */
-function question({ title, text, choices }) {
-  const blanks = choices.length > 0
-    ? choices.map((choice) => make("p", { class: "choice" }, marked(choice)))
-    : [make("p", { class: "blank" }), make("p", { class: "blank" })];
-  return make("li", {}, [make("b", {}, [title]), make("p", {}, marked(text)), ...blanks]);
 }
 
 /**

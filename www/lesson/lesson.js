@@ -54,9 +54,9 @@ export class Lesson {
     this.#page.redraw();
   }
 
-  /** @returns {readonly import("assur/lesson/panel.js").Asked[]} what the open lesson asks, step by step */
-  questions() {
-    return (this.#open && this.#panel?.questions()) || [];
+  /** @returns {readonly import("assur/lesson/panel.js").Told[]} those of the open lesson */
+  steps() {
+    return (this.#open && this.#panel?.steps()) || [];
   }
 
   /** @param {boolean} writing whether the lecturer's own lesson is written, or read */

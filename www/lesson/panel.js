@@ -15,7 +15,6 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: another mechanism was on the page and
  * that of the step was shown again; `document`: the one that the verdict is about
- * @typedef {Readonly<{ title: string, text: string, choices: readonly string[] }>} Asked a question, with what may be chosen
  *
  * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean }>} Shown a button, and what it opens
  * instead of the document there is; `opened`: whether a state holds it
@@ -87,7 +86,7 @@ export class LessonPanel {
     this.#source = source;
     this.#words = words;
     this.#steps = source.tell(words);
-    this.#progress = new Progress(source.name, this.#steps.filter(({ id }) => id !== END));
+    this.#progress = new Progress(source.name, this.steps());
     const form = this.#form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), make("div", { class: "lesson-buttons" }, [this.#check, this.#reveal]), this.#said]);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
@@ -123,12 +122,9 @@ export class LessonPanel {
     this.#steps = this.#source.tell(words);
   }
 
-  /** @returns {Asked[]} */
-  questions() {
-    return this.#steps.flatMap(({ title, question }) => {
-      if (!question) return [];
-      return [{ title, text: question.text, choices: (question.options ?? []).map(({ text }) => text) }];
-    });
+  /** @returns {readonly Told[]} without what closes the lesson */
+  steps() {
+    return this.#steps.filter(({ id }) => id !== END);
   }
 
   /** Where a reader who opened it by a key goes on. */
@@ -328,8 +324,7 @@ export class LessonPanel {
   #say() {
     const words = this.#words;
     const step = this.#step;
-    const asking = this.#steps.filter(({ id }) => id !== END);
-    const [number, count] = [this.#steps.indexOf(step) + 1, asking.length].map((one) => words.numbers.exact(one));
+    const [number, count] = [this.#steps.indexOf(step) + 1, this.steps().length].map((one) => words.numbers.exact(one));
     const { solved, shown } = this.#progress;
     const done = solved > 0 ? `, ${words.counted("lesson.solved", solved)}` : "";
     const given = shown > 0 ? `, ${words.text("lesson.shown", { count: words.numbers.exact(shown) })}` : "";

@@ -3,9 +3,10 @@ import { Transform } from "assur/canvas/transform.js";
 import { fieldName } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { marked, withSubscripts } from "assur/core/subscripts.js";
+import { marked } from "assur/core/subscripts.js";
 import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
+import { stepOnPaper } from "assur/export/steps.js";
 import { isAngle, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
@@ -65,18 +66,12 @@ function sheet(lesson, name, answers, page, words) {
  * @param {Words} words
  */
 function asked(lesson, index, name, page, words) {
-  const { title, text, formula = "", shows, question } = lesson.steps[index];
-  const parts = [make("b", { class: "title" }, [title]), ...text.split("\n").map((line) => make("p", {}, marked(line)))];
-  if (formula) parts.push(make("p", { class: "formula" }, withSubscripts(formula)));
+  const { formula = "", shows, question, ...step } = lesson.steps[index];
   const task = shows ? taskOf(lesson, index, name, page.engine) : null;
-  if (task) parts.push(...drawing(task.state, lesson.steps[index], page, words), ...own(task, words));
-  if (question) {
-    const { number, choice } = question;
-    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unitOf(number)) })}` : "";
-    const room = choice ? choice.options.map((option) => make("p", { class: "choice" }, marked(option))) : [make("p", { class: "blank" }), make("p", { class: "blank" })];
-    parts.push(make("div", { class: "asked" }, [make("p", {}, [make("b", {}, marked(question.text + tolerance))]), ...room]));
-  }
-  return make("li", {}, parts);
+  const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words)] : [];
+  const { number, choice } = question ?? {};
+  const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unitOf(number)) })}` : "";
+  return stepOnPaper({ ...step, formula, question: question ? { text: question.text + tolerance, options: choice?.options ?? [] } : null }, shown);
 }
 
 /**
