@@ -7,6 +7,7 @@ import { marked } from "assur/core/subscripts.js";
 import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
+import { given } from "assur/lesson/given.js";
 import { isAngle, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
@@ -68,7 +69,7 @@ function sheet(lesson, name, answers, page, words) {
 function asked(lesson, index, name, page, words) {
   const { formula = "", shows, question, ...step } = lesson.steps[index];
   const task = shows ? taskOf(lesson, index, name, page.engine) : null;
-  const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words)] : [];
+  const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words), numbers(task, page, words)] : [];
   const { number, choice } = question ?? {};
   const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unitOf(number)) })}` : "";
   return stepOnPaper({ ...step, formula, question: question ? { text: question.text + tolerance, options: choice?.options ?? [] } : null }, shown);
@@ -155,4 +156,15 @@ function drawing(state, { title, question }, { engine, model }, words) {
  */
 function own({ own: numbers, state }, words) {
   return numbers.map(({ field, value }) => make("p", { class: "own" }, [`${fieldName(field, words, state.document)} = ${words.numbers.exact(value)}`]));
+}
+
+/**
+ * @param {Task} task
+ * @param {Page} page
+ * @param {Words} words
+ * @returns {HTMLElement} every number that is given of the mechanism
+ */
+function numbers({ state }, { engine }, words) {
+  const unit = "unit" in state.document ? state.document.unit : null;
+  return make("p", { class: "given" }, [given(state, engine, words.measured(unit ?? "none")).join("; ")]);
 }

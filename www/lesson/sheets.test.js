@@ -1,0 +1,53 @@
+// Worksheets of a class: each has what is needed to solve it on paper, and no answer.
+import assert from "node:assert/strict";
+import test from "node:test";
+import "assur/tests/document.js";
+import { Context } from "assur/tests/canvas.js";
+import { numberEntries } from "assur/core/names.js";
+import { sheets } from "assur/lesson/sheets.js";
+import { answerOf } from "assur/lesson/tasks.js";
+import { Page } from "assur/tests/page.js";
+
+globalThis.OffscreenCanvas = class OffscreenCanvas {
+  getContext() {
+    return Object.assign(new Context(), { getImageData: () => ({ data: [0, 0, 0, 255] }) });
+  }
+};
+
+const page = new Page("mixer-a");
+// As the rail of the mixer does.
+numberEntries("wheels", (index) => String(index + 5));
+
+/** What is printed for a name of a task about a mechanism of the catalogue, and its answer. */
+function printed(id, vary = [], quantity = "input", name = "Ann") {
+  const { kind, document } = page.engine.preset(id);
+  const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document, view: { phi_deg: 30 }, vary }, question: { text: "How much?", number: { quantity, within: 0.001 } } }] };
+  const sheet = sheets(lesson, [name], false, page, page.words);
+  return { said: sheet.all.filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent).join("\n"), answer: answerOf(lesson, 0, name, page.engine) };
+}
+
+for (const [id, wanted] of [
+  ["crank-rocker", ["length of A-B = 2", "length of B-C = 6", "length of B-M = 3.605551", "length of C-M = 3.605551", "length of D-C = 4.5", "x of A = 0", "y of A = 0", "x of D = 6", "y of D = 0"]],
+  // The guide of the ram and the pivot of the lever.
+  ["shaper", ["length of A-B = 1.25", "length of D-E = 7", "length of E-F = 2.5", "x of D = 0", "y of D = −4", "y of G = 2.825", "y of H = 2.825"]],
+  ["geared-five-bar", ["length of B-C = 3.2", "crank: z = 40", "follower: z = 20"]],
+  ["mixer-a", ["Crank l₁ = 0.37", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
+  ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1, speed, min⁻¹ = 60"]],
+]) {
+  test(`a sheet has every given number of ${id}`, () => {
+    const { said } = printed(id);
+    for (const one of wanted) assert.ok(said.includes(one), `${one}: ${said}`);
+    assert.doesNotMatch(said, /undefined|NaN|field\.|damping|inertia/);
+  });
+}
+
+test("lengths are those of the reader, and the answer is none of them", () => {
+  const vary = [{ field: "links[0].length", from: 1, to: 2, step: 0.05 }];
+  const [ann, bo] = ["Ann", "Bo"].map((name) => printed("crank-rocker", vary, "rocker.angle", name));
+  const length = ({ said }) => Number(/length of A-B = ([\d.]+)/.exec(said)[1]);
+  assert.notEqual(length(ann), length(bo));
+  for (const one of [ann, bo]) {
+    assert.ok(one.said.includes(`= ${length(one)}`) && length(one) >= 1 && length(one) <= 2);
+    assert.ok(!one.said.includes(one.answer.toFixed(2)), one.said);
+  }
+});
