@@ -39,8 +39,8 @@ const MARGIN: Margin = Margin {
 
 /// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is told at once.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Nor where they are a lesser one: nothing is told apart along less, and of some motions only an instant is left.
-const LEAST_OF_A_TURN: f64 = 0.02;
+/// Nor where they are a lesser one: of some motions only an instant is left.
+const LEAST_OF_A_TURN: f64 = 0.001;
 /// Room beside the arcs, as a share of what they span.
 const BESIDE: f64 = 0.04;
 
@@ -406,3 +406,6 @@ type Place = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 /// What is drawn with a colour: its points and its width, its place and its radius.
 type Line = (Vec<(f64, f64)>, Role, i32);
 type Dot = ((f64, f64), Role, i32);
+
+#[cfg(test)]
+mod tests;

@@ -17,24 +17,28 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
-/// Crank angles stand at least so many degrees apart; along less than the span, closer.
+/// Crank angles stand at least so many degrees apart; along less than the span, closer; along very little, as close as there is room.
 const FINEST: f64 = 30.0;
 const SHORT: f64 = 120.0;
 const FINEST_OF_SHORT: f64 = 5.0;
+const VERY_SHORT: f64 = 20.0;
 
 /// Labels of the crank angle, radians, about 50 pixels apart, or `scale` times as many.
 pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
-    let finest = if to - from < SHORT {
+    let span = to - from;
+    let finest = if span < VERY_SHORT {
+        0.0
+    } else if span < SHORT {
         FINEST_OF_SHORT
     } else {
         FINEST
     };
-    let step = angle_step((to - from) * 50.0 * scale / width, finest);
+    let step = angle_step(span * 50.0 * scale / width, finest);
     multiples(step, from, to)
         .map(|value| Tick {
             value,
-            at: (value - from) / (to - from) * width,
+            at: (value - from) / span * width,
         })
         .collect()
 }
@@ -146,6 +150,13 @@ mod tests {
             [45.0, 60.0, 75.0, 90.0, 105.0]
         );
         assert_eq!(written(&crank(short, 900.0, 1.0))[..3], [35.0, 40.0, 45.0]);
+        let little = [-2.4_f64, 2.4].map(f64::to_radians);
+        assert_eq!(
+            written(&crank(little, 330.0, 1.0)),
+            [-2.0, -1.0, 0.0, 1.0, 2.0]
+        );
+        let less = [-0.25_f64, 0.25].map(f64::to_radians);
+        assert_eq!(crank(less, 330.0, 1.0).len(), 5);
     }
 
     #[test]
