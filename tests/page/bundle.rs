@@ -59,3 +59,12 @@ async fn opens_from_a_file_and_runs() {
     );
     page.close().await;
 }
+
+/// The README says how large the file is.
+#[test]
+fn it_is_as_large_as_the_readme_says() {
+    let readme = assur_tests::files::source("README.md");
+    assert!(readme.contains("`dist/assur.html`, about three megabytes."));
+    let size = std::fs::metadata(setting("ASSUR_BUNDLE")).unwrap().len();
+    assert!((2_500_000..3_500_000).contains(&size), "{size}");
+}
