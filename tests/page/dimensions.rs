@@ -179,3 +179,25 @@ async fn an_assembly_is_saved_as_it_is_drawn() {
     assert_eq!(followed(&page).await, "2");
     page.close().await;
 }
+
+/// The colour of a length is that of its link, also when another link is driven.
+#[tokio::test]
+async fn colours_follow_the_driver() {
+    let url = format!("{}#stephenson-3&v.playing=false", crate::host::home());
+    let page = Page::open_at(&url, "en-US").await;
+    let cranks = async || {
+        let script = "return [...document.querySelectorAll('#linkage-lengths .row')]
+            .filter(({ style }) => style.getPropertyValue('--accent') === 'var(--role-crank)').map(({ dataset }) => dataset.field)";
+        let found: Vec<String> = serde_json::from_value(page.ask(script).await).unwrap();
+        found
+    };
+    assert_eq!(cranks().await, ["links[0].length"]);
+    page.choose("driver", "rocker").await;
+    page.settle().await;
+    let rocker = "return document.querySelector('#driver').selectedIndex";
+    assert_ne!(page.ask(rocker).await, 0);
+    let now = cranks().await;
+    assert_eq!(now.len(), 1);
+    assert_ne!(now, ["links[0].length"]);
+    page.close().await;
+}

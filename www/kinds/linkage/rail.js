@@ -61,7 +61,7 @@ export class LinkageRail {
     const wrong = new Set(problems.map(({ field, path }) => field ?? path));
     if (this.#shown.same(linkage, summary, words, ...wrong)) return;
     const { drivers, dimensions, rates } = summary;
-    const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link }) => [field, link]), dimensions.map(({ field, name }) => [field, name])]);
+    const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link, role }) => [field, link, role]), dimensions.map(({ field, name, role }) => [field, name, role])]);
     if (built !== this.#built) {
       this.#built = built;
       this.#build(summary, linkage, words);
