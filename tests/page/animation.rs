@@ -88,7 +88,7 @@ async fn a_gif_is_one_turn_that_goes_on_without_a_jump() {
     assert!(white.count() > gif.pictures[0].len() / 3);
     let said = page.text("export-said").await;
     assert!(
-        said.starts_with("assur-jansen-animation.gif is written"),
+        said.starts_with("assur-jansen-animation.gif saved"),
         "{said}"
     );
     page.close().await;
@@ -140,7 +140,7 @@ async fn a_film_is_recorded_where_the_browser_records() {
         const canvas = document.createElement('canvas');
         const ink = () => {
             [canvas.width, canvas.height] = [video.videoWidth, video.videoHeight];
-            const context = canvas.getContext('2d');
+            const context = canvas.getContext('2d', { willReadFrequently: true });
             context.drawImage(video, 0, 0);
             const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
             let dark = 0;

@@ -214,12 +214,12 @@ async fn a_is_in_the_table_and_told() {
     // But for the input each column of B is one of A, too.
     assert_eq!(own, head.len() - own + 1);
     let column = |name: &str| head.iter().position(|one| *one == name).unwrap();
-    for (name, degrees) in ["A: rocker.angle_rad", "rocker.angle_rad"]
+    for (name, degrees) in ["A: rocker.angle_deg", "rocker.angle_deg"]
         .into_iter()
         .zip(shown)
     {
         let found: f64 = lines[1 + 62][column(name)].parse().unwrap();
-        let off = angle_between(found, degrees.to_radians());
+        let off = angle_between(found.to_radians(), degrees.to_radians());
         assert!(off < 1e-12, "{name}: {found}, {off:e} off");
     }
     assert!(lines.iter().all(|line| line.len() == head.len()));

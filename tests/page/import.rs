@@ -150,7 +150,7 @@ async fn files_of_linkage_are_chosen_and_dropped() {
     )
     .await;
     let said = told(&page, "piston.linkage2").await;
-    assert!(said.contains("only drawn: 6"), "{said}");
+    assert!(said.contains("only drawings: 6"), "{said}");
     // Our own files are dropped in the same way.
     let mut own = kept(&page).await;
     own["view"]["lang"] = json!("uk");

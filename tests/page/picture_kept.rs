@@ -167,17 +167,17 @@ async fn a_damaged_picture_is_told_by_its_field() {
         (
             "image",
             json!("https://example.org/scan.png"),
-            "Picture behind the drawing: only PNG",
+            "Picture behind the drawing: must be a PNG",
         ),
         (
             "image",
             json!("data:text/html;base64,PGI+"),
-            "Picture behind the drawing: only PNG",
+            "Picture behind the drawing: must be a PNG",
         ),
         (
             "image",
             json!("<img src=x onerror='parent.hacked = true'>"),
-            "Picture behind the drawing: only PNG",
+            "Picture behind the drawing: must be a PNG",
         ),
         (
             "image",

@@ -271,7 +271,8 @@ async fn the_sheets_of_a_class_are_whole() {
     assert_eq!(seen, json!([2, 0, true, 9, []]));
 
     // Each name begins a page, and has as many as the others.
-    assert!(pages(&page).await.is_none_or(|count| count == 9));
+    let count = pages(&page).await;
+    assert!(count.is_none_or(|count| count == 9), "{count:?}");
 
     page.show_on("", &[]).await;
     press(&page, "write-print_answers").await;

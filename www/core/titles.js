@@ -26,6 +26,6 @@ export function titleOf(state, engine, words) {
  * @returns {string} the note of the catalogue on where it comes from; one that is not the catalogue's as it is
  */
 export function sourceOf({ origin, source }, engine, words) {
-  const noted = /** @type {Partial<Documents["linkage"]> | undefined} */ (engine.preset(origin ?? "")?.document)?.source;
+  const { source: noted } = /** @type {{ source?: string }} */ (engine.preset(origin ?? "")?.document ?? {});
   return source && source === noted ? words.text(`source.${origin}`) : source ?? "";
 }

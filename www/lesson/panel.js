@@ -56,12 +56,15 @@ export class LessonPanel {
   #judged = new Map();
   /** @type {readonly unknown[]} step and words that are shown */
   #shown = [];
+  /** Whether the reader has just turned to another step, whose beginning is to be seen. */
+  #turned = false;
   /** The id of the step whose mechanism is followed. */
   #begun = "";
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button" }, ["‹"]);
   #on = make("button", { id: "lesson-on", class: "control icon", type: "button" }, ["›"]);
   #walked = make("p", { id: "lesson-progress", role: "status" });
+  #body = make("div", { class: "lesson-body" });
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
   #text = make("div", { class: "lesson-text" });
   #shows = make("div", { class: "segments" });
@@ -99,8 +102,8 @@ export class LessonPanel {
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const step = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata];
-    const body = make("div", { class: "lesson-body" }, source.frame?.(step, this.#progress) ?? step);
-    place.replaceChildren(body, make("div", { class: "lesson-foot" }, [form, walk]));
+    this.#body.replaceChildren(...(source.frame?.(step, this.#progress) ?? step));
+    place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
   /** Shuts the lesson for good. */
@@ -178,6 +181,7 @@ export class LessonPanel {
     const step = this.#steps[next - 1];
     const view = { lesson: { ...lesson, step: next } };
     this.#begin(step);
+    this.#turned = true;
     if (step.from === null || step.from === this.#steps[number - 1].from) store.update((state) => withView(state, view));
     else this.#own.open(step.shows[0].open, view);
   }
@@ -224,6 +228,11 @@ export class LessonPanel {
     this.#tools.show(step.tools, () => this.#page.store.get().document);
     this.#withhold();
     this.#say();
+    if (this.#turned) {
+      this.#body.scrollTop = 0;
+      this.#title.scrollIntoView({ block: "nearest" });
+    }
+    this.#turned = false;
   }
 
   /** Read-outs that tell the answer are withheld until it is given, unless the reader gives up. */

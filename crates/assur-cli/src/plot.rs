@@ -49,11 +49,8 @@ pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
             values: &|what| (what == "input").then(|| motion.home()),
         },
     );
-    let mut plotted = document.outputs(mechanism);
-    if plotted.is_empty() {
-        plotted.extend(document.output(mechanism).map(Quantity::Angle));
-    }
-    let (angles, lengths) = plotted
+    let (angles, lengths) = document
+        .outputs(mechanism)
         .into_iter()
         .partition(|quantity: &Quantity| quantity.is_angle());
     let settings = Settings {

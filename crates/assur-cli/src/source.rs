@@ -166,9 +166,8 @@ impl Moved {
     /// frame.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let mechanism = self.motion.mechanism();
-        let outputs = self.document.outputs(mechanism);
-        if !outputs.is_empty() {
-            return outputs;
+        if !self.document.plots.is_empty() {
+            return self.document.outputs(mechanism);
         }
         let on_frame = self.document.slides.iter();
         let on_frame = on_frame.filter(|slide| slide.on == FRAME);

@@ -221,7 +221,7 @@ fn bad_files_are_refused_with_every_reason() {
         refused(&[file.path()])
     };
     let cases = [
-        (r#""ground": "0""#, r#""ground": "9""#, "fixed link 9"),
+        (r#""ground": "0""#, r#""ground": "9""#, "the frame, 9"),
         (
             r#"["2", "0"]"#,
             r#"["2", "2"]"#,
@@ -241,7 +241,7 @@ fn bad_files_are_refused_with_every_reason() {
         (
             r#"["3", "0"]"#,
             r#"["8", "9"]"#,
-            "not joined to the fixed link: 8, 9",
+            "not joined to the frame: 8, 9",
         ),
         (r#"["0", "1"]"#, r#"["0"]"#, "Pair A joins 1 links"),
     ];

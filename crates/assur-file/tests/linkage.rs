@@ -413,8 +413,12 @@ fn plots_are_of_one_kind() {
         plots: Vec::new(),
         ..document.clone()
     };
-    let all = silent.plotted(mechanism, "angles").unwrap();
-    assert_eq!(all.len(), mechanism.links().len());
+    // Of one that asks for nothing what textbooks show: where the slider is, then how the lever swings.
+    let usual = silent.outputs(mechanism);
+    let usual: Vec<String> = usual.iter().map(|one| one.name(mechanism, 0)).collect();
+    assert_eq!(usual, ["F.x", "lever.angle"]);
+    let shown = silent.plotted(mechanism, "angles").unwrap();
+    assert_eq!(shown.len(), 1);
 }
 
 /// An assembly is one of those there are, counted from 1; without one it is the drawn.

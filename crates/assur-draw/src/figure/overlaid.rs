@@ -211,7 +211,7 @@ impl InputArc {
             radius: 0.5 * arms.find(|arm| *arm > 0.0)?,
             least: motion.cycle().axis()[0],
             role: layout.drawn_role(link),
-            name: names.add_valued(&symbol, "input"),
+            name: names.add_valued(symbol, "input"),
         })
     }
 

@@ -5,7 +5,7 @@ mod check;
 mod draft;
 mod problem;
 
-use assur::mechanism::{Draft, LinkId, Mechanism, Quantity};
+use assur::mechanism::{Draft, FRAME, LinkId, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -348,11 +348,53 @@ impl LinkageDocument {
         }
     }
 
-    /// The quantities that the document plots: outputs, of which swing and time ratio are listed.
+    /// The outputs, of which swing and time ratio are listed: the quantities that the document plots, or else those of
+    /// textbooks.
     pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let named = self.plots.iter();
         let named = named.filter_map(|name| Quantity::named(mechanism, name));
-        named.collect()
+        let named: Vec<Quantity> = named.collect();
+        if named.is_empty() {
+            self.usual_outputs(mechanism)
+        } else {
+            named
+        }
+    }
+
+    /// The outputs of textbooks: places of sliders on guides of the frame, then angles of links that are hinged on the frame; of a
+    /// linkage that has neither the angles of all links. A driven link is none.
+    fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
+        let draft = self.draft();
+        let driven: Vec<&str> = (draft.drivers.iter())
+            .filter_map(|driver| draft.driven(driver))
+            .collect();
+        let free = |link: &str| !driven.contains(&link);
+        let guided = self.slides.iter().filter(|slide| slide.on == FRAME);
+        let guided: Vec<&SlideDocument> = guided.filter(|slide| free(&slide.link)).collect();
+        let at = |name: &String| self.points.iter().find(|point| point.name == *name);
+        let places = guided.iter().filter_map(|slide| {
+            let [from, to] = [at(&slide.line[0])?.at, at(&slide.line[1])?.at];
+            let point = mechanism.point(&slide.point)?;
+            let level = (to[0] - from[0]).abs() >= (to[1] - from[1]).abs();
+            Some(if level {
+                Quantity::X(point)
+            } else {
+                Quantity::Y(point)
+            })
+        });
+        let hinged = self.links.iter().filter(|link| {
+            let slides = guided.iter().any(|slide| slide.link == link.name);
+            let on_frame = link.points.iter().any(|point| self.frame.contains(point));
+            free(&link.name) && on_frame && !slides && link.fixed_to.is_none()
+        });
+        let angle = |link: &LinkDocument| mechanism.link(&link.name).map(Quantity::Angle);
+        let outputs: Vec<Quantity> = places.chain(hinged.filter_map(angle)).collect();
+        if !outputs.is_empty() {
+            return outputs;
+        }
+        let others = self.links.iter();
+        let others = others.filter(|link| free(&link.name) && link.fixed_to.is_none());
+        others.filter_map(angle).collect()
     }
 
     /// The quantities, of one kind, that a choice of the page names: `angles` those
