@@ -17,8 +17,12 @@ export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_bro
 /** @type {readonly Failure[]} what is shown is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 
-/** @type {readonly Failure[]} the browser does not keep the picture behind the drawing */
-export const UNKEPT = Object.freeze([{ kind: "picture", problems: [{ code: "picture_unkept" }] }]);
+/** @type {Readonly<Record<"picture" | "state" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state, or keeps another tab's */
+export const UNKEPT = Object.freeze({
+  picture: [{ kind: "picture", problems: [{ code: "picture_unkept" }] }],
+  state: [{ kind: "store", problems: [{ code: "state_unkept" }] }],
+  tab: [{ kind: "store", problems: [{ code: "other_tab" }] }],
+});
 
 export class Notices {
   #place = byId("notice", HTMLElement);

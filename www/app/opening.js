@@ -10,7 +10,7 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture", problems: readonly Problem[], name?: string }>} Failure
+ * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture" | "store", problems: readonly Problem[], name?: string }>} Failure
  * Of kind `import` it is what was lost on the way; all else was opened.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
@@ -115,30 +115,29 @@ export async function open(engine, habits) {
   takeUpAddress();
   const address = await takeAddress(location.href, engine, habits);
   const text = habits.embedding ? null : stored();
-  const kept = () => withImage(fromFile(text ?? ""));
-  if (address?.state) return { state: await withPicture(address.state, kept, engine, habits), failures };
+  const bare = () => fromFile(text ?? "");
+  const kept = () => withImage(bare());
+  const pictured = Boolean(Object(attempt(bare).value).picture);
+  /** @param {State} state that is the one that was kept; its image may not have been */
+  const said = (state) => {
+    if (pictured && !state.picture) failures.push({ kind: "picture", problems: [{ code: "picture_lost" }] });
+    return { state, failures };
+  };
+  if (address?.state) {
+    // The picture that was kept is put behind the very same drawing: no address has it.
+    const { state } = address;
+    const { state: last } = pictured ? await take("kept", kept, engine, habits) : { state: null };
+    const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);
+    return same ? said(withFurther(state, { picture: last.picture })) : { state, failures };
+  }
   if (address) failures.push(address.failure);
   if (text !== null) {
     const { state, failure } = await take("kept", kept, engine, habits);
-    if (state) return { state, failures };
+    if (state) return said(state);
     putAside(text);
     failures.push(failure);
   }
   const { calm, lang } = habits;
   const [{ kind, document }] = engine.catalogue;
   return { state: initialState(kind, document, { playing: !calm, lang }), failures };
-}
-
-/**
- * @param {State} state of an address, which has no picture behind its drawing
- * @param {() => unknown} kept what was kept
- * @param {Engine} engine
- * @param {Habits} habits
- * @returns {Promise<State>} with the picture that was kept behind the very same drawing
- */
-async function withPicture(state, kept, engine, habits) {
-  if (!Object(attempt(kept).value).picture) return state;
-  const { state: last } = await take("kept", kept, engine, habits);
-  const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);
-  return same ? withFurther(state, { picture: last.picture }) : state;
 }

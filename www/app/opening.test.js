@@ -125,9 +125,14 @@ test("a picture that was kept comes back behind the very same drawing, and behin
   assert.equal((await begin(`${HOME}#jansen`)).state.picture?.image, image);
   assert.equal((await begin()).state.picture?.image, image);
   assert.equal((await begin(`${HOME}#whitworth`)).state.picture, undefined);
-  // Another image than the one that was meant.
+  // Another image than the one that was meant, as of another tab.
   kept.set("assur.image", image.replace("A", "B").slice(1));
-  assert.equal((await begin()).state.picture, undefined);
+  for (const address of [HOME, `${HOME}#jansen`]) {
+    const { state: found, failures } = await begin(address);
+    assert.equal(found.picture, undefined);
+    assert.deepEqual(failures.map((one) => lineOf(one, wordsOf("en"))), ["The picture behind the drawing is not there any more: this browser has not kept it. Open the file that has it, or choose the picture again."]);
+  }
+  assert.deepEqual((await begin(`${HOME}#whitworth`)).failures, []);
 });
 
 test("a file is opened as it was saved, whatever is in it", async () => {

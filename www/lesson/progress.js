@@ -1,5 +1,5 @@
 // What a reader has answered in a lesson. Kept in the browser's own store under the lesson's name: a link tells nobody.
-import { keep, kept } from "assur/state/storage.js";
+import { keepLesson, kept } from "assur/state/storage.js";
 
 export class Progress {
   #name;
@@ -18,9 +18,9 @@ export class Progress {
    * @param {readonly { id: string }[]} steps that it has now: what was kept of others is dropped
    */
   constructor(lesson, steps) {
-    this.#name = `lesson.${lesson}`;
+    this.#name = lesson;
     this.#steps = steps;
-    const { given, solved, shown, tries } = read(kept(this.#name));
+    const { given, solved, shown, tries } = read(kept(`lesson.${lesson}`));
     for (const { id } of steps) {
       const text = given[id];
       if (typeof text === "string") this.#given.set(id, text);
@@ -99,7 +99,7 @@ export class Progress {
 
   #keep() {
     const [given, tries] = [this.#given, this.#tries].map((map) => Object.fromEntries(/** @type {Map<string, string | number>} */ (map)));
-    keep(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries }));
+    keepLesson(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries }));
   }
 }
 

@@ -11,7 +11,7 @@ import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
 import { REACHED, WRITTEN_HERE, digestOf, verdictOn } from "assur/lesson/verdict.js";
-import { keep, kept } from "assur/state/storage.js";
+import { keepLesson, kept } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
 /**
@@ -158,7 +158,7 @@ export class WrittenLesson {
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
     reader.value = this.#reader;
     reader.addEventListener("change", () => {
-      keep(`lesson.${OWN}.${this.#digest}`, reader.value);
+      keepLesson(`${OWN}.${this.#digest}`, reader.value);
       this.#reader = reader.value;
       this.#renew();
       document.getElementById("lesson-reader")?.focus();

@@ -1,7 +1,7 @@
 // The address bar: what is shown is in it, and Back returns to the mechanism before.
 import { LONGEST, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
-import { usualView } from "assur/state/state.js";
+import { FURTHER, usualView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -33,10 +33,23 @@ export class Address {
    * @returns {string} the whole address that shows it; a short one where it is a mechanism of the catalogue as it stands there
    */
   link(state) {
-    const preset = this.#engine.presetOf(state);
-    const unchanged = preset && JSON.stringify(preset.document) === JSON.stringify(state.document);
-    const hash = toAddress(state, unchanged ? { id: preset.id, usual: this.#usual } : null);
+    const preset = this.#presetOf(state);
+    const hash = toAddress(state, preset ? { id: preset.id, usual: this.#usual } : null);
     return `${location.href.split("#")[0]}#${hash}`;
+  }
+
+  /**
+   * @param {State} state
+   * @returns {boolean} whether it has more than a mechanism of the catalogue as it stands there
+   */
+  isOwn(state) {
+    return !this.#presetOf(state) || FURTHER.some((name) => state[name]);
+  }
+
+  /** @param {State} state */
+  #presetOf(state) {
+    const preset = this.#engine.presetOf(state);
+    return preset && JSON.stringify(preset.document) === JSON.stringify(state.document) ? preset : null;
   }
 
   /** @param {State} state */

@@ -11,6 +11,11 @@ const KEY = "assur.state";
 const IMAGE = "assur.image";
 /** Characters at the end of an image by which it is told from others of its length. */
 const TAIL = 48;
+/** Digests of the lecturers' lessons of which answers and names are kept, the one that was worked on last at the end. */
+const LESSONS = "assur.lessons";
+/** How many they may be: on a machine in a classroom they would become ever more. */
+const MOST_LESSONS = 40;
+const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** What could not be read is not written over but put aside. */
 const ASIDE = "assur.state.unread";
 
@@ -41,6 +46,35 @@ export function keep(name, text) {
   guarded(() => localStorage.setItem(`assur.${name}`, text));
 }
 
+/**
+ * Keeps what belongs to a lecturer's lesson; that of the lessons that were worked on longest ago is forgotten.
+ * @param {string} name `own`, the digest of the lesson, and what more tells it from the rest of that lesson
+ * @param {string} text
+ */
+export function keepLesson(name, text) {
+  keep(`lesson.${name}`, text);
+  const digest = lessonOf(`assur.lesson.${name}`);
+  if (digest) guarded(() => forgetLessons(digest));
+}
+
+/** @param {string} digest of the lesson that is worked on */
+function forgetLessons(digest) {
+  const keys = Array.from({ length: localStorage.length }, (_, i) => localStorage.key(i) ?? "");
+  const listed = (localStorage.getItem(LESSONS) ?? "").split(" ");
+  const older = [...keys.map(lessonOf).filter((one) => !listed.includes(one)), ...listed];
+  const last = [...new Set(older.filter((one) => one !== "" && one !== digest)), digest].slice(-MOST_LESSONS);
+  for (const key of keys) if (![...last, ""].includes(lessonOf(key))) localStorage.removeItem(key);
+  localStorage.setItem(LESSONS, last.join(" "));
+}
+
+/**
+ * @param {string} key
+ * @returns {string} the digest of the lecturer's lesson to which it belongs; none where it belongs to none
+ */
+function lessonOf(key) {
+  return OF_LESSON.exec(key)?.[1] ?? "";
+}
+
 /** @param {string} text */
 export function putAside(text) {
   guarded(() => localStorage.setItem(ASIDE, text));
@@ -66,12 +100,14 @@ export function takeUpAddress() {
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
- * @param {() => void} unkept called where an image does not fit into what it keeps
+ * @param {(what: "picture" | "state" | "tab") => void} unkept called where an image, or a state, does not fit into what it keeps, and
+ * once where another tab keeps its own mechanism instead of this one
  */
 export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
   let changed = false;
-  const keepImage = imageKeeper(unkept);
+  let fitted = true;
+  const keepImage = imageKeeper(() => unkept("picture"));
   const save = () => {
     clearTimeout(timer);
     timer = 0;
@@ -79,11 +115,21 @@ export function persist(store, address, sound, ours, unkept) {
     if (!changed || !sound(state)) return;
     changed = false;
     if (ours) {
-      guarded(() => localStorage.setItem(KEY, toFile(withoutImage(state))));
+      const fits = fit(KEY, toFile(withoutImage(state)));
+      if (fitted && !fits) unkept("state");
+      fitted = fits;
       keepImage(state.picture?.image ?? "");
     }
     address.show(state);
   };
+  let alone = true;
+  const hear = (/** @type {StorageEvent} */ { key, newValue }) => {
+    const state = store.get();
+    if (!alone || key !== KEY || newValue === null || !address.isOwn(state) || shows(newValue, state)) return;
+    alone = false;
+    unkept("tab");
+  };
+  if (ours) addEventListener("storage", hear);
   store.subscribe((state, previous) => {
     changed = true;
     // A turning crank alone is written when the page is left.
@@ -111,10 +157,32 @@ function imageKeeper(unkept) {
     last = image;
     // The one before would take the room.
     guarded(() => localStorage.removeItem(IMAGE));
-    if (image === "") return;
-    guarded(() => localStorage.setItem(IMAGE, image));
-    if (guarded(() => localStorage.getItem(IMAGE)) !== image) unkept();
+    if (image !== "" && !fit(IMAGE, image)) unkept();
   };
+}
+
+/**
+ * @param {string} key
+ * @param {string} text
+ * @returns {boolean} false where there is no room for it; what is forbidden altogether is no want of room
+ */
+function fit(key, text) {
+  try {
+    localStorage.setItem(key, text);
+    return true;
+  } catch (thrown) {
+    return !(thrown instanceof DOMException) || thrown.name === "SecurityError";
+  }
+}
+
+/**
+ * @param {string} text what was kept
+ * @param {State} state
+ * @returns {boolean | null} whether it is the same but for the view; null where it cannot be read
+ */
+function shows(text, state) {
+  const rest = (/** @type {Partial<State>} */ { view, ...more }) => JSON.stringify(more);
+  return guarded(() => rest(JSON.parse(text)) === rest(withoutImage(state)));
 }
 
 /** @param {string} image */

@@ -1,0 +1,134 @@
+// What the browser keeps, with a store that is full, and another tab that keeps its own.
+import assert from "node:assert/strict";
+import test, { beforeEach } from "node:test";
+import { happen } from "assur/tests/window.js";
+import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { Address } from "assur/state/address.js";
+import { keep, keepLesson, kept, persist } from "assur/state/storage.js";
+import { Store } from "assur/state/store.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+
+const engine = newEngine();
+const rocker = stateOf(engine, "crank-rocker");
+const picture = { image: `data:image/png;base64,${"A".repeat(2000)}`, at: [0, 0], width: 10, turn_deg: 0, opacity: 0.5 };
+
+/** @type {Map<string, string>} */
+const texts = new Map();
+let room = Infinity;
+globalThis.localStorage = {
+  getItem: (key) => texts.get(key) ?? null,
+  removeItem: (key) => texts.delete(key),
+  key: (i) => [...texts.keys()][i] ?? null,
+  get length() {
+    return texts.size;
+  },
+  setItem: (key, text) => {
+    const others = [...texts].filter(([other]) => other !== key).reduce((sum, [, { length }]) => sum + length, 0);
+    if (others + text.length > room) throw new DOMException("", "QuotaExceededError");
+    texts.set(key, text);
+  },
+};
+globalThis.document = new EventTarget();
+globalThis.history = { replaceState() {} };
+globalThis.location = { href: "https://assur.test/" };
+
+beforeEach(() => {
+  texts.clear();
+  room = Infinity;
+});
+
+/** A page that keeps what it shows, and what it was told. */
+function begin(ours = true) {
+  const store = new Store(rocker);
+  const told = [];
+  persist(store, new Address(engine, "en"), () => true, ours, (what) => told.push(what));
+  const change = (make) => {
+    store.update(make);
+    happen("pagehide");
+  };
+  return { told, change, store };
+}
+
+const titled = (title) => (state) => withDocument(state, { title });
+
+test("a state that does not fit is said once; what was kept before stays", () => {
+  const { told, change } = begin();
+  change(titled("first"));
+  const before = texts.get("assur.state");
+  room = before.length;
+  for (const letters of [500, 600]) change(titled("x".repeat(letters)));
+  assert.deepEqual([told, texts.get("assur.state")], [["state"], before]);
+  change(titled("last"));
+  change(titled("x".repeat(500)));
+  assert.deepEqual(told, ["state", "state"]);
+});
+
+test("a picture that does not fit is said, the state is kept without it", () => {
+  const { told, change } = begin();
+  room = JSON.stringify(rocker, null, 2).length + 1000;
+  change((state) => withFurther(titled("drawn")(state), { picture }));
+  assert.deepEqual([told, texts.has("assur.image")], [["picture"], false]);
+  assert.equal(JSON.parse(texts.get("assur.state")).document.title, "drawn");
+});
+
+test("where the browser forbids to keep anything, nothing is said of it", (t) => {
+  const { told, change } = begin();
+  t.mock.method(localStorage, "setItem", () => {
+    throw new DOMException("", "SecurityError");
+  });
+  change(titled("first"));
+  assert.deepEqual(told, []);
+});
+
+/** Another tab keeps a state. */
+const elsewhere = (state) => happen("storage", { key: "assur.state", newValue: JSON.stringify(state) });
+
+test("another tab that keeps its own mechanism is said once, where this one has its own", () => {
+  const { told, change, store } = begin();
+  elsewhere(titled("other")(rocker));
+  assert.deepEqual(told, [], "the mechanism of the catalogue is not lost");
+  change(titled("own"));
+  elsewhere(withView(store.get(), { phi_deg: 90 }));
+  happen("storage", { key: "assur.welcome", newValue: "closed" });
+  happen("storage", { key: null, newValue: null });
+  assert.deepEqual(told, []);
+  for (const title of ["other", "one more"]) elsewhere(titled(title)(rocker));
+  assert.deepEqual(told, ["tab"]);
+  // What is changed last is kept.
+  change(titled("last"));
+  assert.equal(JSON.parse(texts.get("assur.state")).document.title, "last");
+});
+
+test("a picture behind a mechanism of the catalogue is the tab's own", () => {
+  const { told, change } = begin();
+  change((state) => withFurther(state, { picture }));
+  elsewhere(rocker);
+  assert.deepEqual(told, ["tab"]);
+});
+
+test("a frame of another page keeps nothing and is not told", () => {
+  const { told, change } = begin(false);
+  change(titled("own"));
+  elsewhere(titled("other")(rocker));
+  assert.deepEqual([told, texts.size], [[], 0]);
+});
+
+test("of lecturers' lessons the last forty keep their answers and names, all else stays", () => {
+  keep("lesson.mobility", "{}");
+  keep("lesson.written", "d3");
+  // Of a version that did not count them.
+  texts.set("assur.lesson.own.old", "Ada");
+  texts.set("assur.lesson.own.old.1x", "{}");
+  for (let i = 0; i < 40; i++) {
+    keepLesson(`own.d${i}`, `Reader ${i}`);
+    keepLesson(`own.d${i}.1x`, "{}");
+    keepLesson(`own.d${i}.2x`, "{}");
+  }
+  assert.deepEqual([kept("lesson.own.old"), kept("lesson.own.old.1x")], [null, null]);
+  assert.deepEqual([kept("lesson.own.d0"), kept("lesson.own.d39.2x")], ["Reader 0", "{}"]);
+  // One that is worked on again is among the last.
+  keepLesson("own.d0.1x", "{}");
+  keepLesson("own.more", "Reader");
+  assert.deepEqual(["d0", "d0.2x", "d1", "d1.2x", "d2", "more"].map((name) => kept(`lesson.own.${name}`) !== null), [true, true, false, false, true, true]);
+  assert.deepEqual([kept("lesson.mobility"), kept("lesson.written")], ["{}", "d3"]);
+});
