@@ -14,6 +14,11 @@ import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from
  */
 const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 
+/** More steps than anybody goes back. */
+const MOST = 1000;
+/** Characters of all images in them: each may have two million. */
+const IMAGES = 20_000_000;
+
 export class History {
   /** @type {Moment[]} */
   #past = [];
@@ -38,7 +43,7 @@ export class History {
     this.#drafts = drafts;
     store.subscribe((state, previous) => {
       if (this.#walking || same(moment(state), moment(previous))) return;
-      if (!this.#open) this.#past.push(moment(previous));
+      if (!this.#open) this.#add(moment(previous));
       this.#future = [];
       this.#open = true;
     });
@@ -98,6 +103,12 @@ export class History {
     this.close();
   }
 
+  /** @param {Moment} one that can be gone back to; the oldest are dropped */
+  #add(one) {
+    this.#past.push(one);
+    while (this.#past.length > MOST || imagesOf(this.#past) > IMAGES) this.#past.shift();
+  }
+
   undo() {
     this.#walk(this.#past, this.#future);
   }
@@ -133,6 +144,15 @@ export class History {
 function moment(state) {
   const { kind, document, view } = state;
   return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
+}
+
+/**
+ * @param {readonly Moment[]} moments
+ * @returns {number} characters of all images in them: steps that have the same picture share its image
+ */
+function imagesOf(moments) {
+  const images = new Set(moments.map(({ further }) => further.picture?.image ?? ""));
+  return [...images].reduce((sum, { length }) => sum + length, 0);
 }
 
 /**

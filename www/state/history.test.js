@@ -203,3 +203,26 @@ test("random edits: undone one by one they are the states before, redone the sta
     }
   });
 });
+
+test("of many steps the last thousand are undone, and there undo ends", () => {
+  const { store, history, set } = begin();
+  for (let l1 = 1; l1 <= 1200; l1++) history.step(() => set({ l1 }));
+  let steps = 0;
+  for (; history.canUndo && steps < 2000; steps++) history.undo();
+  assert.deepEqual([steps, store.get().document.l1], [1000, 200]);
+  for (; history.canRedo; steps--) history.redo();
+  assert.deepEqual([steps, store.get().document.l1], [0, 1200]);
+});
+
+test("pictures that were replaced are kept up to twenty million characters, however many steps each has", () => {
+  const { store, history, set } = begin();
+  const put = (n) => store.update((state) => withFurther(state, { picture: { image: String(n).padEnd(2_000_000, "A"), at: [0, 0], width: 1, turn_deg: 0, opacity: 1 } }));
+  for (let n = 1; n <= 15; n++) {
+    history.step(() => put(n));
+    for (const l1 of [n, n + 0.5]) history.step(() => set({ l1 }));
+  }
+  let steps = 0;
+  for (; history.canUndo; steps++) history.undo();
+  // The last ten; of the newest one two steps are undone, of the others three.
+  assert.deepEqual([Number.parseInt(store.get().picture.image, 10), steps], [6, 29]);
+});
