@@ -2,7 +2,7 @@
 import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
-import { LONG, LOST } from "assur/app/notices.js";
+import { CUT, LONG, LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
@@ -15,6 +15,9 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
+
+/** Characters of a link from which on programs that send messages may cut it. */
+const LONG_LINK = 8000;
 
 /**
  * @param {Page} page
@@ -33,7 +36,12 @@ function fileCommands(page) {
   const { engine, model, notices, store } = page;
   // The last mechanism that the engine took, with all else as it is.
   const now = () => withFurther(model.good, furtherOf(store.get()));
-  const copied = () => notices.tell([store.get().picture ? "copied_without" : "copied"]);
+  const copy = async () => {
+    const { link, copied } = await copyLink(now(), page.address);
+    /** @type {readonly import("assur/app/notices.js").Done[]} */
+    const done = copied ? [store.get().picture ? "copied_without" : "copied"] : [];
+    notices.tell([...done, ...(link.length >= LONG_LINK ? CUT : [])]);
+  };
   /**
    * Does what is loaded when it is first asked for.
    * @template Part
@@ -48,7 +56,7 @@ function fileCommands(page) {
   return {
     open: filePicker((text, name) => page.take(takeFile(text, name, engine, page.ofNow()))),
     save: () => saveFile(now(), engine.fileName(model.good)),
-    copy: () => (page.address.holds(now()) ? copyLink(now(), page.address, copied) : notices.tell(LONG)),
+    copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
     "new-drawing": () => later(() => import("assur/drawing/begin.js"), ({ newDrawing }) => newDrawing(page)),

@@ -4,11 +4,21 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import "assur/tests/window.js";
 import { placed } from "assur/state/player.js";
-import { withDocument, withView } from "assur/state/state.js";
+import { Address } from "assur/state/address.js";
+import { withDocument, withFurther, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
+import { wordsOf } from "assur/tests/words.js";
 
-globalThis.document = { getElementById: () => Object.assign(new HTMLInputElement(), { addEventListener() {} }) };
+globalThis.HTMLDialogElement = class HTMLDialogElement {};
+const dialog = Object.assign(new HTMLDialogElement(), { opened: 0, showModal: () => void (dialog.opened += 1) });
+const field = () => Object.assign(new HTMLInputElement(), { addEventListener() {}, select() {} });
+globalThis.document = { getElementById: (id) => (id === "link" ? dialog : field()) };
+globalThis.location = { href: "https://assur.test/" };
+globalThis.history = { replaceState() {} };
+const clipboard = { text: "", writeText: async (text) => void (clipboard.text = text) };
+Object.defineProperty(globalThis, "navigator", { value: { clipboard } });
 const { commands } = await import("assur/app/commands.js");
+const { lineOf } = await import("assur/app/notices.js");
 const { SPEEDS } = await import("assur/controls/transport.js");
 
 /** @param {string} id */
@@ -16,6 +26,8 @@ function begin(id, view = {}) {
   const page = new Page(id, view);
   page.drive = (place) => page.store.update((state) => placed(state, place, page.model));
   page.step = (count) => page.drive(page.model.coordinate.of(page.store.get()) + count * page.model.coordinate.step);
+  page.address = new Address(page.engine, "en");
+  page.notices = { told: [], tell: (lines) => (page.notices.told = lines.map((line) => lineOf(line, wordsOf("en")))) };
   const all = commands(page);
   return { page, all, view: () => page.store.get().view };
 }
@@ -122,4 +134,29 @@ test("reset of a mechanism goes back to that of its own origin, of one that has 
   page.choose(mixer.kind, { ...mixer.document, l1: 0.31 });
   all.reset();
   assert.deepEqual(page.store.get().document, mixer.document);
+});
+
+test("a copied link is said; that a long one may be cut on its way is said besides, also where it is copied by hand", async (t) => {
+  const { page, all } = begin("mixer-a");
+  const copy = async () => {
+    page.notices.told = [];
+    all.copy();
+    await new Promise(setImmediate);
+    return page.notices.told;
+  };
+  const cut = "The link is long: messengers and mail programs may cut it. Save a file and send that instead.";
+  assert.deepEqual(await copy(), ["Link copied."]);
+  const lesson = (letters) => page.store.update((state) => withFurther(state, { lesson: { title: "x".repeat(letters), steps: [] } }));
+  lesson(0);
+  lesson(7999 - page.address.link(page.store.get()).length);
+  assert.deepEqual([await copy(), clipboard.text.length], [["Link copied."], 7999]);
+  lesson(8000);
+  assert.deepEqual(await copy(), ["Link copied.", cut]);
+  lesson(400_000);
+  assert.deepEqual(await copy(), ["The lesson is too long for a link. Save it as a file and give that away."]);
+  t.mock.method(clipboard, "writeText", () => Promise.reject(new DOMException("", "NotAllowedError")));
+  lesson(1);
+  assert.deepEqual([await copy(), dialog.opened], [[], 1]);
+  lesson(8000);
+  assert.deepEqual([await copy(), dialog.opened], [[cut], 2]);
 });

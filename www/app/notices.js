@@ -17,6 +17,9 @@ export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_bro
 /** @type {readonly Failure[]} what is shown is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 
+/** @type {readonly Failure[]} the link is so long that programs which send it may cut it */
+export const CUT = Object.freeze([{ kind: "link", problems: [{ code: "link_may_be_cut" }] }]);
+
 /** @type {Readonly<Record<"picture" | "state" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state, or keeps another tab's */
 export const UNKEPT = Object.freeze({
   picture: [{ kind: "picture", problems: [{ code: "picture_unkept" }] }],

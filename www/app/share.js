@@ -10,20 +10,21 @@ import { LONGEST_FILE, toFile } from "assur/state/codec.js";
 /**
  * @param {State} state
  * @param {import("assur/state/address.js").Address} address
- * @param {() => void} copied
+ * @returns {Promise<{ link: string, copied: boolean }>} the link, and whether it is in the clipboard
  */
-export async function copyLink(state, address, copied) {
+export async function copyLink(state, address) {
   const link = address.link(state);
   address.show(state);
   try {
     await navigator.clipboard.writeText(link);
-    copied();
+    return { link, copied: true };
   } catch {
     // Not every browser lets a page write there: the reader copies by hand.
     const field = byId("link-text", HTMLInputElement);
     field.value = link;
     byId("link", HTMLDialogElement).showModal();
     field.select();
+    return { link, copied: false };
   }
 }
 
