@@ -22,6 +22,9 @@ const HELD = new RegExp(
   "gu",
 );
 
+/** A unit with what stands between it and what it is of: a comma, a space, brackets. */
+const UNIT = /,?[ \u00a0](\{unit\}|\(\{unit\}\))/g;
+
 /** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
 const tables = new Map();
 
@@ -82,7 +85,7 @@ export class Words {
     /** @type {Record<string, string>} */
     const places = { unit: this.unit, ...given };
     // What has no unit is followed by none.
-    const bare = places.unit ? text : text.replace(", {unit}", "");
+    const bare = places.unit ? text : text.replace(UNIT, "");
     return bare.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
   }
 

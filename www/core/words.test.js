@@ -1,5 +1,8 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test from "node:test";
+import { fileURLToPath } from "node:url";
+import { list } from "../../crates/xtask/build/files.js";
 import { measured } from "assur/core/units.js";
 import { Words, unbroken } from "assur/core/words.js";
 import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
@@ -71,6 +74,23 @@ test("what has no unit is followed by none", () => {
   assert.equal(words.text("axis"), "length");
   assert.equal(words.measured("mm").text("axis"), "length, mm");
   assert.equal(words.text("axis", { unit: "°" }), "length, °");
+  for (const [text, without, mm] of [["length ({unit})", "length", "length (mm)"], ["{n} {unit} long", "{n} long", "{n} mm long"], ["from {n} {unit} to {m} {unit}", "from {n} to {m}", "from {n} mm to {m} mm"]]) {
+    const own = new Words("en", new Map([["own", text], ["unit.mm", "mm"]]));
+    assert.deepEqual([own.text("own"), own.measured("mm").text("own")], [without, mm]);
+  }
+});
+
+test("no text of any table is left with the brackets or the comma of a unit that there is not", () => {
+  const lessons = list(fileURLToPath(new URL("../lessons", import.meta.url)));
+  for (const lang of LANGUAGES) {
+    const told = [...lessons].filter(([name]) => name.endsWith(`words.${lang}.json`)).map(([, file]) => Object.entries(JSON.parse(readFileSync(file, "utf8"))));
+    const texts = [...tableOf(lang), ...told.flat()].filter(([, text]) => text.includes("{unit}"));
+    assert.ok(texts.length >= 40, String(texts.length));
+    for (const [key, text] of texts) {
+      const said = new Words(lang, new Map([[key, text]])).text(key);
+      assert.doesNotMatch(said, /\(\s*\)|\[\s*\]|^[\s,]|[\s,]$| [ ,.;:]|, ,/u, `${lang} ${key}: ${said}`);
+    }
+  }
 });
 
 test("a form that a table lacks is the usual one", () => {
