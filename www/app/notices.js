@@ -14,6 +14,9 @@ export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arriv
 /** @type {readonly Failure[]} a part of the page broke */
 export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_broke" }] }]);
 
+/** @type {readonly Failure[]} the plots could not be drawn */
+export const NO_PLOTS = Object.freeze([{ kind: "part", problems: [{ code: "no_plots" }] }]);
+
 /** @type {readonly Failure[]} what is shown is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 

@@ -4,7 +4,7 @@ import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
 import { chooseLanguage, speak } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
-import { LOST, Notices, UNKEPT } from "assur/app/notices.js";
+import { LOST, NO_PLOTS, Notices, UNKEPT } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
 import { receive } from "assur/app/receiving.js";
 import { Views } from "assur/app/views.js";
@@ -68,7 +68,7 @@ export class Page {
     // Canvases have a size once they are shown.
     byId("app", HTMLElement).hidden = false;
     this.mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, this.theme);
-    this.chart = new ChartView(byId("charts", HTMLCanvasElement), engine, this.theme);
+    this.chart = new ChartView(byId("charts", HTMLCanvasElement), engine, this.theme, () => this.notices.tell(NO_PLOTS));
 
     const commands = makeCommands(this);
     const header = new Header(this.history, commands);

@@ -31,6 +31,9 @@ export class ChartView {
   labels = [];
   /** @type {Overlay | null} */
   #overlay = null;
+  #failed;
+  /** Whether the plots could be drawn when it was tried last. */
+  #drawable = true;
   /** Called when the panels may have changed their places. */
   redrawn = () => {};
 
@@ -38,8 +41,10 @@ export class ChartView {
    * @param {HTMLCanvasElement} canvas
    * @param {Engine} engine
    * @param {Theme} theme
+   * @param {() => void} failed called where the plots cannot be drawn: once until they are drawn again
    */
-  constructor(canvas, engine, theme) {
+  constructor(canvas, engine, theme, failed) {
+    this.#failed = failed;
     this.#engine = engine;
     this.#theme = theme;
     this.#surface = new Surface(canvas, () => this.#draw());
@@ -60,7 +65,10 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    ({ panels: this.panels, against: this.against, labels: this.labels } = this.#paint(this.#surface, snapshot, this.#theme, false));
+    const { drawn, ...places } = this.#paint(this.#surface, snapshot, this.#theme, false);
+    ({ panels: this.panels, against: this.against, labels: this.labels } = places);
+    if (this.#drawable && !drawn) this.#failed();
+    this.#drawable = drawn;
     this.redrawn();
   }
 
@@ -89,7 +97,7 @@ export class ChartView {
    * @param {Snapshot} snapshot
    * @param {Theme} theme
    * @param {boolean} whole whether the curves go through all their points
-   * @returns where the plots and their labels are
+   * @returns where the plots and their labels are, and whether they are drawn
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
@@ -97,12 +105,12 @@ export class ChartView {
     const { only } = snapshot.state.view;
     // Not as the text that was written last left it.
     context.lineJoin = "round";
-    const drawn = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
-    const { panels, against } = drawn.value ?? { panels: [], against: null };
+    const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
+    const { panels, against } = value ?? { panels: [], against: null };
     this.#overlay?.(context, panels, snapshot, this.#engine, theme);
     const titles = drawChartText(context, panels, snapshot, theme);
     const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
     if (against) drawAgainstText(context, against, snapshot, theme);
-    return { panels, against, labels };
+    return { panels, against, labels, drawn: value !== null };
   }
 }

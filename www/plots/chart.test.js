@@ -4,6 +4,8 @@ import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { axisName, described, drawAgainstCursor, drawAgainstText, inputAt } from "assur/plots/against.js";
 import { drawMarks, overlap } from "assur/plots/marks.js";
+import { ChartView } from "assur/plots/chart.js";
+import { Refusal } from "assur/core/problem.js";
 import { across, angleAt, down, shows } from "assur/plots/panel.js";
 import { drawChartText } from "assur/plots/text.js";
 import { power, unitOf, written as writtenOn } from "assur/plots/units.js";
@@ -181,4 +183,29 @@ test("the cursor on a curve has both numbers of its place, and hides what a less
   assert.ok(Math.abs(numbers[0] - readouts["C.x′"]) < 6e-4 && Math.abs(numbers[1] - readouts["rocker.angle″"]) < 6e-4, String(numbers));
   assert.match(tag(new Set(["ddrocker"])), /; \?$/);
   assert.match(tag(new Set(["dC.x"])), /^\?; /);
+});
+
+test("plots that cannot be drawn are empty, and that is said once until they are drawn again", () => {
+  globalThis.ResizeObserver = class {
+    constructor(measure) {
+      this.observe = measure;
+    }
+  };
+  globalThis.matchMedia = () => new EventTarget();
+  const { page, theme } = begin("jansen");
+  const canvas = { dataset: {}, clientWidth: SIZE.width, clientHeight: SIZE.height, getContext: () => new Context() };
+  let told = 0;
+  const chart = new ChartView(canvas, page.engine, theme, () => (told += 1));
+  const render = (title) => {
+    page.store.update((state) => withDocument(state, { title }));
+    chart.render(page.now());
+    return [chart.panels.length > 0, told];
+  };
+  assert.deepEqual(render("drawn"), [true, 0]);
+  page.engine.chart = () => {
+    throw new Refusal([{ code: "trapped" }]);
+  };
+  assert.deepEqual([render("failed"), render("failed"), render("failed again")], [[false, 1], [false, 1], [false, 1]]);
+  delete page.engine.chart;
+  assert.deepEqual(render("drawn again"), [true, 1]);
 });
