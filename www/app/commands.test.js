@@ -153,7 +153,7 @@ test("a copied link is said; that a long one may be cut on its way is said besid
   lesson(8000);
   assert.deepEqual(await copy(), ["Link copied.", cut]);
   lesson(400_000);
-  assert.deepEqual(await copy(), ["The lesson is too long for a link. Save it as a file and give that away."]);
+  assert.deepEqual(await copy(), ["The lesson is too long for a link. Save it as a file and share the file."]);
   t.mock.method(clipboard, "writeText", () => Promise.reject(new DOMException("", "NotAllowedError")));
   lesson(1);
   assert.deepEqual([await copy(), dialog.opened], [[], 1]);
