@@ -212,3 +212,47 @@ async fn points_go_with_what_carries_them() {
     assert_eq!(page.text("problem").await, "");
     page.close().await;
 }
+
+/// A traced point of a linkage is placed by numbers along and across its link; what is no number is kept and named.
+#[tokio::test]
+async fn a_point_of_a_linkage_has_its_place_in_numbers() {
+    let url = format!("{}#jansen&v.playing=false", crate::host::home());
+    let page = Page::open_at(&url, "en-US").await;
+    let state = page
+        .wait_for(
+            "const done = arguments[0];
+            window.eval(\"import('assur/pkg/assur_web.js')\").then(({ catalogue }) => {
+                const { kind, document } = catalogue().find(({ id }) => id === 'crank-rocker');
+                done({ format: 2, kind, document: { ...document, tracers: [{ name: 'P', link: 'rocker', at: [1, 0.5] }] }, view: { playing: false, phi_deg: 60 } });
+            })",
+        )
+        .await;
+    crate::lecturers::open_file(&page, "traced.json", &state.to_string()).await;
+    page.until("its place", async || {
+        page.count("#traced-along-0").await == 1
+    })
+    .await;
+    page.choose("plot", "P").await;
+    assert_eq!(page.written("traced-across-0").await, "0.5");
+    // The joint C is 4.5 along the rocker.
+    page.write("traced-along-0", "4,5").await;
+    page.write("traced-across-0", "0").await;
+    for (name, place) in [
+        ("out-P.x", 6.329_657_239_563_876),
+        ("out-P.y", 4.487_908_878_799_026),
+    ] {
+        assert!((page.value(name).await - place).abs() < 1e-9, "{name}");
+    }
+    page.write("traced-along-0", "far").await;
+    assert_eq!(
+        page.attribute("traced-along-0", "aria-invalid")
+            .await
+            .as_deref(),
+        Some("true")
+    );
+    page.press("traced-along-0", Key::Escape).await;
+    assert_eq!(page.written("traced-along-0").await, "4.5");
+    page.click("traced-remove-0").await;
+    assert_eq!(page.count("[id^=traced-]").await, 0);
+    page.close().await;
+}

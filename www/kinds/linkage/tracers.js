@@ -1,43 +1,88 @@
-// The points that are traced on the links of a linkage, in its rail: where each is, and one less.
+// The points that are traced on the links of a linkage, in its rail: where each is on its link, and one less.
+import { NumberBox } from "assur/controls/number-box.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
 
+/** Along the link from its first point to its second, and to the left of that. */
+const AXES = Object.freeze(/** @type {const} */ (["along", "across"]));
+
 export class TracedPoints {
   #store;
+  #drafts;
   #list = make("div");
   #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
+  /** @type {NumberBox[][]} for each point those of its two numbers */
+  #boxes = [];
+  #built = "";
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
-  constructor({ store }) {
+  constructor({ store, drafts }) {
     this.#store = store;
+    this.#drafts = drafts;
     byId("overlays", HTMLElement).before(this.#section);
   }
 
   /** @param {import("assur/kinds/linkage/rail.js").Snapshot} snapshot */
-  render({ state, summary, words }) {
+  render({ state, summary, words, problems }) {
     const { tracers = [] } = state.document;
-    if (this.#shown.same(state.document.tracers, summary, words)) return;
-    const focused = this.#list.contains(document.activeElement);
+    const wrong = new Set(problems.map(({ field, path }) => field ?? path));
+    if (this.#shown.same(state.document.tracers, summary, words, ...wrong)) return;
     this.#section.hidden = tracers.length === 0;
-    this.#list.replaceChildren(...tracers.map(({ name, link, at }, index) => {
+    const built = JSON.stringify([words.lang, tracers.map(({ name, link }) => [name, link, summary.roles[link]])]);
+    if (built !== this.#built) this.#build(tracers, summary, words);
+    this.#built = built;
+    this.#boxes.forEach((boxes, i) => boxes.forEach((box, axis) => {
+      const value = tracers[i].at[axis];
+      box.show(value, { brief: words.numbers.short(value), full: words.numbers.exact(value) }, wrong.has(`tracers[${i}].at`));
+    }));
+  }
+
+  /**
+   * @param {readonly { name: string, link: string }[]} tracers
+   * @param {import("assur/kinds/linkage/rail.js").Summary} summary
+   * @param {import("assur/core/words.js").Words} words
+   */
+  #build(tracers, summary, words) {
+    const focused = this.#list.contains(document.activeElement);
+    this.#boxes = [];
+    this.#list.replaceChildren(...tracers.flatMap(({ name, link }, index) => {
       const role = summary.roles[link] ?? "secondary";
       const remove = make("button", {
         id: `traced-remove-${index}`, class: "control icon", type: "button",
         "data-t-label": "tracers.remove_named", "data-t-title": "tracers.remove_named", "data-n": subscript(name),
       }, ["×"]);
       remove.addEventListener("click", () => this.#remove(name));
-      const place = at.map((value) => words.numbers.short(value)).join("; ");
-      return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [
-        make("span", { class: "name" }, [make("b", {}, [subscript(name)]), ` ${called(link, words)} (${place})`]), remove,
-      ]);
+      const inputs = AXES.map((axis) => make("input", {
+        id: `traced-${axis}-${index}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${axis}`,
+      }));
+      this.#boxes.push(inputs.map((input, axis) => new NumberBox(input, `tracers[${index}].at ${axis}`, this.#drafts, (value) => this.#put(index, axis, value))));
+      const colour = `--accent: var(--role-${role})`;
+      return [
+        make("div", { class: "row choosing", style: colour }, [make("b", {}, [subscript(name)]), make("span", { class: "name" }, [called(link, words)]), remove]),
+        ...AXES.map((axis, k) => make("div", { class: "row", style: colour }, [make("span", { "data-t": `draw.${axis}` }), inputs[k]])),
+      ];
     }));
     words.fill(this.#section);
     // A button that is there no more gives the focus away, else it would be lost.
     if (focused) (this.#list.querySelector("button") ?? byId("traces", HTMLInputElement)).focus();
+  }
+
+  /**
+   * @param {number} index of a traced point
+   * @param {number} axis
+   * @param {number} value
+   * @returns {number} what the document holds then
+   */
+  #put(index, axis, value) {
+    this.#store.update((state) => edited(state, "linkage", ({ tracers = [] }) => ({
+      tracers: tracers.map((one, i) => (i === index ? { ...one, at: /** @type {[number, number]} */ (axis === 0 ? [value, one.at[1]] : [one.at[0], value]) } : one)),
+    })));
+    const { kind, document } = this.#store.get();
+    return kind === "linkage" ? (document.tracers?.[index]?.at[axis] ?? value) : value;
   }
 
   /** @param {string} name */
