@@ -345,6 +345,12 @@ async fn nothing_breaks_in_a_lesson_that_is_written() {
 }
 
 #[tokio::test]
+async fn nothing_breaks_in_a_lesson() {
+    let lesson = "v.lesson=%7B%22id%22%3A%22class4-dwell%22%2C%22step%22%3A4%7D";
+    wander(&format!("#class4-dwell&v.playing=false&{lesson}"), &[]).await;
+}
+
+#[tokio::test]
 async fn nothing_breaks_over_a_mechanism() {
     wander(OVER, &[]).await;
 }
