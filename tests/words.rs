@@ -130,6 +130,7 @@ const BUILT: [(&str, &[&str]); 61] = [
             "www/state/codec.js",
             "www/engine.js",
             "www/state/model.js",
+            "www/app/opening.js",
         ],
     ),
     ("readouts.", &["www/plots/readouts.js"]),
