@@ -187,10 +187,14 @@ async fn colours_follow_the_driver() {
     let page = Page::open_at(&url, "en-US").await;
     let cranks = async || {
         let script = "return [...document.querySelectorAll('#linkage-lengths .row')]
-            .filter(({ style }) => style.getPropertyValue('--accent') === 'var(--role-crank)').map(({ dataset }) => dataset.field)";
+            .filter(({ style }) => style.getPropertyValue('--accent').trim() === 'var(--role-crank)').map(({ dataset }) => dataset.field)";
         let found: Vec<String> = serde_json::from_value(page.ask(script).await).unwrap();
         found
     };
+    page.until("the lengths", async || {
+        page.count("#linkage-lengths .row").await > 0
+    })
+    .await;
     assert_eq!(cranks().await, ["links[0].length"]);
     page.choose("driver", "rocker").await;
     page.settle().await;

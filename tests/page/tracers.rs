@@ -223,15 +223,21 @@ async fn a_point_of_a_linkage_has_its_place_in_numbers() {
             "const done = arguments[0];
             window.eval(\"import('assur/pkg/assur_web.js')\").then(({ catalogue }) => {
                 const { kind, document } = catalogue().find(({ id }) => id === 'crank-rocker');
-                done({ format: 2, kind, document: { ...document, tracers: [{ name: 'P', link: 'rocker', at: [1, 0.5] }] }, view: { playing: false, phi_deg: 60 } });
+                done({ format: 2, kind, document: { ...document, tracers: [{ name: 'P', link: 'rocker', at: [1, 0.5] }] } });
             })",
         )
         .await;
     crate::lecturers::open_file(&page, "traced.json", &state.to_string()).await;
     page.until("its place", async || {
+        println!(
+            "{} {}",
+            page.text("notice-text").await,
+            page.text("problem").await
+        );
         page.count("#traced-along-0").await == 1
     })
     .await;
+    page.stop_at("60").await;
     page.choose("plot", "P").await;
     assert_eq!(page.written("traced-across-0").await, "0.5");
     // The joint C is 4.5 along the rocker.
