@@ -98,7 +98,7 @@ export class Page {
     };
     listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
-    persist(this.store, this.address, (state) => this.model.takes(state), !embedding, (what) => this.notices.tell(UNKEPT[what]));
+    persist(this.store, this.address, (state) => this.model.takes(state), !embedding, (...what) => this.notices.tell(what.flatMap((one) => UNKEPT[one])));
     // The address that was entered: by now another may have been written over it.
     receive(this);
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));

@@ -100,14 +100,14 @@ export function takeUpAddress() {
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
- * @param {(what: "picture" | "state" | "tab") => void} unkept called where an image, or a state, does not fit into what it keeps, and
+ * @param {(...what: ("picture" | "state" | "tab")[]) => void} unkept called where an image, or a state, does not fit into what it keeps, and
  * once where another tab keeps its own mechanism instead of this one
  */
 export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
   let changed = false;
   let fitted = true;
-  const keepImage = imageKeeper(() => unkept("picture"));
+  const images = new KeptImage();
   const save = () => {
     clearTimeout(timer);
     timer = 0;
@@ -116,14 +116,17 @@ export function persist(store, address, sound, ours, unkept) {
     changed = false;
     if (ours) {
       const fits = fit(KEY, toFile(withoutImage(state)));
-      if (fitted && !fits) unkept("state");
+      /** @type {("picture" | "state")[]} */
+      const lost = fitted && !fits ? ["state"] : [];
       fitted = fits;
-      keepImage(state.picture?.image ?? "");
+      if (!images.keep(state.picture?.image ?? "")) lost.push("picture");
+      if (lost.length > 0) unkept(...lost);
     }
     address.show(state);
   };
   let alone = true;
   const hear = (/** @type {StorageEvent} */ { key, newValue }) => {
+    if (key === IMAGE) images.forget();
     const state = store.get();
     if (!alone || key !== KEY || newValue === null || !address.isOwn(state) || shows(newValue, state)) return;
     alone = false;
@@ -146,19 +149,26 @@ export function persist(store, address, sound, ours, unkept) {
   });
 }
 
-/**
- * @param {() => void} unkept
- * @returns {(image: string) => void} keeps an image where it is another than the last, and takes that away where there is none any more
- */
-function imageKeeper(unkept) {
-  let last = "";
-  return (image) => {
-    if (image === last) return;
-    last = image;
+/** The image that is kept: written where it is another than the last, taken away where there is none any more. */
+class KeptImage {
+  #last = "";
+
+  /**
+   * @param {string} image
+   * @returns {boolean} whether there is room for it
+   */
+  keep(image) {
+    if (image === this.#last) return true;
+    this.#last = image;
     // The one before would take the room.
     guarded(() => localStorage.removeItem(IMAGE));
-    if (image !== "" && !fit(IMAGE, image)) unkept();
-  };
+    return image === "" || fit(IMAGE, image);
+  }
+
+  /** Another tab has written its own: with the next change that of this one is written again. */
+  forget() {
+    this.#last = "";
+  }
 }
 
 /**

@@ -41,7 +41,7 @@ beforeEach(() => {
 function begin(ours = true) {
   const store = new Store(rocker);
   const told = [];
-  persist(store, new Address(engine, "en"), () => true, ours, (what) => told.push(what));
+  persist(store, new Address(engine, "en"), () => true, ours, (...what) => told.push(what.join(" ")));
   const change = (make) => {
     store.update(make);
     happen("pagehide");
@@ -69,6 +69,22 @@ test("a picture that does not fit is said, the state is kept without it", () => 
   change((state) => withFurther(titled("drawn")(state), { picture }));
   assert.deepEqual([told, texts.has("assur.image")], [["picture"], false]);
   assert.equal(JSON.parse(texts.get("assur.state")).document.title, "drawn");
+});
+
+test("where neither state nor picture fits, both are said at once", () => {
+  const { told, change } = begin();
+  room = 100;
+  change((state) => withFurther(titled("drawn")(state), { picture }));
+  assert.deepEqual(told, ["state picture"]);
+});
+
+test("an image that another tab has written over is written again with the next change", () => {
+  const { change } = begin();
+  change((state) => withFurther(state, { picture }));
+  texts.set("assur.image", "data:theirs");
+  happen("storage", { key: "assur.image", newValue: "data:theirs" });
+  change(titled("drawn"));
+  assert.equal(texts.get("assur.image"), picture.image);
 });
 
 test("where the browser forbids to keep anything, nothing is said of it", (t) => {
