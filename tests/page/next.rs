@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::browser::Page;
 use crate::host::home;
@@ -11,6 +11,11 @@ use crate::host::home;
 fn lessons() -> BTreeMap<String, Vec<(String, Value)>> {
     serde_json::from_str(include_str!("../data/page/lesson_answers.json")).unwrap()
 }
+
+/// What of a step is wider than the column has room for: tables, lists, formulas.
+const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
+    .filter((one) => one.checkVisibility() && !one.matches('input, .unseen') && one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== 'visible')
+    .map(({ id, className, tagName }) => id || className || tagName);";
 
 /// Types or chooses an answer, and has it checked.
 async fn verdict_on(page: &Page, answer: &Value) -> String {
@@ -92,6 +97,7 @@ async fn walk(id: &str) {
         page.click("lesson-on").await;
         page.settle().await;
         assert_eq!(page.text("problem").await, "", "{id} after {step}");
+        assert_eq!(page.ask(CUT).await, json!([]), "{id} after {step}");
     }
     assert_eq!(page.text("lesson-title").await, "What you have learnt");
     let progress = page.text("lesson-progress").await;
