@@ -165,3 +165,25 @@ async fn a_view_that_breaks_stops_no_other() {
     assert_eq!(page.text("notice-text").await, "");
     page.close().await;
 }
+
+/// A file of 2 GB is refused by its beginning, and the scripts keep none of it.
+#[tokio::test]
+async fn a_file_of_two_gigabytes_is_refused() {
+    let page = Page::open().await;
+    let path = page.downloads().join("huge.json");
+    std::fs::File::create(&path)
+        .unwrap()
+        .set_len(2 << 30)
+        .unwrap();
+    let heap = "return performance.memory?.usedJSHeapSize ?? 0";
+    let before = page.ask(heap).await.as_f64().unwrap();
+    page.choose_file("file", &path).await;
+    page.until("a refusal", async || {
+        page.text("notice-text").await.contains("huge.json")
+    })
+    .await;
+    let after = page.ask(heap).await.as_f64().unwrap();
+    assert!(after - before < 64e6, "{before} {after}");
+    assert_eq!(page.text("problem").await, "");
+    page.close().await;
+}
