@@ -69,6 +69,9 @@ export class Engine {
   #good = null;
   #compared = new Compared(() => new module.Simulator());
 
+  /** How many instances of the module there were before. */
+  #instances = 0;
+
   /** Whether it broke down since it last took a state. */
   trapped = false;
   /** @type {readonly string[]} */
@@ -266,10 +269,12 @@ export class Engine {
   beside(questions) {
     return this.ask(() => {
       const other = new module.Simulator();
+      const instance = this.#instances;
       try {
         return questions(other);
       } finally {
-        discard(other);
+        // With its instance it is gone already.
+        if (instance === this.#instances) discard(other);
       }
     });
   }
@@ -496,6 +501,7 @@ export class Engine {
    */
   #renew() {
     module.__wbg_reset_state();
+    this.#instances += 1;
     this.#simulator = new module.Simulator();
     const good = this.#good;
     if (!good) return;

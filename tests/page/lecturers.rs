@@ -137,6 +137,13 @@ async fn a_lesson_is_written_answered_and_its_result_checked() {
     page.click("lesson-on").await;
     assert_eq!(page.count("#lesson-check:not([hidden])").await, 0);
     assert_eq!(verdict(&page).await, "");
+    // Another mechanism at that place is no answer.
+    page.click("gallery").await;
+    there(&page, "gallery-crank-rocker").await;
+    page.click("gallery-crank-rocker").await;
+    page.stop_at("91").await;
+    assert_eq!(verdict(&page).await, "");
+    page.click("undo").await;
     page.stop_at("91").await;
     page.until("it to be reached", async || verdict(&page).await == "right")
         .await;

@@ -217,7 +217,7 @@ async fn the_mechanism_of_the_step_is_asked_about() {
     turn_to(&page, 2).await;
     // *Next* has put it aside.
     assert_eq!(page.written("field-z5").await, "18");
-    let brought = async || page.text("lesson-said").await.contains("is back");
+    let brought = async || page.text("lesson-said").await.contains("has been put back");
     // By controls of the step.
     page.write("field-z5", "24").await;
     page.click("mesh-internal").await;
@@ -261,6 +261,26 @@ async fn the_mechanism_of_the_step_is_asked_about() {
     page.click("undo").await;
     page.settle().await;
     assert!(page.text("mechanism-name").await.contains("Jansen"));
+    page.close().await;
+}
+
+/// What the controls of a step have made of its mechanism is the step's also after a reload.
+#[tokio::test]
+async fn the_mechanism_of_the_step_outlives_the_page() {
+    let page = Page::open().await;
+    page.stop_at("10").await;
+    open(&page).await;
+    turn_to(&page, 2).await;
+    page.write("field-z5", "24").await;
+    page.until("the address to follow", async || {
+        page.address().await.contains("%22z%22%3A24")
+    })
+    .await;
+    page.reload().await;
+    loaded(&page).await;
+    assert_eq!(page.written("field-z5").await, "24");
+    assert_eq!(answer(&page, "-1.5").await, "right");
+    assert!(!page.text("lesson-said").await.contains("put back"));
     page.close().await;
 }
 

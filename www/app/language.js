@@ -22,9 +22,10 @@ export function chooseLanguage(page) {
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
+  /** The language that the reader has chosen: it is kept once its words are there. */
+  let chosen = "";
   select.addEventListener("change", () => {
-    // In a frame of another page nothing is kept.
-    if (!habits.embedding) keep(NAME, select.value);
+    chosen = select.value;
     store.update((state) => withView(state, { lang: select.value }));
   });
   store.subscribe(async ({ view: { lang } }, previous) => {
@@ -34,7 +35,10 @@ export function chooseLanguage(page) {
     // Another choice may have been made while these words were on their way.
     if (store.get().view.lang !== lang) return;
     if (words) page.hear(words);
-    else store.update((state) => withView(state, { lang: previous.view.lang }));
+    // Back to the language that the page speaks.
+    else store.update((state) => withView(state, { lang: page.words.lang }));
+    // In a frame of another page nothing is kept.
+    if (words && lang === chosen && !habits.embedding) keep(NAME, lang);
   });
 }
 

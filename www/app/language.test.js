@@ -19,10 +19,12 @@ globalThis.HTMLSelectElement = class HTMLSelectElement extends Node {
  * @param {import("node:test").TestContext} t
  * @param {string} lang
  * @param {object} habits of the page
+ * @param {(of: string) => Promise<Words>} load
+ * @returns {Promise<Page>} once its words have come, or not
  */
-function choose(t, lang, habits) {
+async function choose(t, lang, habits, load = async (/** @type {string} */ of) => wordsOf(of)) {
   kept.clear();
-  t.mock.method(Words, "load", async (of) => wordsOf(of));
+  t.mock.method(Words, "load", load);
   const select = new HTMLSelectElement();
   globalThis.document = { getElementById: () => select, createElement: () => ({ setAttribute() {}, append() {} }) };
   const page = Object.assign(new Page("mixer-a"), { habits, hear() {} });
@@ -32,16 +34,36 @@ function choose(t, lang, habits) {
   select.value = lang;
   select.dispatchEvent(new Event("change"));
   assert.equal(page.store.get().view.lang, lang);
+  for (let turns = 0; turns < 50; turns++) await null;
+  return page;
 }
 
-test("the language that a reader chooses is known on the next visit", (t) => {
-  choose(t, "uk", { lang: "en" });
+test("the language that a reader chooses is known on the next visit", async (t) => {
+  await choose(t, "uk", { lang: "en" });
   assert.equal(chosenLanguage(), "uk");
 });
 
-test("what another page shows in a frame keeps no language", (t) => {
-  choose(t, "uk", { lang: "en", embedding: {} });
+test("what another page shows in a frame keeps no language", async (t) => {
+  await choose(t, "uk", { lang: "en", embedding: {} });
   assert.equal(chosenLanguage(), null);
+});
+
+test("without a network the page goes on in the language it speaks, and keeps none that did not come", async (t) => {
+  let asked = 0;
+  const page = await choose(t, "uk", { lang: "en" }, async (lang) => {
+    asked += 1;
+    if (lang !== "en") throw new TypeError("no net");
+    return wordsOf(lang);
+  });
+  const select = document.getElementById("lang");
+  // Another choice while the one before is on its way.
+  for (const lang of ["ru", "uk"]) {
+    select.value = lang;
+    select.dispatchEvent(new Event("change"));
+  }
+  for (let turns = 0; turns < 50; turns++) await null;
+  assert.deepEqual([page.store.get().view.lang, select.value, chosenLanguage()], ["en", "en", null]);
+  assert.ok(asked < 10, String(asked));
 });
 
 test("a language that the page does not have was never chosen", () => {

@@ -59,6 +59,9 @@ import { holds, open } from "assur/lesson/show.js";
  * @typedef {Readonly<Record<string, Whole>>} OwnPresets what `presets.json` of a lesson's folder holds, by name
  */
 
+/** An answer just within its tolerance is not to be lost by rounding, relative to the exact value. */
+const ROUNDING = 1e-9;
+
 /** What the panel is told of a lesson of ours. */
 export class FolderLesson {
   #lesson;
@@ -211,5 +214,6 @@ export function judged(given, exact, within, round) {
   if (value === null) return "unread";
   const off = value - exact;
   const turns = round ? 360 * Math.round(off / 360) : 0;
-  return Math.abs(off - turns) <= within ? "right" : "not_yet";
+  const rounding = Number.isFinite(exact) ? ROUNDING * Math.max(1, Math.abs(exact)) : 0;
+  return Math.abs(off - turns) <= within + rounding ? "right" : "not_yet";
 }

@@ -128,7 +128,7 @@ test("a question about another kind of document than is open has no answer", asy
 
 test("a number is judged by its distance, round ones by that on the circle", () => {
   for (const [given, exact, within, round, verdict] of [
-    ["10", 10, 0, false, "right"], ["10.01", 10, 0, false, "not_yet"], ["359", 1, 2, true, "right"], ["-359", 1, 0, true, "right"], ["359", 1, 2, false, "not_yet"],
+    ["10", 10, 0, false, "right"], ["1.3", 1.2, 0.1, false, "right"], ["0.4", 0.3, 0.1, false, "right"], ["0.3", 0.1 + 0.2, 0, false, "right"], ["1.31", 1.2, 0.1, false, "not_yet"], ["10.01", 10, 0, false, "not_yet"], ["359", 1, 2, true, "right"], ["-359", 1, 0, true, "right"], ["359", 1, 2, false, "not_yet"],
     ["", 1, 2, false, "unread"], ["x", 1, 2, false, "unread"], ["1,5", 1.5, 0, false, "right"], ["180", -180, 0.1, true, "right"],
   ]) assert.equal(judged(given, exact, within, round), verdict, `${given} ${exact}`);
 });

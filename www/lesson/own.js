@@ -1,4 +1,5 @@
 // The mechanism of a lesson's step: the one that its buttons showed last, with the changes made by its own controls.
+import { digest } from "assur/lesson/chance.js";
 import { READERS } from "assur/lesson/steps.js";
 
 /**
@@ -6,8 +7,8 @@ import { READERS } from "assur/lesson/steps.js";
  * @typedef {import("assur/lesson/panel.js").Shown} Shown
  */
 
-/** Each of these may change a document; its target says whether a control of the step did. */
-const ACTS = Object.freeze(["pointerdown", "click", "input", "change", "keydown", "drop", "hashchange"]);
+/** Events after which a document may change: the target of the last one says whether a control of the step has changed it. */
+const ACTS = Object.freeze(["pointerdown", "pointermove", "pointerup", "click", "input", "change", "keydown", "wheel", "paste", "drop", "hashchange"]);
 
 export class OwnMechanism {
   #page;
@@ -41,15 +42,21 @@ export class OwnMechanism {
   }
 
   /**
-   * Begins a step, whose mechanism may be on the page already (by a link, say).
+   * Begins a step, whose mechanism may be on the page already: by a link, or kept over a reload.
    * @param {readonly Shown[]} shows buttons of the step
+   * @param {string} kept digest of the step's mechanism as it was when the page was left
    */
-  begin(shows) {
+  begin(shows, kept = "") {
     this.#shows = shows;
     this.#own = new WeakSet();
     this.#last = null;
     const state = this.#page.store.get();
-    if (shows.some((one) => one.opened?.(state))) this.#add(state);
+    if (digest(state.document) === kept || shows.some((one) => one.opened?.(state))) this.#add(state);
+  }
+
+  /** The digest of the step's mechanism as it was last, empty if it has not been shown. */
+  get digest() {
+    return this.#last ? digest(this.#last.document) : "";
   }
 
   /**
@@ -58,10 +65,16 @@ export class OwnMechanism {
    * @param {Partial<State["view"]>} [view] what else it is looked at with
    */
   open(open, view) {
+    const { store } = this.#page;
+    const before = store.get().document;
     this.#opening = true;
-    open(view);
-    this.#opening = false;
-    this.#add(this.#page.store.get());
+    try {
+      open(view);
+    } finally {
+      this.#opening = false;
+    }
+    const state = store.get();
+    if (state.document !== before || this.#shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
   /** Whether the page shows the mechanism of the step; any mechanism is one of a step that shows none. */

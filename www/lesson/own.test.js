@@ -74,7 +74,7 @@ test("it comes back as it was last, looked at as it was, in one step of undo", (
   own.close();
 });
 
-test("of a step that was come to by a link, its mechanism is known by what it is", () => {
+test("a step reached by a link recognises its mechanism by its contents", () => {
   const page = new Page("mixer-b");
   const { own } = stepOn(page);
   assert.equal(own.there, true);

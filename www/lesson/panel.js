@@ -56,6 +56,7 @@ export class LessonPanel {
   #judged = new Map();
   /** @type {readonly unknown[]} step and words that are shown */
   #shown = [];
+  #left = () => this.#leave();
   /** Whether the reader has just turned to another step, whose beginning is to be seen. */
   #turned = false;
   /** The id of the step whose mechanism is followed. */
@@ -98,6 +99,7 @@ export class LessonPanel {
     this.#back.addEventListener("click", () => this.#go(-1));
     this.#on.addEventListener("click", () => this.#go(1));
     this.#own = new OwnMechanism(page, this.#tools.element);
+    addEventListener("pagehide", this.#left);
     this.#errata.addEventListener("click", () => source.openErrata?.(this.#words));
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
@@ -106,9 +108,16 @@ export class LessonPanel {
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
+  /** Keeps which mechanism is the step's: the page may be left. */
+  #leave() {
+    if (this.#begun) this.#progress.leave(this.#begun, this.#own.digest);
+  }
+
   /** Shuts the lesson for good. */
   end() {
+    this.#leave();
     this.close();
+    removeEventListener("pagehide", this.#left);
     this.#own.close();
   }
 
@@ -139,19 +148,18 @@ export class LessonPanel {
   render(snapshot) {
     this.#snapshot = snapshot;
     const number = this.#number(snapshot.state);
+    const step = this.#steps[number - 1];
+    // A verdict on another mechanism holds no longer.
+    const judged = this.#judged.get(step.id);
+    const outdated = judged !== undefined && judged.document !== snapshot.state.document;
+    if (outdated) this.#judged.delete(step.id);
     const shown = [number, this.#words];
     if (shown.some((part, i) => part !== this.#shown[i])) {
       this.#shown = shown;
       this.#write(number);
     }
     if (snapshot.legible) this.#tools.render();
-    // What was said of another mechanism no longer holds.
-    const step = this.#steps[number - 1];
-    const judged = this.#judged.get(step.id);
-    if (judged && judged.document !== snapshot.state.document) {
-      this.#judged.delete(step.id);
-      this.#say();
-    }
+    if (outdated) this.#say();
     if (step.question?.reached?.(snapshot) && !this.#progress.isSolved(step.id)) this.#answer();
   }
 
@@ -188,7 +196,8 @@ export class LessonPanel {
 
   /** @param {Told} step whose mechanism is followed from now on */
   #begin({ id, shows }) {
-    if (id !== this.#begun) this.#own.begin(shows);
+    if (id === this.#begun) return;
+    this.#own.begin(shows, this.#progress.mechanism(id));
     this.#begun = id;
   }
 
@@ -287,7 +296,7 @@ export class LessonPanel {
     if (!question) return;
     const brought = this.#bringOwn(question);
     const given = this.#progress.given(id);
-    const again = this.#judged.has(id) && !brought;
+    const again = !brought && this.#judged.get(id)?.document === this.#page.store.get().document;
     const verdict = question.judge(given, this.#now());
     if (!again && (verdict === "right" || verdict === "not_yet")) this.#progress.countTry(id, verdict === "right");
     this.#judge({ verdict, brought });

@@ -12,6 +12,8 @@ export class Progress {
   #shown = new Set();
   /** @type {Map<string, number>} how many answers were judged, by step */
   #tries = new Map();
+  /** @type {Map<string, string>} digests of steps' mechanisms as they were when the page was left, by step */
+  #mechanisms = new Map();
 
   /**
    * @param {string} lesson
@@ -20,13 +22,15 @@ export class Progress {
   constructor(lesson, steps) {
     this.#name = lesson;
     this.#steps = steps;
-    const { given, solved, shown, tries } = read(kept(`lesson.${lesson}`));
+    const { given, solved, shown, tries, mechanisms } = read(kept(`lesson.${lesson}`));
     for (const { id } of steps) {
       const text = given[id];
       if (typeof text === "string") this.#given.set(id, text);
       if (solved.includes(id)) this.#solved.add(id);
       if (shown.includes(id)) this.#shown.add(id);
       const count = tries[id];
+      const mechanism = mechanisms[id];
+      if (typeof mechanism === "string") this.#mechanisms.set(id, mechanism);
       if (typeof count === "number" && Number.isSafeInteger(count) && count > 0) this.#tries.set(id, count);
     }
   }
@@ -47,6 +51,24 @@ export class Progress {
    */
   tries(step) {
     return this.#tries.get(step) ?? 0;
+  }
+
+  /**
+   * @param {string} step
+   * @returns {string} digest of its mechanism as it was when the page was left, empty if it was not shown then
+   */
+  mechanism(step) {
+    return this.#mechanisms.get(step) ?? "";
+  }
+
+  /**
+   * @param {string} step
+   * @param {string} digest of its mechanism
+   */
+  leave(step, digest) {
+    if (digest === this.mechanism(step)) return;
+    this.#mechanisms.set(step, digest);
+    this.#keep();
   }
 
   /** The index of the first step that is still open, −1 if there is none. */
@@ -98,22 +120,22 @@ export class Progress {
   }
 
   #keep() {
-    const [given, tries] = [this.#given, this.#tries].map((map) => Object.fromEntries(/** @type {Map<string, string | number>} */ (map)));
-    keepLesson(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries }));
+    const [given, tries, mechanisms] = [this.#given, this.#tries, this.#mechanisms].map((map) => Object.fromEntries(/** @type {Map<string, string | number>} */ (map)));
+    keepLesson(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries, mechanisms }));
   }
 }
 
 /**
  * @param {string | null} text from the store, which anyone may have written
- * @returns {Readonly<Record<"given" | "tries", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} nothing where it has not
+ * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} nothing where it has not
  * the form
  */
 function read(text) {
   const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);
   try {
-    const { given, solved, shown, tries } = JSON.parse(text ?? "{}");
-    return { given: Object(given), tries: Object(tries), solved: list(solved), shown: list(shown) };
+    const { given, solved, shown, tries, mechanisms } = JSON.parse(text ?? "{}");
+    return { given: Object(given), tries: Object(tries), mechanisms: Object(mechanisms), solved: list(solved), shown: list(shown) };
   } catch {
-    return { given: {}, tries: {}, solved: [], shown: [] };
+    return { given: {}, tries: {}, mechanisms: {}, solved: [], shown: [] };
   }
 }

@@ -12,7 +12,7 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 /** More than a class has. */
 const MOST = 200;
 
-/** So long codes are judged before the page has its turn, in milliseconds. */
+/** How long codes are judged before yielding to the page, in milliseconds. */
 const SLICE = 12;
 
 const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "–" });

@@ -1,7 +1,8 @@
 // What a step of a lesson shows: the document that it opens, and how that is looked at.
+import { attempt } from "assur/core/problem.js";
 import { fieldOf } from "assur/lesson/field.js";
 import { Coordinate } from "assur/state/coordinate.js";
-import { SWITCHES, contains } from "assur/state/state.js";
+import { SWITCHES, contains, initialState } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -41,17 +42,27 @@ export function open(show, presets, page, view = {}) {
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {((state: import("assur/state/state.js").State) => boolean) | undefined} whether a state holds what the show opens; undefined where the engine edits it
+ * @returns {(state: import("assur/state/state.js").State) => boolean} whether a state holds what the show opens
  */
 export function holds(show, presets, engine) {
-  const whole = show.set || show.drive ? undefined : opens(show, presets, engine);
-  return whole && ((state) => contains(state, whole));
+  return (state) => {
+    const whole = opens(show, presets, engine);
+    if (!whole || whole.kind !== state.kind) return false;
+    if (!show.set && !show.drive) return contains(state, whole);
+    // The same edits as when it is opened.
+    const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
+      /** @type {Summary} */
+      const summary = other.set(initialState(whole.kind, now, {}));
+      return /** @type {Whole["document"]} */ ({ ...now, ...asked(summary.moves === null ? 0 : summary.home).document });
+    }, whole.document))).value;
+    return document !== null && contains(/** @type {object} */ (state.document), document);
+  };
 }
 
 /**
  * @param {Show} show
  * @param {Whole["document"]} document that it opens
- * @param {Engine} engine
+ * @param {Pick<Engine, "setDimension" | "drive">} engine
  * @returns {import("assur/state/change.js").Edit[]} what is other in it than in its preset
  */
 function edits({ set = {}, drive }, document, engine) {

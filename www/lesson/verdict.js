@@ -39,6 +39,6 @@ export function verdictOn(lesson, index, given, name, engine) {
   }
   if (!number) return given === REACHED ? "right" : "not_yet";
   if (parseNumber(given) === null) return "unread";
-  const exact = answerOf(lesson, index, name, engine);
+  const exact = attempt(() => answerOf(lesson, index, name, engine)).value ?? null;
   return exact === null ? "none" : judged(given, exact, number.within, isRound(number.quantity ?? ""));
 }

@@ -97,6 +97,17 @@ export class WrittenLesson {
     }));
   }
 
+  /**
+   * @param {number} index of a step
+   * @param {import("assur/state/state.js").State} state
+   * @returns {boolean} whether its mechanism comes from what the step shows
+   */
+  #isShown(index, { kind, document }) {
+    const shows = shownBy(this.#lesson, index)?.shows;
+    const originOf = (/** @type {object} */ one) => ("origin" in one ? one.origin : undefined);
+    return !shows || (shows.kind === kind && originOf(shows.document) === originOf(document));
+  }
+
   /** @param {number} index */
   #shows(index) {
     const open = (/** @type {Partial<import("assur/state/state.js").View>} */ view = {}) => openShown(this.#lesson, index, this.#reader, this.#page, view);
@@ -115,8 +126,9 @@ export class WrittenLesson {
     const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unit) })}` : "";
     /** @type {Partial<Question>} */
     const reached = reach ? {
-      reached: ({ stale, ...here }) => {
-        const value = stale ? null : valueOf(reach.quantity, here);
+      reached: ({ stale, state, ...here }) => {
+        // A motion that passes by is no answer, nor is a mechanism from elsewhere.
+        const value = stale || state.view.playing || !this.#isShown(index, state) ? null : valueOf(reach.quantity, here);
         return value !== null && judged(String(value), reach.value, reach.within, isRound(reach.quantity)) === "right";
       },
     } : {};

@@ -22,7 +22,7 @@ const SMALL_MARGIN = 36;
 /** A drawing whose shorter side has less is a small one. */
 const SMALL = 320;
 
-/** Of the canvas, what is worked with takes at least and at most so much. */
+/** The least and the greatest share of the canvas for what is worked with. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 

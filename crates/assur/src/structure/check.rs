@@ -34,7 +34,7 @@ pub(super) fn check(
             .filter(|&link| link != graph.ground && with_ground[link])
             .collect();
         // A driver is asked for only where something could be driven. Surplus constraints are a fault of their own.
-        if !undriven.is_empty() || links.is_empty() {
+        if !undriven.is_empty() || links.is_empty() || !apart.is_empty() {
             faults.push(Fault::NoDriver);
         } else if surplus_allowed || surplus.is_empty() {
             faults.push(Fault::Rigid { links });
