@@ -18,6 +18,11 @@ fn one_driver_too_few_names_what_is_loose() {
     // Where nothing could be driven, no driver is asked for.
     let triangle = hinged(3, &[&[0, 1], &[1, 2], &[2, 0]]);
     assert_eq!(faults(&triangle, &[]), [Fault::Rigid { links: vec![1, 2] }]);
+    let beside = hinged(4, &[&[0, 1], &[1, 2], &[2, 0]]);
+    assert_eq!(
+        faults(&beside, &[]),
+        [Fault::Apart { links: vec![3] }, Fault::NoDriver]
+    );
     assert_eq!(
         faults(&graph, &[]),
         [

@@ -22,7 +22,8 @@ pub(super) fn check(
     let (with_ground, joined) = joined_to_ground(graph);
     let apart = (0..graph.links).filter(|&link| !with_ground[link]);
     let apart: Vec<usize> = apart.collect();
-    if !apart.is_empty() {
+    let whole = apart.is_empty();
+    if !whole {
         faults.push(Fault::Apart { links: apart });
     }
     let undriven = (0..graph.links).filter(|&link| {
@@ -34,7 +35,7 @@ pub(super) fn check(
             .filter(|&link| link != graph.ground && with_ground[link])
             .collect();
         // A driver is asked for only where something could be driven. Surplus constraints are a fault of their own.
-        if !undriven.is_empty() || links.is_empty() || !apart.is_empty() {
+        if !undriven.is_empty() || links.is_empty() || !whole {
             faults.push(Fault::NoDriver);
         } else if surplus_allowed || surplus.is_empty() {
             faults.push(Fault::Rigid { links });
