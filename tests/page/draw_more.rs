@@ -368,8 +368,11 @@ async fn edits_by_chance_are_undone_and_redone() {
             _ => {}
         }
     }
-    let empty = addressed(drawn[drawn.len() - 1].as_str().unwrap());
-    assert_eq!(empty.document, Document::Draft(DraftDocument::default()));
+    // A thousand steps are kept: before them is what was drawn then.
+    if addresses.len() < 1000 {
+        let empty = addressed(drawn[drawn.len() - 1].as_str().unwrap());
+        assert_eq!(empty.document, Document::Draft(DraftDocument::default()));
+    }
     while asked("walk('redo', 50)").await["over"] != true {}
     assert_eq!(page.ask("return window.chance.address()").await, last);
     assert_eq!(

@@ -17,6 +17,9 @@ import { edit, step } from "assur/drawing/edit.js";
 /** What a lock of so many points is put on, and taken off, by. */
 const LOCKS = Object.freeze(/** @type {Record<number, string>} */ ({ 2: "lock_length", 3: "lock_angle" }));
 
+/** An input this near that of the drawing is that of the drawing, in radians or the unit of lengths: places are those that were typed. */
+const DRAWN = 1e-9;
+
 export class DrawingRail {
   #page;
   #selection;
@@ -104,7 +107,7 @@ export class DrawingRail {
   #placesOf({ summary, frameInput }, { points }) {
     /** @type {Map<string, readonly [number, number]>} */
     const places = new Map(points.map(({ name, at }) => [name, at]));
-    if (summary.moves && frameInput !== summary.home) {
+    if (summary.moves && Math.abs(frameInput - summary.home) > DRAWN) {
       for (const { name, x, y } of this.#page.mechanism.joints()) if (places.has(name)) places.set(name, [x, y]);
     }
     return places;
