@@ -63,9 +63,11 @@ async fn an_offset_slider_crank_with_a_coupler_point() {
     };
     let [b, c] = slider(60_f64.to_radians());
     let names: Vec<String> = drawn(&sheet).await.slides[0].line.to_vec();
-    sheet
-        .type_places(&[("A", [0.0, 0.0]), ("B", b), ("C", c)])
-        .await;
+    sheet.type_places(&[("A", [0.0, 0.0]), ("B", b)]).await;
+    // As slowly as a person types: each digit is drawn before the next.
+    for (axis, value) in ["x", "y"].iter().zip(c) {
+        slowly(&page, &format!("draw-{axis}-C"), &value.to_string()).await;
+    }
     for (name, x) in names.iter().zip([300.0, 100.0]) {
         sheet.type_places(&[(name, [x, e])]).await;
     }
@@ -82,6 +84,19 @@ async fn an_offset_slider_crank_with_a_coupler_point() {
         vec![b, c, p]
     });
     page.close().await;
+}
+
+/// Types a text character by character, with a frame after each.
+async fn slowly(page: &Page, id: &str, text: &str) {
+    let field = page.element(id).await;
+    field.click().await.unwrap();
+    field.send_keys(Key::Control + "a").await.unwrap();
+    for letter in text.chars() {
+        field.send_keys(letter.to_string()).await.unwrap();
+        page.settle().await;
+    }
+    field.send_keys(Key::Enter + "").await.unwrap();
+    page.settle().await;
 }
 
 /// A five-bar of 40, 70, 70 and 40 mm on 60 mm whose second crank goes at −2 times the speed of the first.
