@@ -62,13 +62,15 @@ export class Progress {
   }
 
   /**
+   * Keeps the mechanism of a step when the page is left, and nothing else: another tab may have written since.
    * @param {string} step
    * @param {string} digest of its mechanism
    */
   leave(step, digest) {
     if (digest === this.mechanism(step)) return;
     this.#mechanisms.set(step, digest);
-    this.#keep();
+    const { mechanisms, ...rest } = read(kept(`lesson.${this.#name}`));
+    keepLesson(this.#name, JSON.stringify({ ...rest, mechanisms: { ...mechanisms, [step]: digest } }));
   }
 
   /** The index of the first step that is still open, −1 if there is none. */
