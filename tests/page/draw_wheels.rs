@@ -113,7 +113,7 @@ async fn a_guide_is_as_announced() {
     page.close().await;
 }
 
-/// What is rigid is told by its count before a driver is asked for, and its links can go.
+/// A rigid drawing shows its count before a driver is asked for, and offers to remove a link.
 #[tokio::test]
 async fn the_count_comes_before_the_driver() {
     let page = Page::open().await;

@@ -1,4 +1,4 @@
-// What a screen reader is told as the page goes on to another mechanism and another language.
+// Sentences for screen readers when the page goes on to another mechanism or another language.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Description } from "assur/app/description.js";

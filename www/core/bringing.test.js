@@ -37,7 +37,7 @@ test("as soon as there is a network again it is asked for", async () => {
   assert.equal(seen.changed, 1);
   await bring();
   assert.deepEqual([seen.asked, seen.changed], [2, 2]);
-  // What is there is not brought twice.
+  // A part that is there is not loaded twice.
   happen("online");
   await bring();
   assert.equal(seen.asked, 2);

@@ -1,6 +1,7 @@
 // What is told of a drawing beside it: why it does not move and what would let it, what is selected, its points in numbers.
 import { NumberBox } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
+import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -226,7 +227,7 @@ export class DrawingRail {
     if (this.#ends(link).length < 2) return make("div");
     return make("div", { class: "draw-numbers" }, [
       ...this.#box("length", words, () => Math.hypot(...off()), (length) => ({ edit: "stretch", link, length })),
-      ...this.#box("angle", words, () => (Math.atan2(off()[1], off()[0]) * 180) / Math.PI, (angle) => ({ edit: "turn", link, angle_deg: angle })),
+      ...this.#box("angle", words, () => degrees(Math.atan2(off()[1], off()[0])), (angle) => ({ edit: "turn", link, angle_deg: angle })),
     ]);
   }
 

@@ -43,8 +43,11 @@ function first(subject) {
   return LESSONS.find(({ about }) => about.includes(subject));
 }
 
-/** @param {State} state */
-function originOf({ document }) {
+/**
+ * @param {Pick<State, "document">} state
+ * @returns {string} the mechanism of the catalogue that its document came from, empty if from none
+ */
+export function originOf({ document }) {
   return ("origin" in document && document.origin) || "";
 }
 

@@ -51,7 +51,7 @@ export class OwnMechanism {
     this.#own = new WeakSet();
     this.#last = null;
     const state = this.#page.store.get();
-    if (digest(state.document) === kept || shows.some((one) => one.opened?.(state))) this.#add(state);
+    if ((kept !== "" && digest(state.document) === kept) || shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
   /** The digest of the step's mechanism as it was last, empty if it has not been shown. */

@@ -5,7 +5,7 @@ import { measured } from "assur/core/units.js";
 import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
-import { OWN } from "assur/lesson/offer.js";
+import { OWN, originOf } from "assur/lesson/offer.js";
 import { isRound, tellers, unitOf } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
@@ -102,10 +102,9 @@ export class WrittenLesson {
    * @param {import("assur/state/state.js").State} state
    * @returns {boolean} whether its mechanism comes from what the step shows
    */
-  #isShown(index, { kind, document }) {
+  #isShown(index, state) {
     const shows = shownBy(this.#lesson, index)?.shows;
-    const originOf = (/** @type {object} */ one) => ("origin" in one ? one.origin : undefined);
-    return !shows || (shows.kind === kind && originOf(shows.document) === originOf(document));
+    return !shows || (shows.kind === state.kind && originOf(shows) === originOf(state));
   }
 
   /** @param {number} index */

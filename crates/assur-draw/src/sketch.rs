@@ -35,7 +35,7 @@ pub struct SketchView {
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
-    /// By how much the sheet of an empty drawing is larger than that of lengths without a unit.
+    /// The size of the sheet of an empty drawing, relative to that of one without a unit.
     pub sheet: f64,
 }
 

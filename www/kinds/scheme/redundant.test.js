@@ -1,4 +1,4 @@
-// The redundant constraints of schemes, wherever the page tells how many there are.
+// The number of redundant constraints of a scheme, in every place of the page that shows it.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
