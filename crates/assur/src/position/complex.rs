@@ -65,7 +65,7 @@ impl<const N: usize> Complex<N> {
 
     /// i times this: a quarter turn to the left.
     pub(crate) fn left(self) -> Self {
-        Self(self.0.map(|c| Vector::new(-c.y, c.x)))
+        Self(self.0.map(left))
     }
 
     pub(crate) fn norm_squared(self) -> Jet<N> {
@@ -85,6 +85,26 @@ impl<const N: usize> Complex<N> {
     /// The same direction with a length of 1; not finite where it vanishes.
     pub(crate) fn unit(self) -> Self {
         self.scaled(self.norm_squared().sqrt().recip())
+    }
+
+    /// A vector of constant length with this value, by its scalar product with another one, order by order. By the closed
+    /// forms derivatives lose digits where the other one is short; of these two conditions they leave rounding only.
+    pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
+        let along = value.normalize();
+        let across = left(along);
+        let mut found = Self::constant(value);
+        for order in 1..N {
+            let (mut square, mut rest) = (0.0, product.coefficient(order));
+            for k in 1..order {
+                square += found[k].dot(&found[order - k]);
+            }
+            for k in 0..order {
+                rest -= found[k].dot(&other[order - k]);
+            }
+            let first = along * (-0.5 * square / value.norm());
+            found[order] = first + across * ((rest - first.dot(&other[0])) / across.dot(&other[0]));
+        }
+        found
     }
 
     /// The scalar product.
@@ -156,6 +176,11 @@ pub(crate) fn quotient(v: Vector, by: Vector) -> Vector {
 /// The product of two constant vectors as complex numbers.
 pub(crate) fn product(v: Vector, w: Vector) -> Vector {
     Vector::new(v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x)
+}
+
+/// i times a constant vector: a quarter turn to the left.
+fn left(v: Vector) -> Vector {
+    Vector::new(-v.y, v.x)
 }
 
 pub(crate) fn conjugate(v: Vector) -> Vector {

@@ -64,6 +64,9 @@ pub(crate) use ways::{Followed, Unreal};
 
 /// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
+/// Outer hinges of a dyad are near each other where the square of their distance is this part of that of the size: closed
+/// forms of the derivatives lose digits there.
+const NEAR: f64 = 1e-3;
 
 /// A place on a body, in its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
 use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State};
+use super::{Anchor, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
@@ -51,7 +51,14 @@ impl Solvable for Rpr {
             Dead::Beyond => Cause::OutOfReach { by },
         })?;
         let along = Complex::new(run, Jet::constant(-apart));
-        let direction = (between * along).scaled(square.recip());
+        let mut direction = (between * along).scaled(square.recip());
+        // Where d is at right angles to u they are those of a smooth root.
+        let is_across = run.value().powi(2) < NEAR * square.value();
+        if square.value() < NEAR * state.scale && !is_across {
+            // u × d = h.
+            let unit = direction.value().normalize();
+            direction = Complex::of_constant_length(unit, between.left(), Jet::constant(-apart));
+        }
         for (side, at) in [(i, b), (j, d)] {
             let turn = direction.by(conjugate(side.direction));
             state.turn[side.body] = turn;

@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use super::{
-    Arm, CLOSE, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State, clear,
+    Arm, CLOSE, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State, clear,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -62,7 +62,13 @@ impl<const N: usize> Triangle<N> {
     pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
-        let to_c = to_c.scaled(self.square.recip());
+        let mut to_c = to_c.scaled(self.square.recip());
+        let scale = self.sum * self.sum;
+        // In line they are those of a smooth root.
+        let is_in_line = root.value().powi(2) < NEAR * self.square.value() * scale;
+        if self.square.value() < NEAR * scale && !is_in_line {
+            to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
+        }
         state.lay(i, self.b, self.leg(i, to_c));
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
