@@ -1,5 +1,5 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
-import { Refusal } from "assur/core/problem.js";
+import { Refusal, attempt } from "assur/core/problem.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { alone, contains } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
@@ -17,11 +17,13 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").OutputSummary} Output
  * @typedef {import("assur/types/web.js").ProfileSummary} Profile
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
- * @typedef {import("assur/types/web.js").MotionSummary} MotionSummary
+ * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled which of the assemblies at the drawn input moves, from 1, how many are known, whether they are all; null where that is unknown
+ * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
  * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
- * @typedef {import("assur/types/web.js").Summaries} Summaries what the engine says of a document, by its kind
+ * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] & (import("assur/types/web.js").Summaries[K] extends { home: number, groups: unknown } ? { readonly assembled: Assembled } : {}) }} Summaries
+ * What the engine says of a document, by its kind. The assemblies of a linkage take some time to find: they are found when they are first read.
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
  * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
@@ -71,6 +73,8 @@ export class Engine {
 
   /** How many instances of the module there were before. */
   #instances = 0;
+  /** How many documents were set. */
+  #sets = 0;
 
   /** Whether it broke down since it last took a state. */
   trapped = false;
@@ -153,12 +157,31 @@ export class Engine {
       this.labels = simulator.labelNames();
       this.lengths = /** @type {import("assur/types/file.js").LengthUnit} */ (simulator.lengths());
       this.choosesLengths = simulator.choosesLengths();
-      return /** @type {Summaries[K]} */ (this.#compared.follow(state, taken));
+      return /** @type {Summaries[K]} */ (this.#compared.follow(state, /** @type {Summary} */ (taken)));
     });
     this.#good = state;
     this.trapped = false;
     this.#outliveCompared();
-    return summary;
+    return this.#withAssembled(summary);
+  }
+
+  /**
+   * @template {object} S
+   * @param {S} summary of what has just been set
+   * @returns {S} the same; a linkage's with its assemblies, found when they are first read
+   */
+  #withAssembled(summary) {
+    if (!("groups" in summary && "home" in summary)) return summary;
+    const [own, home] = [(this.#sets += 1), /** @type {number} */ (summary.home)];
+    /** @type {Assembled | undefined} */
+    let found;
+    return Object.defineProperty(summary, "assembled", { get: () => {
+      if (found === undefined && own === this.#sets) {
+        const here = attempt(() => this.assemblies(home)).value;
+        found = here ? { number: (here.shown ?? 0) + 1, count: here.all.length, whole: here.whole } : null;
+      }
+      return found ?? null;
+    } });
   }
 
   /**

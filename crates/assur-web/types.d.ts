@@ -164,11 +164,7 @@ traceable: boolean,
  */
 becomes: readonly "scheme"[], };
 export type MotionSummary = { equations: Array<EquationSummary>, 
-/**
- * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
- * all.
- */
-assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -214,11 +210,7 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
  * What can drive it, by the links that are turned or slide.
  */
 drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, 
-/**
- * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
- * all.
- */
-assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -274,11 +266,7 @@ overlaps: Array<[number, number]>,
  * The direction from wheel 4 in which there is most room.
  */
 free_direction: number, equations: Array<EquationSummary>, 
-/**
- * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
- * all.
- */
-assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -448,11 +436,7 @@ printed: PrintedSummary | null,
  * What is drawn, as a linkage for the simulator.
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, 
-/**
- * Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
- * all.
- */
-assembly: number, assemblies: number, assemblies_whole: boolean, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */

@@ -137,9 +137,9 @@ function drawing(snapshot) {
   const { summary, words } = snapshot;
   // What is no linkage has a description of its own.
   if (!("formula" in summary)) return pose(snapshot);
-  const { formula, four_bars: bars, assembly, assemblies } = summary;
+  const { formula, four_bars: bars, assembled } = summary;
   const types = bars.map(({ grashof }) => words.text(`grashof.${grashof}`));
-  const [number, count] = [assembly, assemblies].map((one) => words.numbers.exact(one));
+  const [number, count] = [assembled?.number ?? 1, assembled?.count ?? 1].map((one) => words.numbers.exact(one));
   const kind = words.text("told.kind", { type: types.join("; "), assembly: number, count });
   const structure = words.text("told.structure", { formula: calledIn(formula, words), assembly: number, count });
   return [pose(snapshot), types.length > 0 ? kind : structure].join(" ");

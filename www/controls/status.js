@@ -8,15 +8,21 @@ import { byId, make, setData } from "assur/core/dom.js";
 
 /**
  * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
- * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, say: (snapshot: S) => Entry | null }>} Item
- * `title`: the key of its words; `say`: what it says, null where there is nothing to say.
+ * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
+ * `title`: the key of its words; `say`: what it says, null where there is nothing to say; `late`: it takes some time, and is said once
+ * nothing has changed for a moment.
  */
+
+/** Nothing changes for a moment: so many milliseconds. */
+const MOMENT = 150;
 
 /** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** @type {{ name: string, n: string, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
+  /** @type {{ name: string, n: string, late: boolean, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
   #entries;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #moment;
   /** The symbol of the input in the titles. */
   #symbol = "";
   #shown = "";
@@ -28,11 +34,11 @@ export class StatusLine {
    * @param {readonly Item<S>[]} items
    */
   constructor(kind, items) {
-    this.#entries = items.map(({ name, title, n = "", class: more = "", say }) => {
+    this.#entries = items.map(({ name, title, n = "", class: more = "", late = false, say }) => {
       const output = make("dd", { id: `out-${name}` });
       const entry = make("div", { class: `entry ${more}`.trim(), "data-of": kind }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
       this.#list.append(entry);
-      return { name, n, say, entry, output };
+      return { name, n, late, say, entry, output };
     });
   }
 
@@ -60,11 +66,21 @@ export class StatusLine {
     this.#withheld = withheld;
     this.#shown = shown;
     if (coordinate.symbol !== this.#symbol) this.#name(coordinate.symbol, words);
-    for (const { name, say, entry, output } of this.#entries) {
+    this.#write(false, snapshot);
+    clearTimeout(this.#moment);
+    this.#moment = setTimeout(() => this.#write(true, snapshot), MOMENT);
+  }
+
+  /**
+   * @param {boolean} late whether the entries that take some time, or the others
+   * @param {S} snapshot
+   */
+  #write(late, snapshot) {
+    for (const { name, say, entry, output } of this.#entries.filter((one) => one.late === late)) {
       const said = say(snapshot);
       const text = said?.text ?? "";
       entry.hidden = said === null || text === "";
-      if (withheld.has(name)) withhold(output, words);
+      if (snapshot.withheld.has(name)) withhold(output, snapshot.words);
       else writeReadout(output, text, said?.value);
     }
   }

@@ -25,8 +25,8 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// What is known of its other assemblies.
-    following: RefCell<Following>,
+    /// Its other assemblies, looked for when they are first asked for: not on every edit.
+    following: OnceCell<RefCell<Following>>,
     /// How well dyads transmit: read out without derivatives.
     transmitting: Vec<Quantity>,
     /// The numbers of links, by which their angles are called.
@@ -112,7 +112,6 @@ impl Moving {
         };
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;
-        let following = RefCell::new(mechanism.following());
         Ok(Self {
             transmitting: mechanism.transmitting(),
             numbers,
@@ -133,7 +132,7 @@ impl Moving {
             plotted,
             figure,
             motion,
-            following,
+            following: OnceCell::new(),
             document,
             explain,
         })
@@ -164,7 +163,8 @@ impl Moving {
     }
 
     pub(crate) fn following(&self) -> &RefCell<Following> {
-        &self.following
+        let following = || RefCell::new(self.mechanism().following());
+        self.following.get_or_init(following)
     }
 
     pub(crate) fn motion(&self) -> &Motion {

@@ -74,11 +74,6 @@ pub(crate) struct MotionSummary<'a> {
     #[serde(flatten)]
     structure: StructureSummary<'a>,
     equations: Vec<EquationSummary<'a>>,
-    /// Which of the assemblies that are known at the drawn input moves, from 1, how many these are, and whether they are
-    /// all.
-    assembly: usize,
-    assemblies: usize,
-    assemblies_whole: bool,
     four_bars: Vec<FourBarSummary<'a>>,
     transmissions: Vec<TransmissionSummary<'a>>,
     points: Vec<&'a str>,
@@ -328,16 +323,12 @@ impl<'a> MotionSummary<'a> {
             traceable: moving.traceable(),
             becomes: &BECOMES,
         };
-        let (drawn, shown) = moving.assembled(motion.home());
         Self {
             course,
             structure: StructureSummary::new(mechanism, figure),
             equations: (mechanism.constraints().iter())
                 .map(|one| EquationSummary::new(mechanism, one))
                 .collect(),
-            assembly: shown.map_or(1, |shown| shown + 1),
-            assemblies: drawn.poses.len(),
-            assemblies_whole: drawn.whole,
             four_bars: four_bars.collect(),
             transmissions: transmissions.collect(),
             points: mechanism.points().collect(),

@@ -19,9 +19,10 @@ const ENTRIES = Object.freeze({
   passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
-  "linkage-assembly": ({ assembly, assemblies, assemblies_whole: whole, home }, words, { coordinate }) => {
-    const [number, count] = [assembly, assemblies].map((one) => words.numbers.exact(one));
-    return words.text(whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
+  "linkage-assembly": ({ assembled, home }, words, { coordinate }) => {
+    if (!assembled) return "";
+    const [number, count] = [assembled.number, assembled.count].map((one) => words.numbers.exact(one));
+    return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
   },
   "linkage-grashof": ({ four_bars: bars }, words) =>
     bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${listed(links, words)})` : "")).join("; "),
@@ -49,10 +50,13 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-unsearched": "unsearched",
 }));
 
+/** Entries that take some time. */
+const LATE = Object.freeze(["linkage-assembly"]);
+
 /** @returns {StatusLine<Snapshot>} */
 export function linkageStatus() {
   return new StatusLine("linkage", Object.entries(ENTRIES).map(([name, say]) => ({
-    name, title: `status.${TITLES[name] ?? name}`, say: (snapshot) => ({ text: say(snapshot.summary, snapshot.words, snapshot) }),
+    name, title: `status.${TITLES[name] ?? name}`, late: LATE.includes(name), say: (snapshot) => ({ text: say(snapshot.summary, snapshot.words, snapshot) }),
   })));
 }
 

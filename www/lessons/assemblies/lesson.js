@@ -76,10 +76,10 @@ function home({ home: drawn }) {
 
 /**
  * @param {Summary} summary
- * @returns {number} how many real assemblies there are at the input at which it is drawn
+ * @returns {number | undefined} how many real assemblies there are at the input at which it is drawn
  */
-function real({ assemblies }) {
-  return assemblies;
+function real({ assembled }) {
+  return assembled?.count;
 }
 
 /**
