@@ -1,6 +1,6 @@
 //! At change points of dyads, wherever they stand, a motion has the derivatives of the smooth branch.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
 use assur::mechanism::{Draft, DraftGear, Mechanism, Quantity};
@@ -268,4 +268,66 @@ fn slotted_lever() {
             "{way:e} beside {at}: {off:e}"
         );
     }
+}
+
+/// A four-bar that drives a slider off its crank, drawn in a pose.
+fn with_slider(linkage: &FourBar, assembly: Assembly, crank: f64, rod: f64) -> Draft {
+    let draft = drawn(linkage, assembly, crank);
+    let b = draft.points[1].at;
+    let slides = b.x + (rod * rod - b.y * b.y).sqrt();
+    let mut draft = draft.point("E", slides, 0.0);
+    draft = draft.bar("rod", &["B", "E"]).bar("block", &["E"]);
+    draft
+        .slide("block", "E", "frame", ["A", "D"])
+        .crank("crank")
+}
+
+/// A linkage that is drawn next to its change point goes as far as one that is drawn elsewhere.
+#[test]
+fn drawings_next_to_a_change_point() {
+    let mut random = Random::new(78);
+    let mut compared = 0;
+    for seed in 0..200 {
+        let [a, b] = [0, 1].map(|_| random.within(0.4, 3.0));
+        let c = random.within(0.2, 0.8) * a.min(b);
+        let mut lengths = [c, a, b, a + b - c];
+        for k in (1..4).rev() {
+            lengths.swap(k, random.below(k + 1));
+        }
+        let linkage = FourBar::new(lengths).unwrap();
+        let assembly = Assembly::ALL[random.below(2)];
+        let rod = lengths[0] * random.within(0.5, 2.0);
+        // In line with the frame, where it is at the change point.
+        let at = [0.0, PI].map(|at| [at + 0.1, at - 0.1]);
+        let is_there = |crank: &f64| {
+            let reach = (lengths[0] * crank.sin()).abs() < rod;
+            reach && linkage.pose::<1>(assembly, *crank).is_ok()
+        };
+        for ways in at.into_iter().filter(|ways| ways.iter().all(is_there)) {
+            let elsewhere = motion(&with_slider(&linkage, assembly, ways[0], rod));
+            let change = 0.5 * (ways[0] + ways[1]);
+            for way in [1e-6, 1e-8, 1e-9, 1e-10]
+                .into_iter()
+                .flat_map(|way| [way, -way])
+            {
+                let Ok(mechanism) =
+                    Mechanism::new(&with_slider(&linkage, assembly, change + way, rod))
+                else {
+                    continue;
+                };
+                let beside = Motion::new(mechanism);
+                let [[from, to], range] = [&beside, &elsewhere].map(|one| one.cycle().arcs()[0]);
+                let turns = TAU * ((range[0] - from) / TAU).round();
+                let off = (from + turns - range[0])
+                    .abs()
+                    .max((to + turns - range[1]).abs());
+                assert!(
+                    off < 1e-6,
+                    "{seed}: {lengths:?} {assembly:?} {way} from {change}, rod {rod}: {from} to {to}, not {range:?}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "{compared}");
 }

@@ -112,7 +112,7 @@ impl<'a> Continuation<'a> {
             let step = mechanism.placed_by(*body);
             step.is_some_and(|step| mechanism.steps()[step].winds())
         };
-        Self {
+        let mut begun = Self {
             mechanism,
             signs: signs.clone(),
             input,
@@ -124,7 +124,9 @@ impl<'a> Continuation<'a> {
             smooth_roots: Vec::new(),
             repeats: input,
             work: MOST_WORK,
-        }
+        };
+        begun.begin_aside();
+        begun
     }
 
     /// Goes on until the motion repeats or ends, and leaves knots.
@@ -250,10 +252,15 @@ impl<'a> Continuation<'a> {
     /// Takes a certified step to the second pose, and leaves a knot there.
     pub(super) fn take(&mut self, next: f64, knots: &mut Knots) {
         let turned = self.turned();
+        self.go_on(next);
+        knots.push(self.input, &self.signs, &self.here, turned);
+    }
+
+    /// The second pose is the one to go on from.
+    pub(super) fn go_on(&mut self, next: f64) {
         self.input = next;
         std::mem::swap(&mut self.here, &mut self.there);
         self.here.orient(&mut self.orientations);
-        knots.push(self.input, &self.signs, &self.here, turned);
     }
 
     /// How far bodies turn at most, of which whole turns are counted, in the step that was certified last.

@@ -40,6 +40,11 @@ impl Continuation<'_> {
         let nearest =
             |(_, a): &(StepId, f64), (_, b): &(StepId, f64)| (a * sense).total_cmp(&(b * sense));
         let (first, input) = upstream.filter_map(comes).min_by(nearest)?;
+        Some(self.all_in_line(first, input, sense))
+    }
+
+    /// The links that pass through in line where those of a step do.
+    fn all_in_line(&self, first: StepId, input: f64, sense: f64) -> InLine {
         let mut found = InLine {
             input,
             steps: Vec::new(),
@@ -65,7 +70,28 @@ impl Continuation<'_> {
             let mut others = others.filter(|other| !found.steps.contains(other));
             next = others.find(|other| self.is_in_line(*other, found.input, &state));
         }
-        Some(found)
+        found
+    }
+
+    /// Begins just beyond a change point of a four-bar in closed form that is drawn next to it: nothing can be certified so
+    /// close to it.
+    pub(super) fn begin_aside(&mut self) {
+        let near = PASSED * self.mechanism.span();
+        let around = [self.input - near, self.input + near];
+        let mut steps = self.mechanism.steps().ids();
+        let change_point =
+            steps.find_map(|step| Some((step, *self.change_points(step, around).first()?)));
+        let Some((step, input)) = change_point else {
+            return;
+        };
+        let found = self.all_in_line(step, input, 1.0);
+        self.repeats = f64::INFINITY;
+        if found.smooth_roots.is_empty()
+            && let Some((_, past)) = self.past(&found, 1.0)
+        {
+            self.go_on(past);
+        }
+        self.repeats = self.input;
     }
 
     /// Whether a step whose links pass through in line goes on joined the other way.

@@ -63,14 +63,18 @@ impl Continuation<'_> {
     /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be
     /// tried.
     pub(super) fn stopped(&self, step: StepId, sense: f64) -> DeadPoint {
+        // So near there is just one thing to meet.
+        let window = PASSED * self.mechanism.span();
         let mut closed = self.mechanism.closed_steps();
         let closed = closed.find(|closed| closed.step == step);
         if let Some((closed, arc)) = closed.and_then(|one| Some((one, one.arc(self.input)?))) {
-            return dead_point(&closed, arc, arc[usize::from(sense > 0.0)]);
+            let end = arc[usize::from(sense > 0.0)];
+            return match (end - self.input).abs() <= window {
+                true => dead_point(&closed, arc, end),
+                false => self.ends(step, DeadPointKind::NearSingular),
+            };
         }
-        // So near there is just one thing to meet.
         let mut probe: State<1> = self.mechanism.blank_state();
-        let window = PASSED * self.mechanism.span();
         let mut beyond = (0..=HALVINGS)
             .rev()
             .map(|halved| self.input + sense * window * 0.5_f64.powi(halved));
