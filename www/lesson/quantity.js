@@ -2,6 +2,7 @@
 // read-outs of the page tell them.
 import { called } from "assur/core/names.js";
 import { calledWhole, readoutOf, symbol } from "assur/core/symbols.js";
+import { measured } from "assur/core/units.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -47,6 +48,19 @@ export function isRound(quantity) {
 export function unitOf(asked) {
   const { quantity, unit } = asked ?? {};
   return unit || (isAngle(quantity ?? "") || quantity === "input" ? "°" : "");
+}
+
+/**
+ * @param {string} question
+ * @param {number | null | undefined} within
+ * @param {string} unit
+ * @param {Words} words
+ * @returns {string} the question with the tolerance of its answer, before the question mark
+ */
+export function withTolerance(question, within, unit, words) {
+  if (!within) return question;
+  const tolerance = words.text("lesson.within", { value: measured(words.numbers.upTo(within, 6), unit) });
+  return question.endsWith("?") ? `${question.slice(0, -1)} ${tolerance}?` : `${question} ${tolerance}`;
 }
 
 /**
