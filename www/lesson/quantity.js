@@ -81,7 +81,9 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
   const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
-  return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
+  if (whole === undefined) return said;
+  // An angle swings, a length has a stroke.
+  return words.text(whole === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${whole}`, { quantity: said });
 }
 
 /**
