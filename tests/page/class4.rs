@@ -23,6 +23,9 @@ async fn its_dwell_is_measured_and_regulated() {
     page.stop_at("0").await;
     assert_eq!(dwell(&page).await, "184.289°");
     assert_eq!(page.text("out-course-stroke").await, "43.2908°");
+    // An angle swings, a length has a stroke.
+    let title = "return document.querySelector('#out-course-stroke').closest('tr').querySelector('th').textContent";
+    assert_eq!(page.ask(title).await, "swing");
     let bars = page.attribute("cyclogram", "aria-label").await.unwrap();
     assert!(bars.contains("rise") && bars.contains("dwell") && bars.contains("return"));
     let shaded = page.picture("charts").await.places(SHADE).count();

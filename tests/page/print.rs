@@ -241,7 +241,7 @@ async fn the_sheets_of_a_class_are_whole() {
     let emphasised = texts(&page, "#worksheet .sheet:first-child em").await;
     assert_eq!(emphasised, ["your", "it", "it", "III"]);
     let questions = texts(&page, "#worksheet .sheet:first-child .asked b").await;
-    assert_eq!(questions[1], "How long? (to within 0.5 mm)");
+    assert_eq!(questions[1], "How long (to within 0.5 mm)?");
     // Drawings are those of the step, where its driver stands.
     let labels = texts(&page, "#worksheet .sheet:first-child figure text").await;
     assert!(labels.contains(&"φ₁ = 120.0°".to_owned()), "{labels:?}");

@@ -130,7 +130,7 @@ test("a picture that was kept comes back behind the very same drawing, and behin
   for (const address of [HOME, `${HOME}#jansen`]) {
     const { state: found, failures } = await begin(address);
     assert.equal(found.picture, undefined);
-    assert.deepEqual(failures.map((one) => lineOf(one, wordsOf("en"))), ["The picture behind the drawing is not there any more: this browser has not kept it. Open the file that has it, or choose the picture again."]);
+    assert.deepEqual(failures.map((one) => lineOf(one, wordsOf("en"))), ["The picture behind the drawing is missing: this browser did not store it. Open the file that contains it, or choose the picture again."]);
   }
   assert.deepEqual((await begin(`${HOME}#whitworth`)).failures, []);
 });

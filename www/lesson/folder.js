@@ -2,6 +2,7 @@
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { END } from "assur/lesson/panel.js";
+import { withTolerance } from "assur/lesson/quantity.js";
 import { holds, open } from "assur/lesson/show.js";
 
 /**
@@ -128,7 +129,6 @@ export class FolderLesson {
   #step(step, index, words) {
     const { id, formula, shows, question, errata = false } = step;
     const { choices, unit = "", within, hides = [] } = question;
-    const tolerance = within ? ` ${words.text("lesson.within", { value: words.numbers.upTo(within, 3) + unit })}` : "";
     return {
       id,
       title: words.text(`${id}.title`),
@@ -144,7 +144,7 @@ export class FolderLesson {
       errata,
       tools: step,
       question: {
-        text: words.text(`${id}.question`) + tolerance,
+        text: withTolerance(words.text(`${id}.question`), within, unit, words),
         unit,
         hides,
         options: choices ? choices.map((choice) => ({ value: choice, text: words.text(`${id}.choice.${choice}`) })) : null,

@@ -71,6 +71,10 @@ for (const [id, answers] of Object.entries(ANSWERS)) {
         assert.ok(shows.every((show) => show.text.length > 1 && !show.text.includes("show.")));
         assert.deepEqual(question.options?.map(({ value }) => value), LESSON.steps[number].question.choices);
         assert.ok(question.options?.every((option) => !option.text.includes("choice.")) ?? true);
+        // The tolerance is within the question, which is the last sentence.
+        if (LESSON.steps[number].question.within) assert.match(question.text, /^[^?]+\)\?$/);
+        // Numbers of pairs have one letter in all lessons: P₁, P₂.
+        assert.doesNotMatch(`${formula} ${text} ${question.text}`, /p[₁-₅]/);
         // A number in a formula has the decimal sign of the language.
         if (words.lang !== "en") assert.doesNotMatch(formula, /\d\.\d/);
       }

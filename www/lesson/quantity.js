@@ -2,6 +2,7 @@
 // read-outs of the page tell them.
 import { called } from "assur/core/names.js";
 import { calledWhole, readoutOf, symbol } from "assur/core/symbols.js";
+import { measured } from "assur/core/units.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -50,6 +51,19 @@ export function unitOf(asked) {
 }
 
 /**
+ * @param {string} question
+ * @param {number | null | undefined} within
+ * @param {string} unit
+ * @param {Words} words
+ * @returns {string} the question with the tolerance of its answer, before the question mark
+ */
+export function withTolerance(question, within, unit, words) {
+  if (!within) return question;
+  const tolerance = words.text("lesson.within", { value: measured(words.numbers.upTo(within, 6), unit) });
+  return question.endsWith("?") ? `${question.slice(0, -1)} ${tolerance}?` : `${question} ${tolerance}`;
+}
+
+/**
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "coordinate" | "state">} of
  * @param {Words} words
@@ -67,7 +81,9 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
   const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
-  return whole === undefined ? said : words.text(`write.whole.${whole}`, { quantity: said });
+  if (whole === undefined) return said;
+  // An angle swings, a length has a stroke.
+  return words.text(whole === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${whole}`, { quantity: said });
 }
 
 /**

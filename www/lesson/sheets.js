@@ -8,7 +8,7 @@ import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import { given } from "assur/lesson/given.js";
-import { isAngle, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
+import { isAngle, quantityName, tellers, unitOf, withTolerance } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { alone } from "assur/state/state.js";
@@ -71,8 +71,7 @@ function asked(lesson, index, name, page, words) {
   const task = shows ? taskOf(lesson, index, name, page.engine) : null;
   const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words), numbers(task, page, words)] : [];
   const { number, choice } = question ?? {};
-  const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unitOf(number)) })}` : "";
-  return stepOnPaper({ ...step, formula, question: question ? { text: question.text + tolerance, options: choice?.options ?? [] } : null }, shown);
+  return stepOnPaper({ ...step, formula, question: question ? { text: withTolerance(question.text, number?.within, unitOf(number), words), options: choice?.options ?? [] } : null }, shown);
 }
 
 /**

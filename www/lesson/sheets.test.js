@@ -51,3 +51,7 @@ test("lengths are those of the reader, and the answer is none of them", () => {
     assert.ok(!one.said.includes(one.answer.toFixed(2)), one.said);
   }
 });
+
+test("the tolerance of an answer stands before the question mark", () => {
+  assert.match(printed("crank-rocker").said, /^How much \(to within 0\.001°\)\?$/m);
+});

@@ -178,6 +178,8 @@ test("quantities are named by what their links are called in the reader’s lang
   assert.equal(named("mixer-a", "rocker.angle"), "φ₃ (коромысло)");
   assert.equal(named("mixer-a", "wheel5.angle:swing"), "размах: φ₅ (колесо 5)");
   assert.equal(named("mixer-a", "C2.x″"), "x″ (C₂)");
+  // An angle swings, a length has a stroke.
+  assert.equal(named("slider-crank", "C.x:swing"), "ход: x (C)");
 });
 
 test("read-outs that tell a quantity are those of its derivative and of the whole motion", () => {

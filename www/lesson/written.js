@@ -6,7 +6,7 @@ import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
 import { OWN, originOf } from "assur/lesson/offer.js";
-import { isRound, tellers, unitOf } from "assur/lesson/quantity.js";
+import { isRound, tellers, unitOf, withTolerance } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
@@ -122,7 +122,6 @@ export class WrittenLesson {
     const words = this.#words;
     const { engine } = this.#page;
     const unit = unitOf(number);
-    const tolerance = number?.within ? ` ${words.text("lesson.within", { value: measured(words.numbers.upTo(number.within, 6), unit) })}` : "";
     /** @type {Partial<Question>} */
     const reached = reach ? {
       reached: ({ stale, state, ...here }) => {
@@ -132,7 +131,7 @@ export class WrittenLesson {
       },
     } : {};
     return {
-      text: text + tolerance,
+      text: withTolerance(text, number?.within, unit, words),
       unit,
       hides: number?.quantity && !number.shown ? tellers(number.quantity) : [],
       options: choice ? choice.options.map((option, i) => ({ value: String(i), text: option })) : null,

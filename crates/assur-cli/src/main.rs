@@ -27,8 +27,8 @@ use source::Name;
 ///
 /// NAME is a name of the catalogue (see `assur list`) or a file: a state saved by
 /// the page, or a linkage alone; docs/file-format.md describes both. It may also be
-/// a file of Linkage (`.linkage2`) or, in quotes, a link of PMKS+ or PMKS: what of it could
-/// not be taken over as it was is told on standard error.
+/// a Linkage file (`.linkage2`) or, in quotes, a PMKS+ or PMKS link: anything that could
+/// not be imported unchanged is reported on standard error.
 ///
 /// Exit status: 0 done, 1 a file could not be read or written, 2 bad input.
 #[derive(Parser)]
@@ -69,7 +69,7 @@ enum Command {
     Structure {
         /// Catalogue name or file.
         name: Name,
-        /// For programs.
+        /// Prints JSON.
         #[arg(long)]
         json: bool,
         /// Instead of the structure, the drawing made exact, as a file
@@ -95,7 +95,7 @@ enum Command {
     Circuits {
         /// Catalogue name or file.
         name: Name,
-        /// For programs.
+        /// Prints JSON.
         #[arg(long)]
         json: bool,
     },
@@ -113,7 +113,7 @@ enum Command {
         /// else those that the way from the ground finds]
         #[arg(long, value_name = "PAIR,PAIR", value_delimiter = ',')]
         cut: Option<Vec<String>>,
-        /// For programs.
+        /// Prints JSON.
         #[arg(long)]
         json: bool,
     },

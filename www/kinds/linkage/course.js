@@ -128,6 +128,8 @@ export class CourseView {
   /** What was folded last: the mechanism and whether it has a band. */
   #folded = "";
   #name = make("caption");
+  /** What the output does from end to end: an angle swings, a length has a stroke. */
+  #travel = make("th", { scope: "row" });
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
   #shown = new Seen();
@@ -141,7 +143,8 @@ export class CourseView {
     this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
       store.update((state) => withDocument(state, { band })),
     );
-    const rows = ROWS.map((name) => make("tr", {}, [make("th", { scope: "row", "data-t": `dwell.${name}` }), this.#outputs.get(name) ?? ""]));
+    const title = (/** @type {string} */ name) => (name === "stroke" ? this.#travel : make("th", { scope: "row", "data-t": `dwell.${name}` }));
+    const rows = ROWS.map((name) => make("tr", {}, [title(name), this.#outputs.get(name) ?? ""]));
     this.#fold.append(
       make("summary", { "data-t": "dwell.heading" }),
       this.#row.element,
@@ -167,8 +170,9 @@ export class CourseView {
     if (folded !== this.#folded) this.#fold.open = Boolean(state.document.band);
     this.#folded = folded;
     this.#row.show(band ?? profile.width, words, wrong);
-    if (stale) return;
     const angle = plotted[0].endsWith(".angle");
+    write(this.#travel, words.text(angle ? "dwell.swing" : "dwell.stroke"));
+    if (stale) return;
     const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.length(words.numbers.short(value)));
     const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
     const { stroke, dwell } = profile;

@@ -122,11 +122,11 @@ export class DesignView {
     this.#wish = { arc: null, stroke: null };
     this.#progress = this.#end = null;
     this.#problems = [];
-    this.#drafts.dropAll(["design.arc", "design.stroke"]);
+    this.#drafts.dropAll(["design.arc", "design.stroke", "design.swing"]);
     this.#rows = {
       arc: new NumberRow({ field: "design.arc", id: "design-arc", symbol: "θ", role: "coupler", unit: "°" }, this.#drafts, (arc) => this.#wishes({ arc })),
       stroke: new NumberRow(
-        { field: "design.stroke", id: "design-stroke", symbol: "s", role: "coupler", unit: angle ? "°" : "" },
+        { field: angle ? "design.swing" : "design.stroke", id: "design-stroke", symbol: "s", role: "coupler", unit: angle ? "°" : "" },
         this.#drafts,
         (stroke) => this.#wishes({ stroke }),
       ),
@@ -262,12 +262,15 @@ export class DesignView {
     const { words } = this.#snapshot;
     const { numbers } = words;
     const { angle } = this.#now();
-    const said = this.#problems.map((problem) => sentence(problem, words));
+    // The engine calls that of an angle a stroke, too.
+    const swings = (/** @type {Problem} */ problem) => angle && problem.field === "design.stroke";
+    const said = this.#problems.map((problem) => sentence(swings(problem) ? { ...problem, field: "design.swing" } : problem, words));
     if (this.#progress) {
       const { judged, before, reached: { arc, stroke, residual, singularity_margin } } = this.#progress;
       said.push(words.text("design.progress", {
         judged: numbers.exact(judged),
         arc: `${numbers.upTo(degrees(arc), 2)}°`,
+        travel: words.text(angle ? "dwell.swing" : "dwell.stroke"),
         stroke: angle ? `${numbers.upTo(degrees(stroke), 2)}°` : words.length(numbers.short(stroke)),
         residual: numbers.short(residual),
         before: numbers.short(before),

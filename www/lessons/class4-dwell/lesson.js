@@ -14,19 +14,19 @@ const CLASSES = Object.freeze({ II: "ii", III: "iii", IV: "iv" });
 export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "structure",
-    formula: "W = 3n − 2p₁",
+    formula: "W = 3n − 2P₁",
     shows: [{ preset: PRESET, play: true, overlays: ["traces", "groups"] }],
     question: { whole: true, within: 0, answer: ({ counts }) => counts.lower, places: ({ counts: { links, mobility } }) => ({ links, mobility }) },
   },
   {
     id: "groups",
-    formula: "3n − 2p₁ = 0",
+    formula: "3n − 2P₁ = 0",
     shows: [{ preset: PRESET, at: () => 0, overlays: ["traces", "groups"] }],
     question: { hides: ["class", "formula"], choices: ["ii", "iii", "iv"], answer: classOf },
   },
   {
     id: "driver",
-    formula: "3n − 2p₁ = 0",
+    formula: "3n − 2P₁ = 0",
     shows: [{ preset: PRESET, drive: "CD", at: ({ home }) => home, overlays: ["traces", "groups"], plot: "AB.angle" }],
     readouts: ["formula"],
     question: { hides: ["class"], choices: ["ii", "iii", "iv"], answer: classOf },

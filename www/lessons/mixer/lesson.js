@@ -14,7 +14,7 @@ const COMPARED = Object.freeze({ at: () => Math.PI / 2, overlays: ["traces", "tr
 export const LESSON = Object.freeze({ kind: "mixer", steps: [
   {
     id: "machine",
-    formula: "W = 3n − 2p₁ − p₂",
+    formula: "W = 3n − 2P₁ − P₂",
     shows: [{ preset: "mixer-a", play: true }],
     question: { whole: true, within: 0, answer: ({ counts }) => counts.links, places: ({ counts }) => counts },
   },

@@ -86,7 +86,7 @@ pub(crate) struct Asked {
     /// teeth let gears mesh, with profile shift or without, magnets with --axis-distance, else both]
     #[arg(long, value_name = "KIND", value_parser = coupling)]
     coupling: Option<Coupling>,
-    /// For programs.
+    /// Prints JSON.
     #[arg(long)]
     json: bool,
 }

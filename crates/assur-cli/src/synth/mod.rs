@@ -50,7 +50,7 @@ pub(crate) struct Asked {
     /// The starting angles of the output link and the driver are free (exact for five positions).
     #[arg(long)]
     free: bool,
-    /// For programs.
+    /// Prints JSON.
     #[arg(long)]
     json: bool,
 }

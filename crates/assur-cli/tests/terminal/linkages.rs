@@ -205,8 +205,8 @@ fn an_absolute_angle_on_a_moving_pivot() {
         })
     };
     let part = "Links lower, frame share no point at which they could be hinged. A wheel is hinged on its carrier, and a \
-                driver turns a link against one that it is hinged on, its base (base). Where the base is the first crank, \
-                the rate (rate) is that of the link itself less 1: −1 for a link that keeps its direction.";
+                driver turns a link relative to one that it is hinged on, its base (base). If the base is the first crank, \
+                the rate (rate) is that of the link itself minus 1: −1 for a link that keeps its direction.";
     are_refused(&[("absolute", arm(json!({"crank": "lower"})), part)]);
     let kept = arm(json!({"crank": "lower", "base": "upper", "rate": -1}));
     let file = Scratch::with("kept.json", &kept.to_string());
