@@ -1,4 +1,4 @@
-//! The border in a real browser, and the engine against its tables there: all that wasm-pack runs.
+//! The border in a real browser, and the engine against its tables there.
 #![cfg(target_family = "wasm")]
 #![allow(
     clippy::unwrap_used,

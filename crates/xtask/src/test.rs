@@ -58,8 +58,8 @@ pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
     // Tools and page leave one processor idle for minutes: the steps that need neither use it.
     let page = thread::scope(|scope| {
         let page = scope.spawn(|| {
-            let page = pages(workspace).and_then(|()| tools::wasm_pack(workspace));
-            (page.map(drop), began.elapsed())
+            let page = pages(workspace);
+            (page, began.elapsed())
         });
         without_page(workspace, extent, &mut tally);
         page.join()
@@ -154,22 +154,22 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side by wasm-pack, which may fetch nothing: all it needs is set up here.
+/// The tests of the wasm side, which the runner that comes with wasm-bindgen runs in a browser.
 pub(crate) fn wasm_tests(workspace: &Workspace, browser: &Browser) -> Result<Command> {
     let bindgen = tools::wasm_bindgen(workspace)?;
-    let mut pack = workspace.command(&tools::wasm_pack(workspace)?);
-    pack.args(["test", "--headless", "--chrome", "--mode", "no-install"])
-        .arg("--chromedriver")
-        .arg(&browser.driver)
-        .arg(WASM_CRATE.1)
-        .env("PATH", tools::search_path(&bindgen)?)
-        .env("WASM_PACK_CACHE", workspace.target().join("wasm-pack"))
+    let runner = bindgen.with_file_name("wasm-bindgen-test-runner");
+    let mut tests = workspace.cargo(["test", "--target", WASM, "--package", WASM_CRATE.0]);
+    tests
+        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", runner)
+        .env("CHROMEDRIVER", &browser.driver)
+        // It would take this one first.
+        .env_remove("GECKODRIVER")
         .env(
             "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
             capabilities(workspace, browser)?,
         )
         .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
-    Ok(pack)
+    Ok(tests)
 }
 
 /// The crate's webdriver.json completed with the browser that was found: the driver by itself might

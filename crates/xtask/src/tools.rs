@@ -1,7 +1,6 @@
 //! The tools of other makers: each is looked for and, if it is not there, installed.
 
-use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
@@ -13,9 +12,8 @@ use crate::workspace::{self, Workspace};
 /// What the browser runs.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-/// Names and versions of the tools that cargo installs as they were locked.
-const WASM_PACK: [&str; 2] = ["wasm-pack", "0.15.1"];
-const GECKODRIVER: [&str; 2] = ["geckodriver", "0.37.1"];
+/// The version of the driver of Firefox.
+const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
 
@@ -60,16 +58,15 @@ pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     installed(workspace, "wasm-bindgen", "wasm-bindgen-cli", &version, &[])
 }
 
-/// wasm-pack, which runs the tests of the wasm side in a browser.
-pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<PathBuf> {
-    let [name, version] = WASM_PACK;
-    installed(workspace, name, name, version, &["--locked"])
-}
-
 /// The driver of Firefox.
 pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
-    let [name, version] = GECKODRIVER;
-    installed(workspace, name, name, version, &["--locked"])
+    installed(
+        workspace,
+        "geckodriver",
+        "geckodriver",
+        GECKODRIVER,
+        &["--locked"],
+    )
 }
 
 /// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
@@ -120,12 +117,4 @@ fn installed(
     }
     run(&mut cargo, &what)?;
     Ok(path)
-}
-
-/// PATH with the folder of a tool first, so that others find it in the right version.
-pub(crate) fn search_path(tool: &Path) -> Result<OsString> {
-    let others = env::var_os("PATH").unwrap_or_default();
-    let own = tool.parent().map(Path::to_owned);
-    env::join_paths(own.into_iter().chain(env::split_paths(&others)))
-        .context("the path of cargo's folder cannot be put into PATH")
 }
