@@ -9,15 +9,15 @@ import { single } from "./single.js";
 import { filled, site } from "./site.js";
 
 const string = Object.freeze({ type: /** @type {const} */ ("string"), default: "" });
-const { positionals, values } = parseArgs({
-  allowPositionals: true,
-  options: { root: string, target: string, site: string, more: string, version: string },
-});
-const { root, target, site: folder, more, version } = values;
+const { positionals, values } = parseArgs({ allowPositionals: true, options: { root: string, target: string, version: string } });
+const { root, target, version } = values;
+const [what, more] = positionals;
+const folder = path.join(target, more ? "site.more" : "site");
 
-/** Writes the page beside its engine, which is in `pkg` already. */
+/** Writes the page, with a folder of more lessons and kinds in a place of its own. */
 async function writeSite() {
-  write(folder, await site({ root, engine: path.join(folder, "pkg"), more: more || undefined, version }));
+  replace(folder, await site({ root, more, version }));
+  console.log(`==> page: built in ${folder}`);
 }
 
 /** Writes the page in one file, the folder for a host, and the package. */
@@ -30,14 +30,14 @@ async function writeDist() {
   const files = hosted(built, index);
   const place = path.join(to, "site");
   replace(place, await packed(files, existsSync(place) ? read(place) : new Map()));
-  pack({ root, site: folder, types: path.join(root, "target/types"), staging: path.join(target, "npm"), to: path.join(to, "npm"), version });
+  pack({ root, site: folder, staging: path.join(target, "npm"), to: path.join(to, "npm"), version });
   console.log(`==> one-file page: ${path.join(to, "assur.html")}, ${Buffer.byteLength(file)} bytes`);
   console.log(`==> folder for a host: ${place}, ${files.size} files`);
   console.log(`==> package for npm: ${path.join(to, "npm")}`);
 }
 
 try {
-  await (positionals[0] === "dist" ? writeDist() : writeSite());
+  await (what === "dist" ? writeDist() : writeSite());
 } catch (error) {
   console.error(`error: ${error instanceof Error ? error.message : error}`);
   process.exitCode = 1;

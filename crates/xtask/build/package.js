@@ -3,21 +3,22 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { read, replace } from "./files.js";
+import { ENGINE } from "./site.js";
 
 /** How the types of the border name those of saved files, in the workspace and in the package. */
 const TYPES = Object.freeze(/** @type {const} */ (['"assur/types/file.js"', '"./file.js"']));
 
 /**
- * @param {{ root: string, site: string, types: string, staging: string, to: string, version: string }} options
+ * @param {{ root: string, site: string, staging: string, to: string, version: string }} options
  */
-export function pack({ root, site, types, staging, to, version }) {
+export function pack({ root, site, staging, to, version }) {
   /** @type {Map<string, string | Buffer>} */
   const files = new Map(read(path.join(root, "crates/assur-web/npm")));
   for (const [name, content] of files) files.set(name, String(content).replaceAll("{{version}}", version));
   for (const [name, place] of [
     ["engine/assur_web.js", path.join(site, "pkg/assur_web.js")],
     ["engine/assur_web_bg.wasm", path.join(site, "pkg/assur_web_bg.wasm")],
-    ["engine/assur_web.d.ts", path.join(types, "pkg/assur_web.d.ts")],
+    ["engine/assur_web.d.ts", path.join(root, ENGINE, "assur_web.d.ts")],
     ["types/file.d.ts", path.join(root, "crates/assur-file/types.d.ts")],
     ["LICENSE-MIT", path.join(root, "LICENSE-MIT")],
     ["LICENSE-APACHE", path.join(root, "LICENSE-APACHE")],

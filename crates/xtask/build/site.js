@@ -1,4 +1,4 @@
-// The built page, as it is served: scripts bundled, style sheets joined, words of all languages in their tables, beside the engine in `pkg`.
+// The built page, as it is served: scripts bundled, style sheets joined, words of all languages in their tables, the engine in `pkg`.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { bundle as bundleStyles } from "lightningcss";
@@ -10,16 +10,19 @@ import { bundle } from "./scripts.js";
 
 const PAGE = "index.html";
 
+/** Where `cargo xtask` puts the engine with its types, in the repository. */
+export const ENGINE = "target/engine";
+
 /** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
 const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
 
 /**
- * @param {{ root: string, engine: string, more?: string, version: string }} options of the repository, of the engine's `pkg`, of
- * a folder with more lessons and kinds
- * @returns {Promise<import("./files.js").Files>} the files of the site but those of `pkg`
+ * @param {{ root: string, more?: string, version: string }} options of the repository, of a folder with more lessons and kinds
+ * @returns {Promise<import("./files.js").Files>} the files of the site
  */
-export async function site({ root, engine, more, version }) {
+export async function site({ root, more, version }) {
   const sources = list(path.join(root, "www"));
+  for (const name of ["assur_web.js", "assur_web_bg.wasm"]) sources.set(`pkg/${name}`, path.join(root, ENGINE, name));
   if (more) for (const [name, file] of list(more)) sources.set(name, file);
 
   /** @type {import("./files.js").Files} */
@@ -29,8 +32,7 @@ export async function site({ root, engine, more, version }) {
     put(`lang/${name}`, JSON.stringify(words(sources, file, path.basename(name, ".json"))));
   }
   for (const [name, page] of notes(root)) put(name, page);
-  const scripts = await bundle(new Map([...sources, ["pkg/assur_web.js", path.join(engine, "assur_web.js")]]));
-  for (const [name, script] of scripts) put(name, script);
+  for (const [name, script] of await bundle(sources)) put(name, script);
   for (const [name, file] of sources) {
     if (SOURCE.test(name)) continue;
     put(name, name.endsWith(".css") ? bundleStyles({ filename: file, minify: true }).code : readFileSync(file));

@@ -3,10 +3,11 @@
 //! are shared: a straightforward scalar closed form, natively, is one unit.
 
 use anyhow::Result;
+use xshell::cmd;
 
 use crate::browser::{Browser, Kind};
 use crate::site;
-use crate::step::{announce, output};
+use crate::step::announce;
 use crate::test::{page_test, wasm_tests};
 use crate::workspace::Workspace;
 
@@ -17,19 +18,19 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     site::set_up_and_build(workspace)?;
     site::give_away(workspace)?;
 
+    let shell = &workspace.shell;
     announce("engine, natively", "measuring");
-    let mut native = workspace.cargo(["test", "--release", "--package", "assur-web"]);
-    native.args(["--test", "speed", "--", "--nocapture"]);
-    let native = figures(&output(&mut native, "measuring")?, "speed: ");
+    let native = cmd!(
+        shell,
+        "cargo test --release --package assur-web --test speed -- --nocapture"
+    );
+    let native = figures(&native.read()?, "speed: ");
     announce("engine, in the browser", "measuring");
-    let mut wasm = wasm_tests(workspace, &browser)?;
-    wasm.args(["--release", "--test", "speed", "--", "--nocapture"]);
-    let wasm = figures(&output(&mut wasm, "measuring")?, "speed: ");
+    let wasm = wasm_tests(workspace, &browser)?.args(["--release", "--test", "speed"]);
+    let wasm = figures(&wasm.args(["--", "--nocapture"]).read()?, "speed: ");
     announce("page", "measuring");
-    let mut page = page_test(workspace, "page_speed", &browser);
-    page.args(["--", "--nocapture"])
-        .env("ASSUR_MINUTES", minutes.to_string());
-    let page = output(&mut page, "measuring")?;
+    let page = page_test(workspace, "page_speed", &browser).args(["--", "--nocapture"]);
+    let page = page.env("ASSUR_MINUTES", minutes.to_string()).read()?;
 
     let unit = native.first().map_or(f64::NAN, |(_, time)| *time);
     println!(
@@ -52,30 +53,25 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     Ok(())
 }
 
-/// The lines `PREFIX NAME = FIGURE` of what a command printed.
+/// The lines `PREFIX NAME = FIGURE` of what a command printed, wherever in them the prefix stands.
 fn figures(printed: &str, prefix: &str) -> Vec<(String, f64)> {
-    let lines = printed.lines();
-    lines.filter_map(|line| figure(line, prefix)).collect()
-}
-
-/// The name and the figure of a line, wherever in it the prefix stands.
-fn figure(line: &str, prefix: &str) -> Option<(String, f64)> {
-    let (name, figure) = line.split_once(prefix)?.1.split_once(" = ")?;
-    Some((name.to_owned(), figure.trim().parse().ok()?))
+    let figure = |line: &str| {
+        let (name, figure) = line.split_once(prefix)?.1.split_once(" = ")?;
+        Some((name.to_owned(), figure.trim().parse().ok()?))
+    };
+    printed.lines().filter_map(figure).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::figure;
+    use super::figures;
 
     #[test]
     fn figures_are_read_from_their_lines() {
-        let line = "   | speed: engine, full state = 66.10";
-        assert_eq!(
-            figure(line, "speed: "),
-            Some(("engine, full state".to_owned(), 66.1))
-        );
-        assert_eq!(figure("running 1 test", "speed: "), None);
-        assert_eq!(figure("speed: engine = fast", "speed: "), None);
+        let printed = "running 1 test
+               | speed: engine, full state = 66.10
+            speed: engine = fast";
+        let expected = [("engine, full state".to_owned(), 66.1)];
+        assert_eq!(figures(printed, "speed: "), expected);
     }
 }

@@ -2,13 +2,13 @@
 
 use std::env;
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use clap::ValueEnum;
+use xshell::cmd;
 
-use crate::step::{announce, quiet_output, run};
+use crate::step::{announce, run};
 use crate::tools;
 use crate::workspace::Workspace;
 
@@ -23,159 +23,141 @@ pub(crate) enum Kind {
 
 /// A browser and its driver.
 pub(crate) struct Browser {
-    kind: Kind,
+    facts: &'static Facts,
     pub(crate) program: PathBuf,
     pub(crate) driver: PathBuf,
 }
 
-/// One of the programs: the variable that names it, its names, and places that are not on PATH.
+/// What is known of a kind of browser.
+struct Facts {
+    name: &'static str,
+    program: Program,
+    driver: Program,
+    /// The packages of Debian that have them. Without a font a browser would draw no text.
+    packages: &'static str,
+}
+
+/// One of the programs: the variable that names it, its names on PATH and its places elsewhere.
 struct Program {
     variable: &'static str,
     names: &'static [&'static str],
-    places: &'static [&'static str],
 }
 
-const CHROME: Program = Program {
-    variable: "CHROME",
-    // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of that name does
-    // not pass on the signal by which its driver ends it: the browser would be left over.
-    names: &[
-        "/usr/lib/chromium/chromium-headless-shell",
-        "chromium-headless-shell",
-        "chromium",
-        "chromium-browser",
-        "google-chrome",
-        "chrome",
-    ],
-    places: &[
-        "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-        "/Applications/Chromium.app/Contents/MacOS/Chromium",
-        r"C:\Program Files\Google\Chrome\Application\chrome.exe",
-    ],
+const CHROMIUM: Facts = Facts {
+    name: "chromium",
+    program: Program {
+        variable: "CHROME",
+        // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of that name does
+        // not pass on the signal by which its driver ends it: the browser would be left over.
+        names: &[
+            "/usr/lib/chromium/chromium-headless-shell",
+            "chromium-headless-shell",
+            "chromium",
+            "chromium-browser",
+            "google-chrome",
+            "chrome",
+            "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+            "/Applications/Chromium.app/Contents/MacOS/Chromium",
+            r"C:\Program Files\Google\Chrome\Application\chrome.exe",
+        ],
+    },
+    driver: Program {
+        variable: "CHROMEDRIVER",
+        names: &[
+            "chromedriver",
+            "chromium.chromedriver",
+            "/usr/lib/chromium-browser/chromedriver",
+        ],
+    },
+    packages: "chromium-headless-shell chromium-driver fonts-dejavu-core",
 };
 
-const CHROMEDRIVER: Program = Program {
-    variable: "CHROMEDRIVER",
-    names: &["chromedriver", "chromium.chromedriver"],
-    places: &["/usr/lib/chromium-browser/chromedriver"],
+const FIREFOX: Facts = Facts {
+    name: "firefox",
+    program: Program {
+        variable: "FIREFOX",
+        names: &[
+            "firefox-esr",
+            "firefox",
+            "/Applications/Firefox.app/Contents/MacOS/firefox",
+            r"C:\Program Files\Mozilla Firefox\firefox.exe",
+        ],
+    },
+    // No package has it: cargo builds it.
+    driver: Program {
+        variable: "GECKODRIVER",
+        names: &["geckodriver"],
+    },
+    packages: "firefox-esr fonts-dejavu-core",
 };
-
-const FIREFOX: Program = Program {
-    variable: "FIREFOX",
-    names: &["firefox-esr", "firefox"],
-    places: &[
-        "/Applications/Firefox.app/Contents/MacOS/firefox",
-        r"C:\Program Files\Mozilla Firefox\firefox.exe",
-    ],
-};
-
-const GECKODRIVER: Program = Program {
-    variable: "GECKODRIVER",
-    names: &["geckodriver"],
-    places: &[],
-};
-
-impl Kind {
-    /// Its name, the browser, its driver, and the packages of Debian that have them.
-    fn parts(self) -> (&'static str, Program, Program, &'static [&'static str]) {
-        // Without a font the browser would draw no text. No package has the driver of Firefox.
-        match self {
-            Self::Chromium => (
-                "chromium",
-                CHROME,
-                CHROMEDRIVER,
-                &[
-                    "chromium-headless-shell",
-                    "chromium-driver",
-                    "fonts-dejavu-core",
-                ],
-            ),
-            Self::Firefox => (
-                "firefox",
-                FIREFOX,
-                GECKODRIVER,
-                &["firefox-esr", "fonts-dejavu-core"],
-            ),
-        }
-    }
-}
 
 impl Browser {
     /// Finds a browser and its driver or, where the system's packages can be installed, installs what is missing.
     pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Self> {
-        let (name, program, driver, packages) = kind.parts();
+        let facts = match kind {
+            Kind::Chromium => &CHROMIUM,
+            Kind::Firefox => &FIREFOX,
+        };
         let find = || -> Result<Option<Self>> {
-            let Some(program) = program.find()? else {
+            let Some(program) = facts.program.find()? else {
                 return Ok(None);
             };
-            let mut driver = driver.find()?;
-            if driver.is_none() && kind == Kind::Firefox {
-                driver = Some(tools::geckodriver(workspace)?);
-            }
+            let driver = match (facts.driver.find()?, kind) {
+                (None, Kind::Firefox) => Some(tools::geckodriver(workspace)?),
+                (found, _) => found,
+            };
             Ok(driver.map(|driver| Self {
-                kind,
+                facts,
                 program,
                 driver,
             }))
         };
         if let Some(found) = find()? {
-            announce(name, "already there");
+            announce(facts.name, "already there");
             return Ok(found);
         }
-        install(workspace, name, packages)?;
-        find()?.with_context(|| {
-            format!("apt-get installed {name}, which cannot be found in the usual places")
-        })
+        facts.install(workspace)?;
+        find()?.with_context(|| format!("{} is not where apt-get should put it", facts.name))
     }
 
     /// The variables by which the tests of the page find it.
     pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
-        let (name, program, driver, _) = self.kind.parts();
         [
-            ("ASSUR_BROWSER", name.as_ref()),
-            (program.variable, self.program.as_ref()),
-            (driver.variable, self.driver.as_ref()),
+            ("ASSUR_BROWSER", self.facts.name.as_ref()),
+            (self.facts.program.variable, self.program.as_ref()),
+            (self.facts.driver.variable, self.driver.as_ref()),
         ]
     }
 }
 
-fn install(workspace: &Workspace, name: &str, packages: &[&str]) -> Result<()> {
-    let variables =
-        "or name what is there by the environment variables of `cargo xtask test --help`";
-    if !Path::new("/etc/debian_version").exists() || which::which("apt-get").is_err() {
-        bail!("{name} and its driver must be installed: do so, {variables}");
+impl Facts {
+    fn install(&self, workspace: &Workspace) -> Result<()> {
+        let Self { name, packages, .. } = self;
+        let shell = &workspace.shell;
+        let root = cmd!(shell, "id -u").ignore_stderr().read();
+        ensure!(
+            which::which("apt-get").is_ok() && root.is_ok_and(|user| user == "0"),
+            "{name} and its driver are missing: install them, on Debian by `apt-get install {packages}` as root, \
+             or name what is there by the environment variables of `cargo xtask test --help`"
+        );
+        announce(name, "installing by apt-get");
+        shell.set_var("DEBIAN_FRONTEND", "noninteractive");
+        run(cmd!(shell, "apt-get update"), name)?;
+        let install = cmd!(shell, "apt-get install -y --no-install-recommends");
+        run(install.args(packages.split(' ')), name)
     }
-    if quiet_output(Command::new("id").arg("-u")).is_none_or(|user| user.trim() != "0") {
-        let packages = packages.join(" ");
-        bail!("{name}: run `apt-get install {packages}` as root, {variables}");
-    }
-    announce(name, "installing by apt-get");
-    let install = ["install", "-y", "--no-install-recommends"];
-    for arguments in [&["update"][..], &[&install[..], packages].concat()] {
-        let mut apt = workspace.command("apt-get");
-        apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
-        run(&mut apt, name)?;
-    }
-    Ok(())
 }
 
 impl Program {
-    /// The variable wins, then PATH, then the other places. A variable that points nowhere is an
-    /// error: silently testing another browser would mislead.
+    /// The variable wins. One that points nowhere is an error: silently testing another browser would mislead.
     fn find(&self) -> Result<Option<PathBuf>> {
-        if let Some(named) = env::var_os(self.variable).filter(|value| !value.is_empty()) {
-            let program = which::which(&named).with_context(|| {
-                format!(
-                    "{} names `{}`, which is no program",
-                    self.variable,
-                    named.display()
-                )
-            });
-            return program.map(Some);
+        let Self { variable, names } = self;
+        if let Some(named) = env::var_os(variable).filter(|value| !value.is_empty()) {
+            let program = which::which(&named);
+            let unknown = || format!("{variable} names {named:?}, which is no program");
+            return program.with_context(unknown).map(Some);
         }
-        let on_path = self.names.iter().find_map(|name| which::which(name).ok());
-        let mut places = self.places.iter().map(PathBuf::from);
-        Ok(on_path.or_else(|| places.find(|path| path.is_file())))
+        Ok(names.iter().find_map(|name| which::which(name).ok()))
     }
 }
 

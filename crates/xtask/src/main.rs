@@ -15,13 +15,13 @@ mod workspace;
 
 use std::io::{BufRead as _, BufReader};
 use std::path::PathBuf;
-use std::process::{ExitCode, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 
 use anyhow::{Context as _, Result, bail};
 use clap::{Parser, Subcommand};
+use xshell::cmd;
 
 use crate::browser::Kind;
-use crate::test::Extent;
 use crate::workspace::Workspace;
 
 /// Sets up, builds, serves and tests Assur.
@@ -112,13 +112,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
             all,
             browser,
             words,
-        } => {
-            let extent = if *all { Extent::All } else { Extent::Quick };
-            return match browser {
-                None if words.is_empty() => test::run(&workspace, extent),
-                kind => test::run_page(&workspace, kind.unwrap_or(Kind::Chromium), extent, words),
-            };
-        }
+        } => return test::run(&workspace, *all, *browser, words),
         Task::Soak { seed } => return test::soak(&workspace, *seed),
         Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
         Task::Bundle => {
@@ -137,20 +131,20 @@ fn perform(task: &Task) -> Result<ExitCode> {
 
 /// Serves the page by `build/serve.js`, whose first line is the address, until that ends.
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
-    const WHAT: &str = "serving the page";
     site::set_up_and_build(workspace)?;
-    let mut node = workspace.node("serve.js");
-    node.arg(workspace.site())
-        .args(["--port", &port.to_string()]);
+    let (site, port) = (workspace.site(), port.to_string());
+    let node = cmd!(
+        workspace.shell,
+        "node crates/xtask/build/serve.js {site} --port {port}"
+    );
+    let mut node = Command::from(node);
     node.stdin(Stdio::piped()).stdout(Stdio::piped());
-    let mut server = node
-        .spawn()
-        .map_err(|error| step::not_started(&node, WHAT, error))?;
+    let mut server = node.spawn().context("the server cannot be started")?;
     // It ends with its input, which `wait` would close.
     let input = server.stdin.take();
     let mut url = String::new();
-    let said = server.stdout.take().context(WHAT)?;
-    BufReader::new(said).read_line(&mut url).context(WHAT)?;
+    let said = server.stdout.take().context("the server has no output")?;
+    BufReader::new(said).read_line(&mut url)?;
     let url = url.trim_end();
     if !url.is_empty() {
         println!("The page is at {url} (Ctrl-C stops it)");
@@ -162,7 +156,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
             eprintln!("No browser could be opened ({error}); open the address by hand.");
         }
     }
-    let status = server.wait().context(WHAT)?;
+    let status = server.wait()?;
     drop(input);
-    bail!("the server ended with {}", step::ending(status.code()))
+    bail!("the server ended with {status}")
 }

@@ -5,8 +5,9 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
+use xshell::Cmd;
 
-use crate::step::{announce, ending, not_started, spelled};
+use crate::step::announce;
 
 /// The outcome of one step.
 struct Entry {
@@ -36,12 +37,11 @@ impl Tally {
     }
 
     /// Runs a command that runs tests, each counted.
-    pub(crate) fn tests(&mut self, name: &str, command: Result<Command>) {
+    pub(crate) fn tests(&mut self, name: &str, command: Result<Cmd>) {
         let began = Instant::now();
         announce(name, "running");
         let mut count = [0; 2];
-        let ran = command
-            .and_then(|mut command| run_tests(&mut command, name, &mut count, &mut io::stdout()));
+        let ran = command.and_then(|command| run_tests(command, &mut count, io::stdout()));
         self.add(name, count, &ran, began.elapsed());
     }
 
@@ -93,16 +93,10 @@ impl Tally {
 }
 
 /// Runs a command that runs tests; its output is passed on while passed and failed ones are counted.
-fn run_tests(
-    command: &mut Command,
-    what: &str,
-    count: &mut [u32; 2],
-    out: &mut impl Write,
-) -> Result<()> {
-    let mut child = command
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|error| not_started(command, what, error))?;
+fn run_tests(command: Cmd, count: &mut [u32; 2], mut out: impl Write) -> Result<()> {
+    let mut command = Command::from(command);
+    let child = command.stdout(Stdio::piped()).spawn();
+    let mut child = child.context("it cannot be started")?;
     let output = child.stdout.take().context("no output")?;
     for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
@@ -113,11 +107,10 @@ fn run_tests(
         }
     }
     let status = child.wait().context("its end is unknown")?;
-    let spelled = spelled(command);
     match *count {
-        _ if !status.success() => bail!("`{spelled}` ended with {}", ending(status.code())),
-        [_, failed] if failed > 0 => bail!("`{spelled}` reported failed tests and yet ended well"),
-        [0, _] => bail!("`{spelled}` ended well but ran no test"),
+        _ if !status.success() => bail!("it ended with {status}"),
+        [_, failed] if failed > 0 => bail!("it reported failed tests and yet ended well"),
+        [0, _] => bail!("it ended well but ran no test"),
         _ => Ok(()),
     }
 }
@@ -149,6 +142,7 @@ fn counted(line: &str) -> [u32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use xshell::{Shell, cmd};
 
     #[test]
     fn results_of_the_runners_are_read() {
@@ -192,25 +186,24 @@ mod tests {
 
     #[test]
     fn a_step_that_ends_otherwise_than_by_its_tests_fails() {
+        let shell = Shell::new().unwrap();
         for (expected, reason, script) in [
             ([7, 0], "", "console.log('ℹ pass 7')"),
             (
                 [7, 0],
-                "exit code 3",
+                "status: 3",
                 "console.log('ℹ pass 7'); process.exit(3)",
             ),
             (
                 [0, 2],
-                "exit code 1",
+                "status: 1",
                 "console.log('ℹ fail 2'); process.exit(1)",
             ),
             ([0, 2], "yet ended well", "console.log('ℹ fail 2')"),
             ([0, 0], "ran no test", ""),
         ] {
-            let mut node = Command::new("node");
-            node.args(["-e", script]);
             let mut count = [0; 2];
-            let ran = run_tests(&mut node, "step", &mut count, &mut io::sink());
+            let ran = run_tests(cmd!(shell, "node -e {script}"), &mut count, io::sink());
             assert_eq!(count, expected, "{script}");
             let given = ran.err().map_or(String::new(), |error| error.to_string());
             assert!(given.contains(reason), "{script}: {given}");

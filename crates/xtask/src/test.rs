@@ -1,14 +1,14 @@
 //! Every test, in one run: what a change is judged by.
 
-use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow};
-use serde_json::Value;
+use serde_json::{Value, json};
+use xshell::{Cmd, Shell, cmd};
 
 use crate::browser::{Browser, Kind};
 use crate::site;
@@ -20,62 +20,65 @@ use crate::workspace::Workspace;
 /// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
 const WASM_TIME: &str = "300";
 
-/// The crate that has the tests of the wasm side: package and directory.
-const WASM_CRATE: (&str, &str) = ("assur-web", "crates/assur-web");
-
-/// The programs of tests, by name: `--tests` and `--all-targets` leave out those that need a browser.
-const PROGRAMS: [&str; 4] = ["native", "integration", "border", "page"];
-
 /// Factor on the counts of random input in a run of everything.
 const ALL_SCALE: &str = "10";
 
 /// The tests of `soak`: a name, words of the tests, and the factor on their counts.
-const SOAKED: [(&str, &str, u32); 2] = [
-    ("200,000 drawings", "any_drawing::", 200),
-    ("100,000 damaged files", "damaged::", 20),
+const SOAKED: [(&str, &str, &str); 2] = [
+    ("200,000 drawings", "any_drawing::", "200"),
+    ("100,000 damaged files", "damaged::", "20"),
 ];
 
-/// The part of all tests that is run.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extent {
-    /// At counts of random input that find faults, the page in Chromium.
-    Quick,
-    /// Also the tests marked `ignore`, at ten times the counts, and the page in Firefox.
-    All,
+/// Runs all steps or, where a browser or words are given, only page tests, whose names hold one of the words. With
+/// `all` also those marked `ignore`, at more random input.
+pub(crate) fn run(
+    workspace: &Workspace,
+    all: bool,
+    kind: Option<Kind>,
+    words: &[String],
+) -> Result<ExitCode> {
+    if all {
+        workspace.shell.set_var("ASSUR_SCALE", ALL_SCALE);
+    }
+    if kind.is_none() && words.is_empty() {
+        return run_steps(workspace, all);
+    }
+    let browser = Browser::find_or_install(workspace, kind.unwrap_or(Kind::Chromium))?;
+    pages(workspace)?;
+    let mut tally = Tally::default();
+    let tests = page_tests(workspace, &browser, all, words);
+    tally.tests("page tests", Ok(tests));
+    ended(&tally)
 }
 
 /// Runs every step even if an earlier one failed; without a page those that need it are left out.
-pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
+fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
     tools::components(workspace)?;
     tools::wasm_target(workspace)?;
-    let chromium = Browser::find_or_install(workspace, Kind::Chromium)?;
-    let firefox = (extent == Extent::All)
-        .then(|| Browser::find_or_install(workspace, Kind::Firefox))
-        .transpose()?;
+    let find = |kind| Browser::find_or_install(workspace, kind);
+    let chromium = find(Kind::Chromium)?;
+    let firefox = all.then(|| find(Kind::Firefox)).transpose()?;
 
     let mut tally = Tally::default();
     let began = Instant::now();
     // Tools and page leave one processor idle for minutes: the steps that need neither use it.
-    let page = thread::scope(|scope| {
-        let page = scope.spawn(|| {
-            let page = pages(workspace);
-            (page, began.elapsed())
-        });
-        without_page(workspace, extent, &mut tally);
-        page.join()
-    });
+    let building = workspace.clone();
+    let page = thread::spawn(move || (pages(&building), began.elapsed()));
+    without_page(workspace, all, &mut tally);
+    let page = page.join();
     let (page, took) = page.map_err(|_| anyhow!("the build of the page stopped"))?;
     tally.step("page", &page, took);
     if page.is_ok() {
-        let tests = wasm_tests(workspace, &chromium);
-        tally.tests("wasm tests in the browser", tests);
+        tally.tests(
+            "wasm tests in the browser",
+            wasm_tests(workspace, &chromium),
+        );
         tally.check("types of the scripts", || types(workspace));
-        let tests = node_tests(workspace, extent);
-        tally.tests("tests of the scripts in Node", tests);
-        let tests = page_tests(workspace, &chromium, extent, &[]);
+        tally.tests("tests of the scripts in Node", node_tests(workspace));
+        let tests = page_tests(workspace, &chromium, all, &[]);
         tally.tests("page tests in Chromium", Ok(tests));
         if let Some(firefox) = firefox {
-            let tests = page_tests(workspace, &firefox, extent, &[]);
+            let tests = page_tests(workspace, &firefox, all, &[]);
             tally.tests("page tests in Firefox", Ok(tests));
         }
     }
@@ -85,38 +88,44 @@ pub(crate) fn run(workspace: &Workspace, extent: Extent) -> Result<ExitCode> {
 /// Builds the page, the page with one more folder, and all that is given away.
 fn pages(workspace: &Workspace) -> Result<()> {
     site::set_up_and_build(workspace)?;
-    site::build_with(workspace, &workspace.root().join("tests/data/page"))?;
+    site::build_with(workspace, &workspace.root.join("tests/data/page"))?;
     site::give_away(workspace)
 }
 
 /// The steps that need no built page.
-fn without_page(workspace: &Workspace, extent: Extent, tally: &mut Tally) {
+fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
+    let shell = &workspace.shell;
+    // By their names: `--tests` and `--all-targets` leave out programs of tests that need a browser.
+    let lint = cmd!(shell, "cargo clippy --workspace --lib --bins --test *");
+    let wasm_lint = cmd!(
+        shell,
+        "cargo clippy --package assur-web --tests --target {WASM}"
+    );
     let strict = ["--", "-D", "warnings"];
-    let mut doc = workspace.cargo(["doc", "--workspace", "--no-deps"]);
-    doc.env("RUSTDOCFLAGS", "-D warnings");
-    let programs = ["--lib", "--bins"].into_iter();
-    let programs = programs.chain(PROGRAMS.iter().flat_map(|name| ["--test", name]));
-    let mut lint = workspace.cargo(["clippy", "--workspace"]);
-    lint.args(programs.clone())
-        .args(["--test", "*speed"])
-        .args(strict);
-    let mut wasm_lint = workspace.cargo(["clippy", "--tests", "--target", WASM]);
-    wasm_lint.args(["--package", WASM_CRATE.0]).args(strict);
+    let doc = cmd!(shell, "cargo doc --workspace --no-deps").env("RUSTDOCFLAGS", "-D warnings");
     // Also the page tests, which run later, while both processors have work.
-    let mut compilation = workspace.cargo(["test", "--workspace", "--no-run"]);
-    compilation.args(programs);
-    for (name, mut command) in [
-        ("format", workspace.cargo(["fmt", "--all", "--check"])),
-        ("lint", lint),
-        ("lint of the wasm side", wasm_lint),
+    let programs = ["native", "integration", "border", "page"].map(|name| ["--test", name]);
+    let programs = programs.as_flattened();
+    let compilation = cmd!(
+        shell,
+        "cargo test --workspace --no-run --lib --bins {programs...}"
+    );
+    for (name, command) in [
+        ("format", cmd!(shell, "cargo fmt --all --check")),
+        ("lint", lint.args(strict)),
+        ("lint of the wasm side", wasm_lint.args(strict)),
         ("documentation", doc),
         ("compilation of the tests", compilation),
     ] {
-        tally.check(name, || run_step(&mut command, name));
+        tally.check(name, || run_step(command, name));
     }
+    let ignored = all.then_some("--include-ignored");
     for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
-        let cargo = workspace.cargo(["test", "--workspace", "--no-fail-fast", targets]);
-        tally.tests(name, Ok(extended(cargo, extent)));
+        let cargo = cmd!(
+            shell,
+            "cargo test --workspace --no-fail-fast {targets} -- {ignored...}"
+        );
+        tally.tests(name, Ok(cargo));
     }
 }
 
@@ -124,27 +133,10 @@ fn without_page(workspace: &Workspace, extent: Extent, tally: &mut Tally) {
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
     for (name, test, scale) in SOAKED {
-        let mut cargo = workspace.cargo(["test", "--workspace", "--tests", "--", test]);
-        cargo
-            .env("ASSUR_SCALE", scale.to_string())
-            .env("ASSUR_SEED", seed.to_string());
-        tally.tests(name, Ok(cargo));
+        let cargo = cmd!(workspace.shell, "cargo test --workspace --tests -- {test}");
+        let cargo = cargo.env("ASSUR_SCALE", scale);
+        tally.tests(name, Ok(cargo.env("ASSUR_SEED", seed.to_string())));
     }
-    ended(&tally)
-}
-
-/// Runs the page tests alone, in one browser: all, or those whose names hold one of the words.
-pub(crate) fn run_page(
-    workspace: &Workspace,
-    kind: Kind,
-    extent: Extent,
-    words: &[String],
-) -> Result<ExitCode> {
-    let browser = Browser::find_or_install(workspace, kind)?;
-    pages(workspace)?;
-    let mut tally = Tally::default();
-    let tests = page_tests(workspace, &browser, extent, words);
-    tally.tests("page tests", Ok(tests));
     ended(&tally)
 }
 
@@ -155,120 +147,88 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
 }
 
 /// The tests of the wasm side, which the runner that comes with wasm-bindgen runs in a browser.
-pub(crate) fn wasm_tests(workspace: &Workspace, browser: &Browser) -> Result<Command> {
+pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
+    let Workspace { shell, target, .. } = workspace;
     let bindgen = tools::wasm_bindgen(workspace)?;
     let runner = bindgen.with_file_name("wasm-bindgen-test-runner");
-    let mut tests = workspace.cargo(["test", "--target", WASM, "--package", WASM_CRATE.0]);
-    tests
-        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", runner)
-        .env("CHROMEDRIVER", &browser.driver)
-        // It would take this one first.
-        .env_remove("GECKODRIVER")
-        .env(
-            "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
-            capabilities(workspace, browser)?,
-        )
-        .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME);
-    Ok(tests)
-}
-
-/// The crate's webdriver.json completed with the browser that was found: the driver by itself might
-/// choose another, or none.
-fn capabilities(workspace: &Workspace, browser: &Browser) -> Result<PathBuf> {
-    let source = workspace.root().join(WASM_CRATE.1).join("webdriver.json");
-    let known = || format!("{} is not as it should be", source.display());
-    let mut value: Value = serde_json::from_str(&fs::read_to_string(&source).with_context(known)?)
-        .with_context(known)?;
-    value
-        .get_mut("goog:chromeOptions")
-        .and_then(Value::as_object_mut)
-        .with_context(known)?
-        .insert(
-            "binary".to_owned(),
-            browser.program.to_string_lossy().into(),
-        );
-    let path = workspace.target().join("webdriver.json");
-    fs::write(&path, value.to_string())
-        .with_context(|| format!("{} cannot be written", path.display()))?;
-    Ok(path)
+    // The driver by itself might choose another browser, or none.
+    let options = shell.read_file("crates/assur-web/webdriver.json")?;
+    let mut options: Value = serde_json::from_str(&options)?;
+    options["goog:chromeOptions"]["binary"] = json!(browser.program);
+    let place = target.join("webdriver.json");
+    shell.write_file(&place, options.to_string())?;
+    Ok(
+        cmd!(shell, "cargo test --package assur-web --target {WASM}")
+            .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", runner)
+            .env("CHROMEDRIVER", &browser.driver)
+            // It would take this one first.
+            .env_remove("GECKODRIVER")
+            .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", place)
+            .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME),
+    )
 }
 
 /// Checks the types of the scripts of the page and of those that build it; the build has written the types of the border.
 fn types(workspace: &Workspace) -> Result<()> {
+    let checker = "node_modules/typescript/bin/tsc";
     for project in [".", "crates/xtask/build"] {
-        let mut node = workspace.command("node");
-        let checker = node.args(["node_modules/typescript/bin/tsc", "--project", project]);
-        run_step(checker, "types of the scripts")?;
+        let node = cmd!(workspace.shell, "node {checker} --project {project}");
+        run_step(node, "types of the scripts")?;
     }
     Ok(())
 }
 
 /// The tests of the scripts in `www` and of those that build the page.
-fn node_tests(workspace: &Workspace, extent: Extent) -> Result<Command> {
-    let mut node = workspace.command("node");
-    node.args(["--import", "./tests/scripts/register.mjs"]);
-    node.args(["--test", "--test-reporter=spec"]);
-    node.arg(format!("--test-concurrency={}", processors()));
-    for folder in ["www", "crates/xtask/build"] {
-        for test in files(&workspace.root().join(folder))? {
-            node.arg(test);
-        }
-    }
-    node.env("ASSUR_SITE", workspace.site());
-    if extent == Extent::All {
-        node.env("ASSUR_SCALE", ALL_SCALE);
-    }
-    Ok(node)
+fn node_tests(workspace: &Workspace) -> Result<Cmd<'_>> {
+    let shell = &workspace.shell;
+    let mut tests = files(shell, "www".as_ref())?;
+    tests.extend(files(shell, "crates/xtask/build".as_ref())?);
+    let node = cmd!(
+        shell,
+        "node --import ./tests/scripts/register.mjs --test --test-reporter=spec"
+    );
+    let node = node
+        .arg(format!("--test-concurrency={}", processors()))
+        .args(tests);
+    Ok(node.env("ASSUR_SITE", workspace.site()))
 }
 
 /// The files `*.test.js` of a folder and of those in it.
-fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let unreadable = || format!("{} cannot be read", folder.display());
+fn files(shell: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
-    for entry in fs::read_dir(folder).with_context(unreadable)? {
-        let path = entry.with_context(unreadable)?.path();
+    for path in shell.read_dir(folder)? {
         if path.is_dir() {
-            found.extend(files(&path)?);
+            found.extend(files(shell, &path)?);
         } else if path.to_string_lossy().ends_with(".test.js") {
             found.push(path);
         }
     }
-    found.sort();
     Ok(found)
 }
 
 /// The page tests: all, or those whose names hold one of the words.
-fn page_tests(
-    workspace: &Workspace,
+fn page_tests<'a>(
+    workspace: &'a Workspace,
     browser: &Browser,
-    extent: Extent,
+    all: bool,
     words: &[String],
-) -> Command {
-    let mut test = extended(page_test(workspace, "page", browser), extent);
+) -> Cmd<'a> {
     // A test waits for its browser now and then.
-    test.arg(format!("--test-threads={}", processors() + 1));
-    test.args(words);
-    test
+    let threads = format!("--test-threads={}", processors() + 1);
+    page_test(workspace, "page", browser)
+        .args(["--", &threads])
+        .args(all.then_some("--include-ignored"))
+        .args(words)
 }
 
 /// A program of tests that opens the built page, in its forms.
-pub(crate) fn page_test(workspace: &Workspace, name: &str, browser: &Browser) -> Command {
+pub(crate) fn page_test<'a>(workspace: &'a Workspace, name: &str, browser: &Browser) -> Cmd<'a> {
     // All packages, so that nothing is compiled again with other features.
-    let mut test = workspace.cargo(["test", "--workspace", "--test", name]);
-    test.env("ASSUR_SITE", workspace.site())
+    cmd!(workspace.shell, "cargo test --workspace --test {name}")
+        .env("ASSUR_SITE", workspace.site())
         .env("ASSUR_MORE", workspace.site_with_more())
-        .env("ASSUR_BUNDLE", workspace.bundle())
-        .envs(browser.variables());
-    test
-}
-
-/// A command of `cargo test` with all that an extent asks for; what is added to it goes to the tests.
-fn extended(mut cargo: Command, extent: Extent) -> Command {
-    cargo.arg("--");
-    if extent == Extent::All {
-        cargo.arg("--include-ignored").env("ASSUR_SCALE", ALL_SCALE);
-    }
-    cargo
+        .env("ASSUR_BUNDLE", workspace.root.join("dist/assur.html"))
+        .envs(browser.variables())
 }
 
 fn processors() -> usize {
