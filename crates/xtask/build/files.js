@@ -1,6 +1,7 @@
 // Files by their paths with forward slashes, as the outputs of the build are put together from them.
 import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { lookup } from "mrmime";
 
 /** @typedef {Map<string, Buffer>} Files by their paths below one folder */
 
@@ -68,21 +69,13 @@ export function replace(folder, files) {
   renameSync(fresh, folder);
 }
 
-const MEDIA_TYPES = Object.freeze({
-  css: "text/css;charset=utf-8",
-  js: "text/javascript;charset=utf-8",
-  json: "application/json",
-  svg: "image/svg+xml",
-  png: "image/png",
-});
-
 /**
  * @param {string} name
  * @param {Buffer} content
  * @returns {string} a `data:` address that holds the file
  */
 export function dataAddress(name, content) {
-  const ending = path.extname(name).slice(1);
-  if (!(ending in MEDIA_TYPES)) throw new Error(`no media type is known for ${name}`);
-  return `data:${MEDIA_TYPES[/** @type {keyof typeof MEDIA_TYPES} */ (ending)]};base64,${content.toString("base64")}`;
+  const type = lookup(name);
+  if (!type) throw new Error(`no media type is known for ${name}`);
+  return `data:${type}${type.startsWith("text/") ? ";charset=utf-8" : ""};base64,${content.toString("base64")}`;
 }

@@ -1,7 +1,7 @@
 // The page as a folder for any host of plain files. Every file is called by the hash of what is in it, so that browsers may keep it for
 // ever; only the import map and the links of `index.html` say these names. A service worker keeps all of it for days without a network,
 // and a Content-Security-Policy lets nothing run that is not of the page. No address begins at a root: it works below any path.
-import { createHash } from "node:crypto";
+import { hash } from "node:crypto";
 import path from "node:path";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
@@ -37,7 +37,7 @@ export function hosted(built, index) {
   for (const [name, content] of built) {
     if (name.startsWith(`${NOTES}/`) || name === ELEMENT) files.set(name, content);
     if (NAMED.test(name)) continue;
-    const fixed = `${FIXED}${digest([content], "hex").slice(0, 8)}${path.extname(name)}`;
+    const fixed = `${FIXED}${hash("sha256", content).slice(0, 8)}${path.extname(name)}`;
     const other = files.get(fixed);
     if (other && !content.equals(Buffer.from(other))) throw new Error(`${name} has the hash of another file: change any of its bytes`);
     files.set(fixed, content);
@@ -53,7 +53,8 @@ export function hosted(built, index) {
   });
   const worker = text(built, `offline/${WORKER}`);
   const names = [...files.keys()].sort();
-  const build = digest([page.text(), worker, ...names.flatMap((name) => [name, files.get(name) ?? ""])], "hex").slice(0, 20);
+  const contents = [page.text(), worker, ...names.flatMap((name) => [name, files.get(name) ?? ""])].map((content) => Buffer.from(content));
+  const build = hash("sha256", Buffer.concat(contents)).slice(0, 20);
   const pages = [page.text(), ...names.filter((name) => name.endsWith(".html")).map((name) => String(files.get(name)))];
   const policy = contentSecurityPolicy(pages);
   page.setMeta('http-equiv="Content-Security-Policy"', policy);
@@ -94,22 +95,12 @@ export async function packed(files, earlier) {
 }
 
 /**
- * @param {readonly (string | Buffer)[]} parts
- * @param {import("node:crypto").BinaryToTextEncoding} encoding
- */
-function digest(parts, encoding) {
-  const hash = createHash("sha256");
-  for (const part of parts) hash.update(part);
-  return hash.digest(encoding);
-}
-
-/**
  * Lets run what is of the page, its inline scripts and style sheets by their hashes.
  * @param {readonly string[]} pages
  */
 function contentSecurityPolicy(pages) {
   const sources = (/** @type {"script" | "style"} */ element) => {
-    const hashes = pages.flatMap((page) => inline(page, element)).map((content) => ` 'sha256-${digest([content], "base64")}'`);
+    const hashes = pages.flatMap((page) => inline(page, element)).map((content) => ` 'sha256-${hash("sha256", content, "base64")}'`);
     return [...new Set(hashes)].sort().join("");
   };
   return (
