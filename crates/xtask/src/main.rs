@@ -95,13 +95,10 @@ enum Task {
 }
 
 fn main() -> ExitCode {
-    match perform(&Arguments::parse().task) {
-        Ok(code) => code,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
-    }
+    perform(&Arguments::parse().task).unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::FAILURE
+    })
 }
 
 fn perform(task: &Task) -> Result<ExitCode> {

@@ -119,22 +119,15 @@ fn run_tests(command: Cmd, count: &mut [u32; 2], mut out: impl Write) -> Result<
 /// wasm-bindgen, `ℹ pass 3` and `ℹ fail 0` of Node.
 fn counted(line: &str) -> [u32; 2] {
     let line = anstream::adapter::strip_str(line).to_string();
-    let words: Vec<&str> = line.split([' ', ';']).collect();
+    let words = line.split_whitespace();
+    let words: Vec<&str> = words.map(|word| word.trim_end_matches(';')).collect();
     let number = |word: &str| word.parse().unwrap_or(0);
     match words[..] {
         ["ℹ", "pass", passed] => [number(passed), 0],
         ["ℹ", "fail", failed] => [0, number(failed)],
-        [
-            "test",
-            "result:",
-            _,
-            passed,
-            "passed",
-            "",
-            failed,
-            "failed",
-            ..,
-        ] => [number(passed), number(failed)],
+        ["test", "result:", _, passed, "passed", failed, "failed", ..] => {
+            [number(passed), number(failed)]
+        }
         _ => [0; 2],
     }
 }
