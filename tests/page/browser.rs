@@ -6,6 +6,7 @@ use std::{env, fs};
 
 use serde_json::{Value, json};
 use thirtyfour::action_chain::ActionChain;
+use thirtyfour::common::command::Command;
 use thirtyfour::error::WebDriverErrorInner;
 use thirtyfour::prelude::*;
 
@@ -229,7 +230,8 @@ impl Page {
 
     /// Hands on the page, where the client has no words for them: a sequence of actions for each.
     pub(crate) async fn act(&self, hands: Value) {
-        firefox::act(&self.driver, hands).await;
+        let hands = Command::PerformActions(hands.into());
+        self.driver.cmd(hands).await.unwrap();
         self.settle().await;
     }
 
@@ -297,21 +299,23 @@ impl Page {
 
     /// Waits until something holds.
     pub(crate) async fn until(&self, what: &str, holds: impl AsyncFn() -> bool) {
-        let start = Instant::now();
-        while !holds().await {
-            assert!(start.elapsed() < PATIENCE, "waited in vain for {what}");
-            tokio::time::sleep(LOOK).await;
-        }
+        self.seen(what, async || holds().await.then_some(())).await;
     }
 
     /// An element, which is awaited: parts of the page are built when they are first shown.
     pub(crate) async fn element(&self, id: &str) -> WebElement {
+        let found = async || self.driver.find(By::Id(id)).await.ok();
+        self.seen(id, found).await
+    }
+
+    /// Looks for something until it is there.
+    async fn seen<T>(&self, what: &str, look: impl AsyncFn() -> Option<T>) -> T {
         let start = Instant::now();
         loop {
-            match self.driver.find(By::Id(id)).await {
-                Ok(element) => return element,
-                Err(_) => assert!(start.elapsed() < PATIENCE, "no element {id}"),
+            if let Some(seen) = look().await {
+                return seen;
             }
+            assert!(start.elapsed() < PATIENCE, "waited in vain for {what}");
             tokio::time::sleep(LOOK).await;
         }
     }
@@ -426,12 +430,12 @@ pub(crate) fn plain(text: &str) -> String {
 /// A value whose texts have plain spaces.
 fn spaced(value: Value) -> Value {
     match value {
-        Value::String(text) => Value::String(plain(&text)),
+        Value::String(text) => plain(&text).into(),
         Value::Array(all) => all.into_iter().map(spaced).collect(),
-        Value::Object(all) => all
-            .into_iter()
-            .map(|(name, one)| (name, spaced(one)))
-            .collect(),
+        Value::Object(all) => {
+            let all = all.into_iter().map(|(name, one)| (name, spaced(one)));
+            all.collect()
+        }
         other => other,
     }
 }

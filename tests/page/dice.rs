@@ -14,8 +14,4 @@ impl Dice {
     pub(crate) fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
         &of[self.below(of.len())]
     }
-
-    pub(crate) fn text(&mut self, of: &[&'static str]) -> &'static str {
-        of[self.below(of.len())]
-    }
 }

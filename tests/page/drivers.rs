@@ -3,6 +3,7 @@
 use assur::mechanism::{Draft, Mechanism};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument};
+use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::Value;
 
 use crate::browser::Page;
@@ -32,17 +33,11 @@ fn address() -> String {
     document.plots = vec!["BC.angle".to_owned()];
     let document = serde_json::to_value(Document::Linkage(document)).unwrap();
     let parts = document["document"].as_object().unwrap().iter();
-    let written = |value: &Value| {
-        let bytes = value.to_string().into_bytes();
-        let coded = bytes.iter().map(|byte| match byte {
-            b'0'..=b'9' | b'a'..=b'z' | b'A'..=b'Z' | b'.' | b'-' => char::from(*byte).to_string(),
-            other => format!("%{other:02X}"),
-        });
-        coded.collect::<String>()
+    let written = |(key, value): (&String, &Value)| {
+        let value = value.to_string();
+        format!("&d.{key}={}", utf8_percent_encode(&value, NON_ALPHANUMERIC))
     };
-    let parts: String = parts
-        .map(|(key, value)| format!("&d.{key}={}", written(value)))
-        .collect();
+    let parts: String = parts.map(written).collect();
     format!(
         "#2&kind=linkage{parts}&v.phi_deg=40&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.lang=en"
     )

@@ -9,15 +9,13 @@ use crate::browser::setting;
 
 /// The address of the page as `cargo xtask serve` serves it.
 pub(crate) fn home() -> &'static str {
-    static HOME: LazyLock<Host> =
-        LazyLock::new(|| Host::start(setting("ASSUR_SITE").as_ref(), "/"));
+    static HOME: LazyLock<Host> = LazyLock::new(|| Host::of("ASSUR_SITE"));
     &HOME.url
 }
 
 /// The address of the page with one more folder of lessons and kinds.
 pub(crate) fn more() -> &'static str {
-    static MORE: LazyLock<Host> =
-        LazyLock::new(|| Host::start(setting("ASSUR_MORE").as_ref(), "/"));
+    static MORE: LazyLock<Host> = LazyLock::new(|| Host::of("ASSUR_MORE"));
     &MORE.url
 }
 
@@ -33,6 +31,11 @@ pub(crate) struct Host {
 }
 
 impl Host {
+    /// The folder that an environment variable names.
+    fn of(name: &str) -> Self {
+        Self::start(setting(name).as_ref(), "/")
+    }
+
     pub(crate) fn start(root: &Path, below: &str) -> Self {
         let script = assur_tests::files::root().join("crates/xtask/build/serve.js");
         let mut node = Command::new("node");
@@ -69,14 +72,5 @@ impl Host {
         let mut answer = String::new();
         said.read_line(&mut answer).unwrap();
         assert_eq!(answer.trim_end(), line);
-    }
-}
-
-impl Drop for Host {
-    fn drop(&mut self) {
-        if let Ok((server, _)) = self.server.get_mut() {
-            drop(server.stdin.take());
-            let _ = server.wait();
-        }
     }
 }

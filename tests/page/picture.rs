@@ -46,13 +46,8 @@ impl Picture {
 
     /// The places of pixels of a colour.
     pub(crate) fn places(&self, colour: [u8; 3]) -> impl Iterator<Item = (usize, usize)> {
-        let alike =
-            move |pixel: &[u8; 3]| pixel.iter().zip(colour).all(|(a, b)| a.abs_diff(b) <= 6);
-        let found = self
-            .rgb
-            .iter()
-            .enumerate()
-            .filter(move |(_, pixel)| alike(pixel));
+        let all = self.rgb.iter().enumerate();
+        let found = all.filter(move |(_, pixel)| alike(**pixel, colour, 6));
         found.map(|(index, _)| (index % self.width, index / self.width))
     }
 
@@ -91,19 +86,19 @@ impl Picture {
     pub(crate) fn difference(&self, other: &Self) -> usize {
         assert_eq!((self.width, self.height), (other.width, other.height));
         let pairs = self.rgb.iter().zip(&other.rgb);
-        pairs
-            .filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 24))
-            .count()
+        pairs.filter(|(a, b)| !alike(**a, **b, 24)).count()
     }
 
     /// Mean brightness distance from the paper: how strongly things are drawn.
     pub(crate) fn ink(&self) -> f64 {
-        let dark = self
-            .rgb
-            .iter()
-            .map(|pixel| pixel.iter().map(|c| 255.0 - f64::from(*c)).sum::<f64>());
+        let dark = self.rgb.as_flattened().iter().map(|c| f64::from(255 - c));
         dark.sum::<f64>() / self.rgb.len() as f64
     }
+}
+
+/// Whether two colours differ by no more than so much in each channel.
+fn alike(a: [u8; 3], b: [u8; 3], by: u8) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= by)
 }
 
 /// The angle between two directions modulo 180, degrees.

@@ -174,7 +174,7 @@ impl Hand<'_> {
                 self.page.screen(size, 1.0).await;
             }
             1 => {
-                let address = self.dice.text(ADDRESSES);
+                let address = *self.dice.one(ADDRESSES);
                 self.note(format!("address {address}"));
                 let script = format!("location.hash = {};", json!(address));
                 self.page.ask(&script).await;
@@ -228,7 +228,7 @@ impl Hand<'_> {
                 self.mouse("mouseReleased", to, json!({})).await;
             }
             "text" | "search" | "textarea" => {
-                let text = self.dice.text(TYPED);
+                let text = *self.dice.one(TYPED);
                 self.note(format!("type {id} {text}"));
                 self.click(at).await;
                 self.key(("a", 65), 2).await;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use http::Method;
-use serde_json::{Value, json};
+use serde_json::json;
 use thirtyfour::common::capabilities::firefox::FirefoxPreferences;
 use thirtyfour::common::command::FormatRequestData;
 use thirtyfour::prelude::*;
@@ -64,36 +64,21 @@ pub(super) async fn prepare(
     within(driver, &script).await
 }
 
-/// A command that the client does not know.
+/// The command by which scripts are run with other rights, which the client does not know.
 #[derive(Debug)]
-struct Plain {
-    endpoint: &'static str,
-    body: Value,
-}
+struct Context(&'static str);
 
-impl FormatRequestData for Plain {
+impl FormatRequestData for Context {
     fn format_request(&self, session: &SessionId) -> RequestData {
-        let uri = format!("session/{session}/{}", self.endpoint);
-        RequestData::new(Method::POST, uri).add_body(self.body.clone())
+        let uri = format!("session/{session}/moz/context");
+        RequestData::new(Method::POST, uri).add_body(json!({ "context": self.0 }))
     }
-}
-
-/// Puts hands on the page: sequences of actions, one for each hand.
-pub(super) async fn act(driver: &WebDriver, hands: Value) {
-    let body = json!({ "actions": hands });
-    let endpoint = "actions";
-    driver.cmd(Plain { endpoint, body }).await.unwrap();
 }
 
 /// Runs a script with the browser's own rights, for what no protocol can ask for.
 pub(crate) async fn within(driver: &WebDriver, script: &str) -> WebDriverResult<()> {
-    for (context, script) in [("chrome", Some(script)), ("content", None)] {
-        let endpoint = "moz/context";
-        let body = json!({ "context": context });
-        driver.cmd(Plain { endpoint, body }).await?;
-        if let Some(script) = script {
-            driver.execute(script, Vec::new()).await?;
-        }
-    }
+    driver.cmd(Context("chrome")).await?;
+    driver.execute(script, Vec::new()).await?;
+    driver.cmd(Context("content")).await?;
     Ok(())
 }

@@ -36,14 +36,13 @@ impl Line {
     }
 
     /// Opens an empty window of 1280 by 800 pixels with a storage of its own, and returns the name of that.
-    pub(super) async fn window(&self, driver: &WebDriver) -> Result<String, String> {
+    pub(super) async fn window(&self, driver: &WebDriver) -> WebDriverResult<String> {
         let context = self.ask("browser.createUserContext", json!({})).await?;
         let context = context["userContext"].clone();
         let tab = json!({ "type": "tab", "userContext": context });
         let window = self.ask("browsingContext.create", tab).await?["context"].clone();
         let name = window.as_str().unwrap_or_default().to_owned();
-        let switched = driver.switch_to_window(name.into()).await;
-        switched.map_err(|error| error.to_string())?;
+        driver.switch_to_window(name.into()).await?;
         *locked(&self.window) = window;
         self.screen((1280, 800), 1.0).await?;
         locked(&self.said).clear();
@@ -51,7 +50,7 @@ impl Line {
     }
 
     /// Closes the windows of a storage and forgets it.
-    pub(super) async fn close(&self, context: &str) -> Result<(), String> {
+    pub(super) async fn close(&self, context: &str) -> WebDriverResult<()> {
         let context = json!({ "userContext": context });
         self.ask("browser.removeUserContext", context).await?;
         Ok(())
@@ -75,7 +74,7 @@ impl Line {
         &self,
         (width, height): (u32, u32),
         ratio: f64,
-    ) -> Result<(), String> {
+    ) -> WebDriverResult<()> {
         let window = locked(&self.window).clone();
         let size = json!({ "width": width, "height": height });
         let screen = json!({ "context": window, "viewport": size, "devicePixelRatio": ratio });
@@ -83,8 +82,7 @@ impl Line {
         Ok(())
     }
 
-    async fn ask(&self, method: &str, with: Value) -> Result<Value, String> {
-        let answer = self.bidi.send_raw(method, with).await;
-        answer.map_err(|error| error.to_string())
+    async fn ask(&self, method: &str, with: Value) -> WebDriverResult<Value> {
+        Ok(self.bidi.send_raw(method, with).await?)
     }
 }

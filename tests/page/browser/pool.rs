@@ -68,11 +68,6 @@ pub(super) fn locked<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs work on the runtime that outlives the tests.
-async fn lasting<T: Send + 'static>(work: impl Future<Output = T> + Send + 'static) -> T {
-    RUNTIME.spawn(work).await.unwrap()
-}
-
 impl Window {
     /// A window of a browser with a profile. A browser that breaks where the window is opened is replaced once: the
     /// test has not begun.
@@ -91,7 +86,7 @@ impl Window {
         Self::within(Browser::start(profile).await).await.unwrap()
     }
 
-    async fn within(browser: Browser) -> Result<Self, String> {
+    async fn within(browser: Browser) -> WebDriverResult<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let folder = format!("assur-page-{}-{number}", std::process::id());
@@ -149,7 +144,8 @@ impl Browser {
         static AT_THE_END: Once = Once::new();
         AT_THE_END.call_once(|| assert!(shutdown_hooks::add_shutdown_hook(end_all)));
         let (server, port) = (0..5).find_map(|_| driver()).unwrap();
-        let (driver, line) = lasting(connected(port, profile)).await;
+        let connected = RUNTIME.spawn(connected(port, profile)).await;
+        let (driver, line) = connected.unwrap();
         let session = Session {
             driver: server,
             id: driver.handle().session_id().clone(),
@@ -164,15 +160,14 @@ impl Browser {
     }
 
     /// Opens a window with a storage of its own, and returns the name of that.
-    async fn window(&self, downloads: &Path) -> Result<String, String> {
+    async fn window(&self, downloads: &Path) -> WebDriverResult<String> {
         let Self { driver, line, .. } = self;
         let context = line.window(driver).await?;
-        let prepared = if in_firefox() {
-            firefox::prepare(driver, self.profile.calm, downloads).await
+        if in_firefox() {
+            firefox::prepare(driver, self.profile.calm, downloads).await?;
         } else {
-            chromium::prepare(driver, &context, downloads).await
-        };
-        prepared.map_err(|error| error.to_string())?;
+            chromium::prepare(driver, &context, downloads).await?;
+        }
         Ok(context)
     }
 }
