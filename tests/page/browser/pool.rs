@@ -32,7 +32,7 @@ pub(crate) struct Profile {
     pub(crate) calm: bool,
 }
 
-/// A running browser with its driver.
+/// A running browser with its driver. Both end when it is dropped.
 pub(crate) struct Browser {
     profile: Profile,
     port: u16,
@@ -91,19 +91,13 @@ impl Window {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let folder = format!("assur-page-{}-{number}", std::process::id());
         let downloads = env::temp_dir().join(folder);
+        let context = browser.window(&downloads).await?;
         fs::create_dir_all(&downloads).unwrap();
-        match browser.window(&downloads).await {
-            Ok(context) => Ok(Self {
-                browser: Some(browser),
-                context,
-                downloads,
-            }),
-            Err(error) => {
-                end(browser.port);
-                let _ = fs::remove_dir_all(&downloads);
-                Err(error)
-            }
-        }
+        Ok(Self {
+            browser: Some(browser),
+            context,
+            downloads,
+        })
     }
 
     pub(super) fn browser(&self) -> &Browser {
@@ -115,27 +109,25 @@ impl Drop for Window {
     /// Closes the window; the browser waits for the next test, unless this one failed and may have left it in any state.
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.downloads);
-        let Some(browser) = self.browser.take() else {
-            return;
-        };
-        if thread::panicking() {
-            end(browser.port);
-            return;
-        }
+        let browser = self.browser.take().filter(|_| !thread::panicking());
+        let Some(browser) = browser else { return };
         let context = std::mem::take(&mut self.context);
         RUNTIME.spawn(async move {
-            if browser.line.close(&context).await.is_err() {
-                end(browser.port);
-                return;
-            }
-            let mut waiting = locked(&WAITING_BROWSERS);
-            waiting.push(browser);
-            let surplus = (waiting.len() > WAITING).then(|| waiting.remove(0));
-            drop(waiting);
-            if let Some(surplus) = surplus {
-                end(surplus.port);
+            if browser.line.close(&context).await.is_ok() {
+                let mut waiting = locked(&WAITING_BROWSERS);
+                waiting.push(browser);
+                let surplus = (waiting.len() > WAITING).then(|| waiting.remove(0));
+                // It takes its time to end, and others wait for this list.
+                drop(waiting);
+                drop(surplus);
             }
         });
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        end(self.port);
     }
 }
 
