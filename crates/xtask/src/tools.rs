@@ -87,10 +87,10 @@ fn installed(
         .join("bin")
         .join(program)
         .with_extension(env::consts::EXE_EXTENSION);
-    let version_told = cmd!(workspace.shell, "{path} --version")
+    let there = cmd!(workspace.shell, "{path} --version")
         .ignore_stderr()
         .read();
-    if version_told.is_ok() {
+    if there.is_ok() {
         announce(&what, THERE);
         return Ok(path);
     }
