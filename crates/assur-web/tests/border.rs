@@ -1,4 +1,4 @@
-//! The border in a real browser, and the engine against its tables there.
+//! The border in a real browser, and the engine against its tables there: all that wasm-pack runs.
 #![cfg(target_family = "wasm")]
 #![allow(
     clippy::unwrap_used,

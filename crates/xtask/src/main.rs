@@ -54,8 +54,8 @@ enum Task {
     },
     /// Runs the tests that judge a change: format, lint, documentation, tests of the engine, of the scripts, of the page
     ///
-    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, the packages of npm and (on Debian,
-    /// as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
+    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack, the packages of npm and (on
+    /// Debian, as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
     /// GECKODRIVER name others. The last line says how many checks passed and failed; the exit code is 1 if any
     /// failed.
     ///

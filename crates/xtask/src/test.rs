@@ -63,7 +63,10 @@ fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
     let began = Instant::now();
     // Tools and page leave one processor idle for minutes: the steps that need neither use it.
     let building = workspace.clone();
-    let page = thread::spawn(move || (pages(&building), began.elapsed()));
+    let page = thread::spawn(move || {
+        let page = pages(&building).and_then(|()| tools::wasm_pack(&building));
+        (page.map(drop), began.elapsed())
+    });
     without_page(workspace, all, &mut tally);
     let page = page.join();
     let (page, took) = page.map_err(|_| anyhow!("the build of the page stopped"))?;
@@ -146,26 +149,26 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side, which the runner that comes with wasm-bindgen runs in a browser.
+/// The tests of the wasm side by wasm-pack, which may fetch nothing: all it needs is set up here.
 pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
     let Workspace { shell, target, .. } = workspace;
-    let bindgen = tools::wasm_bindgen(workspace)?;
-    let runner = bindgen.with_file_name("wasm-bindgen-test-runner");
+    let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));
+    let (pack, driver) = (pack?, &browser.driver);
     // The driver by itself might choose another browser, or none.
     let options = shell.read_file("crates/assur-web/webdriver.json")?;
     let mut options: Value = serde_json::from_str(&options)?;
     options["goog:chromeOptions"]["binary"] = json!(browser.program);
     let place = target.join("webdriver.json");
     shell.write_file(&place, options.to_string())?;
-    Ok(
-        cmd!(shell, "cargo test --package assur-web --target {WASM}")
-            .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", runner)
-            .env("CHROMEDRIVER", &browser.driver)
-            // It would take this one first.
-            .env_remove("GECKODRIVER")
-            .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", place)
-            .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME),
-    )
+    let tests = cmd!(
+        shell,
+        "{pack} test --headless --chrome --mode no-install --chromedriver {driver} crates/assur-web"
+    );
+    Ok(tests
+        .env("PATH", tools::search_path(&bindgen?)?)
+        .env("WASM_PACK_CACHE", target.join("wasm-pack"))
+        .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", place)
+        .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME))
 }
 
 /// Checks the types of the scripts of the page and of those that build it; the build has written the types of the border.

@@ -1,5 +1,6 @@
 //! The tools of other makers: each is looked for and, if it is not there, installed.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -12,7 +13,8 @@ use crate::workspace::{Workspace, cargo_home};
 /// What the browser runs.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-/// The version of the driver of Firefox.
+/// Versions of the tools that the code is not locked to.
+const WASM_PACK: &str = "0.15.1";
 const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
@@ -46,15 +48,29 @@ fn by_rustup(what: &str, there: bool, adding: Cmd) -> Result<()> {
     run(adding, &format!("adding {what} by rustup"))
 }
 
-/// wasm-bindgen of exactly the version the code is locked to: no other can read its output.
+/// wasm-bindgen of exactly the version the code is locked to: no other can read its output. Its own lock file is not used:
+/// the crates it shares with the code must match.
 pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     let version = workspace.locked_version("wasm-bindgen")?;
-    installed(workspace, "wasm-bindgen-cli", "wasm-bindgen", &version)
+    installed(
+        workspace,
+        "wasm-bindgen-cli",
+        "wasm-bindgen",
+        &version,
+        None,
+    )
+}
+
+/// wasm-pack, which runs the tests of the wasm side in a browser.
+pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<PathBuf> {
+    let locked = Some("--locked");
+    installed(workspace, "wasm-pack", "wasm-pack", WASM_PACK, locked)
 }
 
 /// The driver of Firefox.
 pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
-    installed(workspace, "geckodriver", "geckodriver", GECKODRIVER)
+    let locked = Some("--locked");
+    installed(workspace, "geckodriver", "geckodriver", GECKODRIVER, locked)
 }
 
 /// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
@@ -79,6 +95,7 @@ fn installed(
     package: &str,
     program: &str,
     version: &str,
+    locked: Option<&str>,
 ) -> Result<PathBuf> {
     let what = format!("{program} {version}");
     let tools = cargo_home()?.join("assur-tools");
@@ -97,7 +114,7 @@ fn installed(
     announce(&what, "installing by cargo (takes a minute or two)");
     let cargo = cmd!(
         workspace.shell,
-        "cargo install {package} --version {version} --locked --root {root} --force"
+        "cargo install {package} --version {version} {locked...} --root {root} --force"
     )
     // The tools wait for others most of the time: less optimised they are there sooner.
     .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
@@ -105,4 +122,12 @@ fn installed(
     .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
     run(cargo, &what)?;
     Ok(path)
+}
+
+/// PATH with the folder of a tool first, so that others find it in the right version.
+pub(crate) fn search_path(tool: &Path) -> Result<OsString> {
+    let others = env::var_os("PATH").unwrap_or_default();
+    let own = tool.parent().map(Path::to_owned);
+    env::join_paths(own.into_iter().chain(env::split_paths(&others)))
+        .context("the path of cargo's folder cannot be put into PATH")
 }
