@@ -22,22 +22,8 @@ mod tests {
     #[test]
     fn a_step_is_named_where_it_fails() {
         let shell = Shell::new().unwrap();
-        for (command, reason) in [
-            (
-                cmd!(shell, "no-such-program"),
-                "not found: `no-such-program`",
-            ),
-            (
-                cmd!(shell, "cargo no-such-command"),
-                "`cargo no-such-command`: 101",
-            ),
-        ] {
-            let error = run(command.ignore_stderr(), "weighing").unwrap_err();
-            let error = format!("{error:#}");
-            assert!(
-                error.starts_with("weighing failed: ") && error.ends_with(reason),
-                "{error}"
-            );
-        }
+        let error = run(cmd!(shell, "no-such-program"), "weighing").unwrap_err();
+        let said = "weighing failed: command not found: `no-such-program`";
+        assert_eq!(format!("{error:#}"), said);
     }
 }

@@ -182,19 +182,12 @@ mod tests {
         let shell = Shell::new().unwrap();
         for (expected, reason, script) in [
             ([7, 0], "", "console.log('ℹ pass 7')"),
-            (
-                [7, 0],
-                "status: 3",
-                "console.log('ℹ pass 7'); process.exit(3)",
-            ),
-            (
-                [0, 2],
-                "status: 1",
-                "console.log('ℹ fail 2'); process.exit(1)",
-            ),
+            ([7, 0], "status: 3", "console.log('ℹ pass 7'); exit(3)"),
+            ([0, 2], "status: 1", "console.log('ℹ fail 2'); exit(1)"),
             ([0, 2], "yet ended well", "console.log('ℹ fail 2')"),
             ([0, 0], "ran no test", ""),
         ] {
+            let script = format!("const {{ exit }} = process; {script}");
             let mut count = [0; 2];
             let ran = run_tests(cmd!(shell, "node -e {script}"), &mut count, io::sink());
             assert_eq!(count, expected, "{script}");
