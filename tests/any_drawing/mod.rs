@@ -19,11 +19,14 @@ use linkage::Linkage;
 /// How many drawings are compared in a quick run.
 const DRAWINGS: u64 = 1_000;
 
+/// A linkage in which a group folds, and with it one that hangs on it.
+const TWO_FOLDS: u64 = 116_566;
+
 #[test]
 fn a_motion_is_the_same_however_it_is_drawn() {
     let mut found = Found::default();
     let first = seed();
-    for seed in first..first + scaled(DRAWINGS) / same::REDRAWN as u64 {
+    for seed in (first..first + scaled(DRAWINGS) / same::REDRAWN as u64).chain([TWO_FOLDS]) {
         let parts = Linkage::parts_of(seed);
         found.linkage(seed, parts, |subject, tally| {
             same::holds(subject, seed, tally)
