@@ -1,5 +1,8 @@
-// Resolves `assur/…` as the import map of the page does: the engine is that of the built page, all other modules are the sources.
-import { pathToFileURL } from "node:url";
+// Resolves `assur/…` as the import map of the page does: the engine is that of the built page, all other modules are the sources, or lists that the
+// build makes of them.
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { list } from "../../crates/xtask/build/files.js";
+import { lists } from "../../crates/xtask/build/folders.js";
 
 const ROOT = new URL("../../", import.meta.url);
 const WWW = new URL("www/", ROOT);
@@ -12,12 +15,20 @@ const ELSEWHERE = new Map([
   ["tests", new URL("./", import.meta.url)],
 ]);
 
+/** The texts of the modules that the build makes, by their addresses. */
+const MADE = new Map([...lists(list(fileURLToPath(WWW)))].map(([name, text]) => [place(name.replace("assur/", "")).href, text]));
+
 export async function resolve(specifier, context, next) {
   const [, name] = /^assur\/(.*)$/.exec(specifier) ?? [];
   const url = name === undefined ? (await next(specifier, context)).url : place(name).href;
   // No package.json says that scripts of a browser are modules.
   const ours = name !== undefined || url.startsWith(WWW.href);
   return ours ? { url, format: "module", shortCircuit: true } : next(specifier, context);
+}
+
+export async function load(url, context, next) {
+  const source = MADE.get(url);
+  return source === undefined ? next(url, context) : { format: "module", source, shortCircuit: true };
 }
 
 /** @param {string} name after `assur/` */

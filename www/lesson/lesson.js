@@ -151,16 +151,14 @@ export class Lesson {
   /** @param {Words} words */
   async #bringWritten(words) {
     const [{ LessonPanel }, { WrittenLesson }] = await Promise.all([import("assur/lesson/panel.js"), import("assur/lesson/written.js")]);
-    const renew = () => {
+    return { show: () => {
       const { lesson } = this.#page.store.get();
       if (!lesson) return;
       this.#panel?.end();
       this.#written = lesson;
-      this.#panel = new LessonPanel(this.#place, this.#page, new WrittenLesson(lesson, this.#page, words, renew), words);
+      this.#panel = new LessonPanel(this.#place, this.#page, new WrittenLesson(lesson, this.#page, words), words);
       this.#shown = OWN;
-      this.#page.redraw();
-    };
-    return { show: renew };
+    } };
   }
 
   /**

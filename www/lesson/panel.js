@@ -33,10 +33,10 @@ import { withView } from "assur/state/state.js";
  * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
- *   frame?(step: HTMLElement[], progress: Progress): HTMLElement[], answered?(): void,
+ *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
  * Where a lesson comes from: what it is called in links, by what name its progress is kept, its steps, and what stands around them and
- * is told when an answer is another.
+ * is told when an answer is another; `renew`: called when the progress is kept by another name, gives that one.
  */
 
 /** The id of what closes a lesson and is no step of it. */
@@ -61,6 +61,8 @@ export class LessonPanel {
   #turned = false;
   /** The id of the step whose mechanism is followed. */
   #begun = "";
+  /** @type {readonly ((given: string) => void)[]} write an answer into what it is given in */
+  #fills = [];
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button" }, ["‹"]);
   #on = make("button", { id: "lesson-on", class: "control icon", type: "button" }, ["›"]);
@@ -104,13 +106,31 @@ export class LessonPanel {
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const step = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata];
-    this.#body.replaceChildren(...(source.frame?.(step, this.#progress) ?? step));
+    this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
   /** Keeps which mechanism is the step's: the page may be left. */
   #leave() {
     if (this.#begun) this.#progress.leave(this.#begun, this.#own.digest);
+  }
+
+  /**
+   * Takes the progress that is kept by another name. All that can be pressed stays where it is: a press elsewhere ends the typing of a name.
+   * @returns {Progress}
+   */
+  #renew() {
+    this.#leave();
+    this.#progress = new Progress(this.#source.name, this.steps());
+    this.#judged.clear();
+    this.#begun = "";
+    this.#begin(this.#step);
+    this.#fill();
+    this.#withhold();
+    this.#count();
+    this.#said.dataset.verdict = "past";
+    this.#page.redraw();
+    return this.#progress;
   }
 
   /** Shuts the lesson for good. */
@@ -232,6 +252,7 @@ export class LessonPanel {
     this.#check.hidden = question?.reached !== undefined;
     write(this.#legend, question?.text ?? "");
     this.#fields.replaceChildren(...(question ? this.#inputs(question) : []));
+    this.#fill();
     write(this.#check, words.text("lesson.check"));
     write(this.#reveal, words.text("lesson.reveal"));
     this.#tools.show(step.tools, () => this.#page.store.get().document);
@@ -266,9 +287,9 @@ export class LessonPanel {
    * @returns {HTMLElement[]} what the answer is given in
    */
   #inputs({ options, unit, reached }) {
+    this.#fills = [];
     if (reached) return [];
     const step = this.#step;
-    const given = this.#progress.given(step.id);
     const note = (/** @type {HTMLInputElement} */ input) => {
       this.#progress.give(step.id, input.value);
       this.#judged.delete(step.id);
@@ -279,16 +300,22 @@ export class LessonPanel {
         id: "lesson-answer", class: "control number", type: "text", inputmode: "decimal", spellcheck: "false",
         "aria-labelledby": "lesson-question", "aria-describedby": "lesson-said",
       });
-      input.value = given;
+      this.#fills = [(given) => (input.value = given)];
       input.addEventListener("input", () => note(input));
       return [make("div", { class: "lesson-answer" }, [input, unit])];
     }
     return options.map(({ value, text }) => {
       const input = make("input", { id: `lesson-${value}`, type: "radio", name: "lesson-choice", value });
-      input.checked = value === given;
+      this.#fills = [...this.#fills, (given) => (input.checked = value === given)];
       input.addEventListener("change", () => note(input));
       return make("label", { class: "choice" }, [input, make("span", {}, marked(text))]);
     });
+  }
+
+  /** Writes what was answered. */
+  #fill() {
+    const given = this.#progress.given(this.#step.id);
+    for (const fill of this.#fills) fill(given);
   }
 
   #answer() {
@@ -338,8 +365,8 @@ export class LessonPanel {
     this.#said.scrollIntoView({ block: "nearest" });
   }
 
-  /** Writes progress and what is said of the answer. */
-  #say() {
+  /** Writes how many steps are done. */
+  #count() {
     const words = this.#words;
     const step = this.#step;
     const [number, count] = [this.#steps.indexOf(step) + 1, this.steps().length].map((one) => words.numbers.exact(one));
@@ -348,6 +375,12 @@ export class LessonPanel {
     const given = shown > 0 ? `, ${words.text("lesson.shown", { count: words.numbers.exact(shown) })}` : "";
     const place = step.id === END ? words.text("lesson.end") : words.text("lesson.progress", { number, count });
     write(this.#walked, place + done + given);
+  }
+
+  /** Writes progress and what is said of the answer. */
+  #say() {
+    const step = this.#step;
+    this.#count();
     const judged = this.#judged.get(step.id);
     this.#said.dataset.verdict = judged?.verdict ?? "";
     write(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");

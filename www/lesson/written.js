@@ -1,5 +1,5 @@
 // A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
-import { make } from "assur/core/dom.js";
+import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { measured } from "assur/core/units.js";
 import { hash, nameKey } from "assur/lesson/chance.js";
@@ -49,7 +49,6 @@ export class WrittenLesson {
   id = OWN;
   #lesson;
   #page;
-  #renew;
   #words;
   #digest;
   #reader;
@@ -62,13 +61,11 @@ export class WrittenLesson {
    * @param {Written} lesson
    * @param {import("assur/app/page.js").Page} page
    * @param {Words} words
-   * @param {() => void} renew what is shown: another reader has other numbers
    */
-  constructor(lesson, page, words, renew) {
+  constructor(lesson, page, words) {
     this.#lesson = lesson;
     this.#page = page;
     this.#words = words;
-    this.#renew = renew;
     this.#digest = digestOf(lesson, page.engine);
     this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, LONGEST_NAME);
   }
@@ -154,8 +151,9 @@ export class WrittenLesson {
   /**
    * @param {HTMLElement[]} step
    * @param {Progress} progress
+   * @param {() => Progress} renew takes that of another reader
    */
-  frame(step, progress) {
+  frame(step, progress, renew) {
     this.#progress = progress;
     const { title, author, steps } = this.#lesson;
     const words = this.#words;
@@ -167,14 +165,17 @@ export class WrittenLesson {
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
     reader.value = this.#reader;
+    const varied = steps.some(({ shows }) => shows?.vary?.length);
+    const note = make("p", { class: "lesson-note" });
+    const tell = () => write(note, this.#words.text(this.#reader.trim() ? "written.own" : "written.name_first"));
+    tell();
     reader.addEventListener("change", () => {
       keepLesson(`${OWN}.${this.#digest}`, reader.value);
       this.#reader = reader.value;
-      this.#renew();
-      document.getElementById("lesson-reader")?.focus();
+      this.#progress = renew();
+      tell();
+      this.answered();
     });
-    const varied = steps.some(({ shows }) => shows?.vary?.length);
-    const note = varied ? [make("p", { class: "lesson-note" }, [words.text(this.#reader.trim() ? "written.own" : "written.name_first")])] : [];
     const copy = make("button", { id: "lesson-copy", class: "control", type: "button" }, [words.text("written.copy")]);
     copy.addEventListener("click", async () => {
       this.#code.select();
@@ -186,7 +187,7 @@ export class WrittenLesson {
       make("label", { for: "lesson-code" }, [words.text("written.code")]), this.#code,
       make("div", { class: "lesson-buttons" }, [copy, save]),
     );
-    const whose = make("div", { class: "lesson-whose" }, [make("label", { for: "lesson-reader" }, [words.text("written.reader")]), reader, ...note]);
+    const whose = make("div", { class: "lesson-whose" }, [make("label", { for: "lesson-reader" }, [words.text("written.reader")]), reader, ...(varied ? [note] : [])]);
     return [head, whose, ...step, this.#result, ...own];
   }
 

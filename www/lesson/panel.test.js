@@ -1,0 +1,105 @@
+// The panel of a lecturer's lesson: another name takes its own answers without a new panel.
+import "assur/tests/document.js";
+import assert from "node:assert/strict";
+import test, { beforeEach } from "node:test";
+import { LessonPanel } from "assur/lesson/panel.js";
+import { WrittenLesson } from "assur/lesson/written.js";
+import { withFurther, withView } from "assur/state/state.js";
+import { Page } from "assur/tests/page.js";
+import { wordsOf } from "assur/tests/words.js";
+
+const words = wordsOf("en");
+
+globalThis.MutationObserver = class MutationObserver {
+  observe() {}
+  disconnect() {}
+};
+HTMLElement.prototype.scrollIntoView = HTMLElement.prototype.focus = () => {};
+
+/** @type {Map<string, string>} */
+const texts = new Map();
+globalThis.localStorage = {
+  getItem: (key) => texts.get(key) ?? null,
+  setItem: (key, text) => texts.set(key, text),
+  removeItem: (key) => texts.delete(key),
+  key: (i) => [...texts.keys()][i] ?? null,
+  get length() {
+    return texts.size;
+  },
+};
+beforeEach(() => texts.clear());
+
+/** An opened lesson of one step; `find` is an element of the panel by its id, `type` writes into it as a person does. */
+function begin(question, vary = []) {
+  const page = new Page("mixer-a");
+  page.redraw = () => {};
+  const { kind, document: shown } = page.engine.preset("mixer-a");
+  const lesson = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document: shown, view: { phi_deg: 30 }, vary }, question: { text: "?", ...question } }] };
+  page.store.update((state) => withView(withFurther(state, { lesson }), { lesson: { id: "own", step: 1 } }));
+  const place = new HTMLElement();
+  const panel = new LessonPanel(place, page, new WrittenLesson(lesson, page, words), words);
+  const render = () => panel.render(page.model.snapshot(page.store.get(), words, true));
+  render();
+  const find = (id) => place.all.find((element) => element.attributes.id === id);
+  const type = (id, text) => {
+    const input = find(id);
+    input.value = text;
+    for (const event of ["input", "change"]) input.dispatchEvent(new Event(event));
+  };
+  const check = () => place.all.find(({ tagName }) => tagName === "FORM").dispatchEvent(new Event("submit", { cancelable: true }));
+  return { page, panel, place, find, type, check, render };
+}
+
+test("another name has its own answers, in the same elements", () => {
+  const { find, type, check, place } = begin({ number: { value: 5, within: 0.1 } });
+  type("lesson-reader", "Ada");
+  const named = () => place.all.filter(({ attributes }) => attributes.id);
+  const before = named();
+  type("lesson-answer", "5");
+  check();
+  assert.equal(find("lesson-said").dataset.verdict, "right");
+  type("lesson-reader", "Bo");
+  assert.ok(before.length > 8 && named().every((element, i) => element === before[i]));
+  assert.equal(find("lesson-answer").value, "");
+  // A verdict on another's answer is not seen; its room stays, so that a button under the pointer does.
+  assert.equal(find("lesson-said").dataset.verdict, "past");
+  assert.ok(!find("lesson-progress").textContent.includes("solved"), find("lesson-progress").textContent);
+  check();
+  assert.equal(find("lesson-said").dataset.verdict, "unread");
+  type("lesson-answer", "4");
+  check();
+  assert.equal(find("lesson-said").dataset.verdict, "not_yet");
+  type("lesson-reader", "Ada");
+  assert.equal(find("lesson-answer").value, "5");
+  assert.ok(find("lesson-code").value.length > 0);
+});
+
+test("options are chosen anew by another name, in the same elements", () => {
+  const { find, type } = begin({ choice: { options: ["a", "b"], answer: 1 } });
+  type("lesson-reader", "Ada");
+  const [first, second] = ["0", "1"].map((value) => find(`lesson-${value}`));
+  second.checked = true;
+  second.value = "1";
+  second.dispatchEvent(new Event("change"));
+  type("lesson-reader", "Bo");
+  assert.ok(first === find("lesson-0") && second === find("lesson-1"));
+  assert.deepEqual([first.checked, second.checked], [false, false]);
+  type("lesson-reader", "Ada");
+  assert.deepEqual([first.checked, second.checked], [false, true]);
+});
+
+test("the mechanism with one's own numbers is that of the new name", () => {
+  const { find, type, page, place } = begin({ number: { value: 5, within: 0.1 } }, [{ field: "l1", from: 0.3, to: 0.4, step: 0.01 }]);
+  const show = () => {
+    find("lesson-show").dispatchEvent(new Event("click"));
+    return page.store.get().document.l1;
+  };
+  type("lesson-reader", "Ada");
+  assert.equal(place.all.find(({ attributes }) => attributes.class === "lesson-note").textContent, words.text("written.own"));
+  const hers = show();
+  type("lesson-reader", "Bo");
+  const his = show();
+  type("lesson-reader", "Ada");
+  assert.notEqual(his, hers);
+  assert.equal(show(), hers);
+});
