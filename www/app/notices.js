@@ -23,10 +23,11 @@ export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_
 /** @type {readonly Failure[]} the link is so long that programs which send it may cut it */
 export const CUT = Object.freeze([{ kind: "link", problems: [{ code: "link_may_be_cut" }] }]);
 
-/** @type {Readonly<Record<"picture" | "state" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state, or keeps another tab's */
+/** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state, answers in a lesson, or keeps another tab's */
 export const UNKEPT = Object.freeze({
   picture: [{ kind: "picture", problems: [{ code: "picture_unkept" }] }],
   state: [{ kind: "store", problems: [{ code: "state_unkept" }] }],
+  lesson: [{ kind: "store", problems: [{ code: "lesson_unkept" }] }],
   tab: [{ kind: "store", problems: [{ code: "other_tab" }] }],
 });
 

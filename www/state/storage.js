@@ -25,6 +25,13 @@ const LEFT = "assur.left";
 /** Not more often than this, in milliseconds: browsers limit how often an address may change. */
 const PERIOD = 400;
 
+/** @type {Map<string, string>} what lessons gave to be kept and the browser did not take, by name: there until the page is left */
+const untaken = new Map();
+/** Whether the last that a lesson gave did fit. */
+let lessonFits = true;
+/** Says that what a lesson gave does not fit. */
+let sayUnfit = () => {};
+
 /** @returns {string | null} what was kept last */
 export function stored() {
   return guarded(() => localStorage.getItem(KEY));
@@ -35,7 +42,7 @@ export function stored() {
  * @returns {string | null} what was kept of it last
  */
 export function kept(name) {
-  return guarded(() => localStorage.getItem(`assur.${name}`));
+  return untaken.get(name) ?? guarded(() => localStorage.getItem(`assur.${name}`));
 }
 
 /**
@@ -52,9 +59,14 @@ export function keep(name, text) {
  * @param {string} text
  */
 export function keepLesson(name, text) {
-  keep(`lesson.${name}`, text);
-  const digest = lessonOf(`assur.lesson.${name}`);
+  const key = `assur.lesson.${name}`;
+  const digest = lessonOf(key);
   if (digest) guarded(() => forgetLessons(digest));
+  const fits = fit(key, text);
+  if (guarded(() => localStorage.getItem(key)) === text) untaken.delete(`lesson.${name}`);
+  else untaken.set(`lesson.${name}`, text);
+  if (lessonFits && !fits) sayUnfit();
+  lessonFits = fits;
 }
 
 /** @param {string} digest of the lesson that is worked on */
@@ -100,7 +112,7 @@ export function takeUpAddress() {
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
  * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
- * @param {(...what: ("picture" | "state" | "tab")[]) => void} unkept called where an image, or a state, does not fit into what it keeps, and
+ * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called where an image, a state, or answers in a lesson, do not fit into what it keeps, and
  * once where another tab keeps its own mechanism instead of this one
  */
 export function persist(store, address, sound, ours, unkept) {
@@ -124,6 +136,7 @@ export function persist(store, address, sound, ours, unkept) {
     }
     address.show(state);
   };
+  sayUnfit = ours ? () => unkept("lesson") : () => {};
   let alone = true;
   const hear = (/** @type {StorageEvent} */ { key, newValue }) => {
     if (key === IMAGE) images.forget();

@@ -148,3 +148,41 @@ test("of lecturers' lessons the last forty keep their answers and names, all els
   assert.deepEqual(["d0", "d0.2x", "d1", "d1.2x", "d2", "more"].map((name) => kept(`lesson.own.${name}`) !== null), [true, true, false, false, true, true]);
   assert.deepEqual([kept("lesson.mobility"), kept("lesson.written")], ["{}", "d3"]);
 });
+
+test("answers in a lesson that do not fit are said once and stay for the visit", () => {
+  const { told } = begin();
+  const answers = "x".repeat(300);
+  keepLesson("own.full.1x", "{}");
+  room = 200;
+  for (let times = 0; times < 3; times++) keepLesson("own.full.1x", answers + times);
+  keepLesson("mobility", answers);
+  assert.deepEqual([told, kept("lesson.own.full.1x"), kept("lesson.mobility")], [["lesson"], `${answers}2`, answers]);
+  // What was kept before is not given up for them.
+  assert.equal(texts.get("assur.lesson.own.full.1x"), "{}");
+  room = Infinity;
+  keepLesson("own.full.1x", "anew");
+  assert.deepEqual([kept("lesson.own.full.1x"), texts.get("assur.lesson.own.full.1x")], ["anew", "anew"]);
+  // Another tab has written since.
+  texts.set("assur.lesson.own.full.1x", "theirs");
+  assert.equal(kept("lesson.own.full.1x"), "theirs");
+  room = 200;
+  keepLesson("own.full.1x", answers);
+  assert.deepEqual(told, ["lesson", "lesson"]);
+});
+
+test("answers in a lesson stay for the visit where the browser forbids to keep them, and nothing is said", (t) => {
+  const { told } = begin();
+  t.mock.method(localStorage, "setItem", () => {
+    throw new DOMException("", "SecurityError");
+  });
+  keepLesson("own.forbidden.1x", "{}");
+  assert.deepEqual([told, kept("lesson.own.forbidden.1x")], [[], "{}"]);
+});
+
+test("a lesson's answers have the room of those that are forgotten for them", () => {
+  const { told } = begin();
+  for (let i = 0; i < 40; i++) keepLesson(`own.r${i}`, "x".repeat(100));
+  room = [...texts.values()].join("").length;
+  keepLesson("own.next", "x".repeat(90));
+  assert.deepEqual([told, texts.get("assur.lesson.own.next"), kept("lesson.own.r0")], [[], "x".repeat(90), null]);
+});
