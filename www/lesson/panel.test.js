@@ -103,3 +103,18 @@ test("the mechanism with one's own numbers is that of the new name", () => {
   assert.notEqual(his, hers);
   assert.equal(show(), hers);
 });
+
+test("the engine is asked once for an answer, however often it is told", (t) => {
+  const { page, find, type, check } = begin({ number: { quantity: "rocker.angle", within: 0.1 } });
+  const asked = t.mock.method(page.engine, "beside");
+  find("lesson-reveal").dispatchEvent(new Event("click"));
+  assert.equal(find("lesson-said").dataset.verdict, "shown");
+  assert.match(find("lesson-said").textContent, /\d°/);
+  type("lesson-answer", "1");
+  check();
+  assert.equal(find("lesson-said").dataset.verdict, "not_yet");
+  assert.equal(asked.mock.callCount(), 1);
+  type("lesson-reader", "Ada");
+  find("lesson-reveal").dispatchEvent(new Event("click"));
+  assert.equal(asked.mock.callCount(), 2);
+});

@@ -32,13 +32,23 @@ export function digestOf(lesson, engine) {
  * @returns {import("assur/lesson/panel.js").Verdict}
  */
 export function verdictOn(lesson, index, given, name, engine) {
-  const { number, choice } = lesson.steps[index].question ?? {};
+  return verdictOf(lesson.steps[index].question, given, () => attempt(() => answerOf(lesson, index, name, engine)).value ?? null);
+}
+
+/**
+ * @param {Written["steps"][number]["question"]} question
+ * @param {string} given
+ * @param {() => number | null} answer that is right, where it is a number
+ * @returns {import("assur/lesson/panel.js").Verdict}
+ */
+export function verdictOf(question, given, answer) {
+  const { number, choice } = question ?? {};
   if (choice) {
     if (given === "") return "unanswered";
     return given === String(choice.answer) ? "right" : "not_yet";
   }
   if (!number) return given === REACHED ? "right" : "not_yet";
   if (parseNumber(given) === null) return "unread";
-  const exact = attempt(() => answerOf(lesson, index, name, engine)).value ?? null;
+  const exact = answer();
   return exact === null ? "none" : judged(given, exact, number.within, isRound(number.quantity ?? ""));
 }

@@ -1,6 +1,7 @@
 // A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
+import { attempt } from "assur/core/problem.js";
 import { measured } from "assur/core/units.js";
 import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
@@ -10,7 +11,7 @@ import { isRound, tellers, unitOf, withTolerance } from "assur/lesson/quantity.j
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
-import { REACHED, WRITTEN_HERE, digestOf, verdictOn } from "assur/lesson/verdict.js";
+import { REACHED, WRITTEN_HERE, digestOf, verdictOf } from "assur/lesson/verdict.js";
 import { keepLesson, kept } from "assur/state/storage.js";
 import { usualView } from "assur/state/state.js";
 
@@ -54,6 +55,8 @@ export class WrittenLesson {
   #reader;
   /** @type {Progress | null} */
   #progress = null;
+  /** @type {Map<number, number | null>} right answers of the reader by steps, as far as the engine was asked for them */
+  #exact = new Map();
   #code = make("input", { id: "lesson-code", class: "control", type: "text", readonly: "" });
   #result = make("div", { class: "lesson-result" });
 
@@ -111,13 +114,27 @@ export class WrittenLesson {
   }
 
   /**
+   * @param {number} index of a step whose answer is a number
+   * @returns {number | null} the right one; null where there is none
+   */
+  #answer(index) {
+    if (!this.#exact.has(index)) {
+      const { value, problems } = attempt(() => answerOf(this.#lesson, index, this.#reader, this.#page.engine));
+      // Of an engine that broke down it is asked again.
+      if (problems.length > 0) return null;
+      this.#exact.set(index, value ?? null);
+    }
+    return this.#exact.get(index) ?? null;
+  }
+
+  /**
    * @param {Asked} asked
    * @param {number} index
    * @returns {Question}
    */
-  #question({ text, hint = "", number, choice, reach }, index) {
+  #question(asked, index) {
+    const { text, hint = "", number, choice, reach } = asked;
     const words = this.#words;
-    const { engine } = this.#page;
     const unit = unitOf(number);
     /** @type {Partial<Question>} */
     const reached = reach ? {
@@ -132,15 +149,15 @@ export class WrittenLesson {
       unit,
       hides: number?.quantity && !number.shown ? tellers(number.quantity) : [],
       options: choice ? choice.options.map((option, i) => ({ value: String(i), text: option })) : null,
-      judge: (given) => (reach ? "right" : verdictOn(this.#lesson, index, given, this.#reader, engine)),
+      judge: (given) => (reach ? "right" : verdictOf(asked, given, () => this.#answer(index))),
       hint: () => hint,
       right: () => {
-        const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
+        const exact = number ? this.#answer(index) : null;
         return exact === null ? "" : words.text("written.exactly", { value: measured(words.numbers.upTo(exact, 4), unit) });
       },
       answer: () => {
         if (choice) return choice.options[choice.answer] ?? null;
-        const exact = number ? answerOf(this.#lesson, index, this.#reader, engine) : null;
+        const exact = number ? this.#answer(index) : null;
         return exact === null ? null : measured(words.numbers.upTo(exact, 4), unit);
       },
       ofPage: false,
@@ -172,6 +189,7 @@ export class WrittenLesson {
     reader.addEventListener("change", () => {
       keepLesson(`${OWN}.${this.#digest}`, reader.value);
       this.#reader = reader.value;
+      this.#exact.clear();
       this.#progress = renew();
       tell();
       this.answered();
