@@ -279,7 +279,7 @@ export class Engine {
   /** What is compared with the mechanism may break down, and the instance of the module with it. */
   #outliveCompared() {
     if (!this.#compared.broken) return;
-    this.#compared.lose();
+    this.#compared.hide();
     this.#renew();
   }
 
@@ -491,7 +491,7 @@ export class Engine {
       if (Array.isArray(thrown)) throw new Refusal(thrown);
       console.error(thrown);
       this.trapped = true;
-      this.#compared.forget();
+      this.#compared.takeAnew();
       this.#renew();
       throw new Refusal([{ code: "trapped" }]);
     }

@@ -35,6 +35,10 @@ globalThis.HTMLElement = class HTMLElement extends Node {
     this.children.push(...children);
   }
 
+  prepend(...children) {
+    this.children.unshift(...children);
+  }
+
   replaceChildren(...children) {
     this.children = children;
   }
@@ -45,6 +49,19 @@ globalThis.HTMLElement = class HTMLElement extends Node {
   }
 
   remove() {}
+
+  get ownerDocument() {
+    return document;
+  }
+
+  contains(element) {
+    return element === this || this.all.includes(element);
+  }
+
+  /** @param {string} selector of an attribute: `[data-t]` */
+  querySelectorAll(selector) {
+    return this.all.filter(({ attributes }) => selector.slice(1, -1) in attributes);
+  }
 
   /** @returns {HTMLElement[]} what is in it, in the order of the document */
   get all() {

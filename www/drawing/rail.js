@@ -6,6 +6,7 @@ import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { edit, step } from "assur/drawing/edit.js";
+import { placeTraced } from "assur/state/change.js";
 
 /**
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
@@ -226,8 +227,8 @@ export class DrawingRail {
     };
     if (this.#ends(link).length < 2) return make("div");
     return make("div", { class: "draw-numbers" }, [
-      ...this.#box("length", words, () => Math.hypot(...off()), (length) => ({ edit: "stretch", link, length })),
-      ...this.#box("angle", words, () => degrees(Math.atan2(off()[1], off()[0])), (angle) => ({ edit: "turn", link, angle_deg: angle })),
+      ...this.#box("length", words, () => Math.hypot(...off()), (length) => edit(this.#page, { edit: "stretch", link, length })),
+      ...this.#box("angle", words, () => degrees(Math.atan2(off()[1], off()[0])), (angle) => edit(this.#page, { edit: "turn", link, angle_deg: angle })),
     ]);
   }
 
@@ -237,18 +238,9 @@ export class DrawingRail {
    * @param {Words} words
    */
   #carried(point, words) {
-    const tracer = () => /** @type {Document} */ (this.#page.store.get().document).tracers?.find(({ name }) => name === point);
-    const at = () => tracer()?.at ?? [0, 0];
-    /** @type {(along: number, across: number) => Edit} */
-    const wanted = (along, across) => {
-      const [[x, y] = [0, 0], [right, up] = [x + 1, y]] = this.#ends(tracer()?.link ?? "");
-      const length = Math.hypot(right - x, up - y) || 1;
-      const [cos, sin] = [(right - x) / length, (up - y) / length];
-      return { edit: "place", point, at: [x + cos * along - sin * across, y + sin * along + cos * across] };
-    };
+    const at = () => /** @type {Document} */ (this.#page.store.get().document).tracers?.find(({ name }) => name === point)?.at ?? [0, 0];
     return make("div", { class: "draw-numbers" }, [
-      ...this.#box("along", words, () => at()[0], (along) => wanted(along, at()[1])),
-      ...this.#box("across", words, () => at()[1], (across) => wanted(at()[0], across)),
+      ...["along", "across"].flatMap((what, axis) => this.#box(what, words, () => at()[axis], (value) => placeTraced(this.#page.store, point, axis, value))),
     ]);
   }
 
@@ -270,12 +262,12 @@ export class DrawingRail {
    * @param {string} what
    * @param {Words} words
    * @param {() => number} value
-   * @param {(value: number) => Edit} wanted
+   * @param {(value: number) => void} put
    */
-  #box(what, words, value, wanted) {
+  #box(what, words, value, put) {
     const input = make("input", { id: `draw-${what}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${what}` });
     const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
-      edit(this.#page, wanted(number));
+      put(number);
       this.#keep();
       return value();
     });

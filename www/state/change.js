@@ -1,6 +1,6 @@
 // What the engine changes, put into the state: fields of the document, and where the driver is.
 import { attempt } from "assur/core/problem.js";
-import { PARTS, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { PARTS, edited, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -37,6 +37,23 @@ export function change(asked, field, page) {
   const { value: changed, problems } = attempt(asked);
   if (changed) take(changed, page);
   else page.drafts.keep(field, problems);
+}
+
+/**
+ * Places a traced point on the link that carries it.
+ * @param {import("assur/state/store.js").Store<State>} store
+ * @param {string} name
+ * @param {number} axis 0: along the link from its first point to its second, 1: to the left of that
+ * @param {number} value
+ * @returns {number} the value, which the document then holds
+ */
+export function placeTraced(store, name, axis, value) {
+  for (const kind of /** @type {const} */ (["linkage", "draft"])) {
+    store.update((state) => edited(state, kind, ({ tracers = [] }) => ({
+      tracers: tracers.map((one) => (one.name === name ? { ...one, at: /** @type {[number, number]} */ (one.at.with(axis, value)) } : one)),
+    })));
+  }
+  return value;
 }
 
 /**

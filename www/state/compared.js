@@ -84,21 +84,21 @@ export class Compared {
       const readouts = values.length > 0 ? Object.fromEntries(this.#names.map((name, i) => [name, values[i]])) : null;
       return { ...this.#drawn, frame, readouts };
     } catch (thrown) {
-      this.#lost(thrown);
+      this.#noteBreak(thrown);
       return null;
     }
   }
 
-  /** A is shown no more until another one comes. */
-  lose() {
+  /** Shows A no more until another one comes. */
+  hide() {
     this.broken = false;
     this.simulator = null;
     this.#summary = null;
   }
 
   /** Its simulator is gone with the instance of the engine: A is taken anew with the next state. */
-  forget() {
-    this.lose();
+  takeAnew() {
+    this.hide();
     this.#seen = new Seen();
   }
 
@@ -119,17 +119,20 @@ export class Compared {
         this.simulator = simulator;
         return;
       } catch (thrown) {
-        this.#lost(thrown);
+        this.#noteBreak(thrown);
         discard(simulator);
       }
     }
   }
 
-  /** @param {unknown} thrown problems, or by a trap */
-  #lost(thrown) {
+  /**
+   * Notes that its simulator broke, if it did.
+   * @param {unknown} thrown problems, or by a trap
+   */
+  #noteBreak(thrown) {
     if (Array.isArray(thrown)) return;
     console.error(thrown);
-    this.lose();
+    this.hide();
     this.broken = true;
   }
 

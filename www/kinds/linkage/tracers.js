@@ -4,6 +4,7 @@ import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
+import { placeTraced } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
 /** Along the link from its first point to its second, and to the left of that. */
@@ -59,7 +60,7 @@ export class TracedPoints {
       const inputs = AXES.map((axis) => make("input", {
         id: `traced-${axis}-${index}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${axis}`,
       }));
-      this.#boxes.push(inputs.map((input, axis) => new NumberBox(input, `tracers[${index}].at ${axis}`, this.#drafts, (value) => this.#put(index, axis, value))));
+      this.#boxes.push(inputs.map((input, axis) => new NumberBox(input, `tracers[${index}].at ${axis}`, this.#drafts, (value) => placeTraced(this.#store, name, axis, value))));
       const colour = `--accent: var(--role-${role})`;
       return [
         make("div", { class: "row choosing", style: colour }, [make("b", {}, [subscript(name)]), make("span", { class: "name" }, [called(link, words)]), remove]),
@@ -69,20 +70,6 @@ export class TracedPoints {
     words.fill(this.#section);
     // A button that is there no more gives the focus away, else it would be lost.
     if (focused) (this.#list.querySelector("button") ?? byId("traces", HTMLInputElement)).focus();
-  }
-
-  /**
-   * @param {number} index of a traced point
-   * @param {number} axis
-   * @param {number} value
-   * @returns {number} what the document holds then
-   */
-  #put(index, axis, value) {
-    this.#store.update((state) => edited(state, "linkage", ({ tracers = [] }) => ({
-      tracers: tracers.map((one, i) => (i === index ? { ...one, at: /** @type {[number, number]} */ (axis === 0 ? [value, one.at[1]] : [one.at[0], value]) } : one)),
-    })));
-    const { kind, document } = this.#store.get();
-    return kind === "linkage" ? (document.tracers?.[index]?.at[axis] ?? value) : value;
   }
 
   /** @param {string} name */

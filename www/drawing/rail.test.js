@@ -1,0 +1,39 @@
+// What is told of a drawing beside it, typed into.
+import "assur/tests/document.js";
+import assert from "node:assert/strict";
+import test from "node:test";
+import { degrees } from "assur/core/angles.js";
+import { DrawingRail } from "assur/drawing/rail.js";
+import { withDocument, withView } from "assur/state/state.js";
+import { Page } from "assur/tests/page.js";
+
+/** The rail of a drawing with a traced point selected; `type` writes into one of its fields. */
+function begin(view = {}) {
+  const page = new Page("crank-rocker", view);
+  page.store.update((state) => withDocument(state, { tracers: [{ name: "P1", link: "coupler", at: [1, 0.5] }] }));
+  page.mechanism.joints = () => page.now().summary.handles?.map(({ name }, i) => ({ name, x: page.now().handles[2 * i], y: page.now().handles[2 * i + 1] })) ?? [];
+  const rail = new DrawingRail(page, { points: new Set(["P1"]), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
+  const render = () => rail.render(page.now(), page.store.get().document);
+  render();
+  const section = globalThis.document.getElementById("rail").children.at(0);
+  const type = (id, text) => {
+    const input = section.all.find(({ attributes }) => attributes.id === id);
+    input.value = text;
+    input.dispatchEvent(new Event("input"));
+    render();
+  };
+  return { page, type };
+}
+
+for (const at of [0, 1, 100]) {
+  test(`the place of a traced point on its link is what is typed, and nothing else is changed, ${at}° on`, () => {
+    const { page, type } = begin();
+    page.store.update((state) => withView(state, { phi_deg: degrees(page.now().summary.home) + at }));
+    const { document: before, view } = page.store.get();
+    type("draw-along", "1.3");
+    type("draw-across", "-0.7");
+    const { document: after, view: later } = page.store.get();
+    assert.deepEqual(after, { ...before, tracers: [{ name: "P1", link: "coupler", at: [1.3, -0.7] }] });
+    assert.deepEqual(later, view);
+  });
+}
