@@ -41,11 +41,32 @@ import init, * as module from "assur/pkg/assur_web.js";
 const LISTS = 4;
 
 /** @returns {Promise<Response>} the wasm of the engine; in the one-file page it is packed */
-export async function fetchWasm() {
+async function fetchWasm() {
   const response = await fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm"));
   if (response.headers.get("Content-Type") !== "application/gzip" || !response.body) return response;
   const unpacked = response.body.pipeThrough(new DecompressionStream("gzip"));
   return new Response(unpacked, { headers: { "Content-Type": "application/wasm" } });
+}
+
+/** @type {Promise<WebAssembly.Module> | null} */
+let compiled = null;
+
+/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; what did not arrive is asked for again */
+export function compiledWasm() {
+  if (!compiled) {
+    compiled = fetchWasm().then(compile);
+    compiled.catch(() => (compiled = null));
+  }
+  return compiled;
+}
+
+/**
+ * Compiles wasm while it arrives, where the server says that it is wasm.
+ * @param {Response} response
+ */
+async function compile(response) {
+  const streams = response.headers.get("Content-Type") === "application/wasm";
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /**
@@ -140,7 +161,7 @@ export class Engine {
 
   /** @returns {Promise<Engine>} */
   static async load() {
-    await init({ module_or_path: fetchWasm() });
+    await init({ module_or_path: compiledWasm() });
     return new Engine();
   }
 

@@ -7,6 +7,7 @@ globalThis.HTMLElement = class HTMLElement extends Node {
   children = [];
   attributes = {};
   dataset = {};
+  style = {};
   hidden = false;
   title = "";
 

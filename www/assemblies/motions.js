@@ -1,6 +1,6 @@
 // All motions of the linkage that is shown, from the worker that finds them. It is asked one thing at a time, the newest first:
 // while a length is dragged the map follows some times a second.
-import { fetchWasm } from "assur/engine.js";
+import { compiledWasm } from "assur/engine.js";
 
 /**
  * @typedef {import("assur/types/web.js").MotionsMap} MotionsMap
@@ -91,13 +91,12 @@ export class Motions {
     worker.addEventListener("message", ({ data }) => this.#hear(data));
     worker.addEventListener("error", () => this.#hear({ lost: true, broken: true }));
     try {
-      const response = await fetchWasm();
-      const wasm = await response.arrayBuffer();
+      const wasm = await compiledWasm();
       if (worker !== this.#worker) return;
       // A worker knows nothing of the linkage that another one broke at: what is asked of it waits for the map.
       const question = this.#next && "state" in this.#next ? this.#next : { revision: this.#revision, state: this.#state };
       if (question === this.#next) this.#next = null;
-      worker.postMessage({ wasm, ...question }, [wasm]);
+      worker.postMessage({ wasm, ...question });
     } catch {
       if (worker !== this.#worker) return;
       this.#next = null;

@@ -1,9 +1,10 @@
 // All motions, with the worker that finds them.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test, { afterEach } from "node:test";
 import { Motions } from "assur/assemblies/motions.js";
 import { alone, withDocument } from "assur/state/state.js";
-import { newEngine, stateOf } from "assur/tests/engine.js";
+import { WASM, newEngine, stateOf } from "assur/tests/engine.js";
 import { withoutStack } from "assur/tests/stack.js";
 import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 
@@ -26,6 +27,34 @@ function begin() {
   };
   return { motions, until };
 }
+
+// The first of all: what has arrived once is not asked for again.
+test("where the engine does not arrive the map is lost, and the next linkage gets another worker", PATIENCE, async (t) => {
+  const { motions, until } = begin();
+  const down = t.mock.method(globalThis, "fetch", async () => {
+    throw new TypeError("no net");
+  });
+  motions.of(1, rocker);
+  await until(() => motions.lost);
+  assert.equal(Worker.running.size, 0);
+  down.mock.restore();
+  motions.of(2, rocker);
+  await until(() => motions.current);
+  assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
+});
+
+test("the engine is compiled once for all workers", PATIENCE, async (t) => {
+  const asked = t.mock.method(globalThis, "fetch");
+  const sent = t.mock.method(Worker.prototype, "postMessage");
+  for (let times = 0; times < 2; times++) {
+    const { motions, until } = begin();
+    motions.of(1, rocker);
+    await until(() => motions.current);
+  }
+  assert.equal(asked.mock.callCount(), 0);
+  const [one, other] = sent.mock.calls.map(({ arguments: [data] }) => data.wasm);
+  assert.ok(one instanceof WebAssembly.Module && one === other);
+});
 
 test("the map of a linkage is found, and where its assemblies belong", PATIENCE, async () => {
   const { motions, until } = begin();
@@ -90,20 +119,6 @@ test("a linkage that the engine refuses has no map, and the next one has", PATIE
   assert.equal(motions.lost, false);
 });
 
-test("where the engine does not arrive the map is lost, and the next linkage gets another worker", PATIENCE, async (t) => {
-  const { motions, until } = begin();
-  const down = t.mock.method(globalThis, "fetch", async () => {
-    throw new TypeError("no net");
-  });
-  motions.of(1, rocker);
-  await until(() => motions.lost);
-  assert.equal(Worker.running.size, 0);
-  down.mock.restore();
-  motions.of(2, rocker);
-  await until(() => motions.current);
-  assert.deepEqual([motions.map.branches.length, motions.lost], [2, false]);
-});
-
 test("after a break at an input the next one is answered, by a worker of its own", PATIENCE, async () => {
   const { motions, until } = begin();
   motions.of(1, rocker);
@@ -120,9 +135,10 @@ test("after a break at an input the next one is answered, by a worker of its own
 
 test("a worker whose stack overflows is lost, ten in a row, and the next one answers", PATIENCE, async (t) => {
   const { motions, until } = begin();
-  const small = t.mock.method(globalThis, "fetch", async (url) => {
-    const wasm = await (await fetchFile(url)).arrayBuffer();
-    return new Response(withoutStack(new Uint8Array(wasm)), { headers: { "Content-Type": "application/wasm" } });
+  const broken = new WebAssembly.Module(withoutStack(readFileSync(WASM)));
+  const { postMessage } = Worker.prototype;
+  const small = t.mock.method(Worker.prototype, "postMessage", function (data) {
+    postMessage.call(this, { ...data, ...(data.wasm && { wasm: broken }) });
   });
   for (let times = 0; times < 10; times++) {
     motions.of(times + 1, times % 2 ? rocker : class4);

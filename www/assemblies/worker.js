@@ -8,7 +8,7 @@ let motions = null;
 
 addEventListener("message", async ({ data }) => {
   try {
-    // The wasm comes with the first question.
+    // The compiled wasm comes with the first question.
     engine ??= load({ module_or_path: data.wasm });
     await engine;
     if (data.state) {

@@ -10,7 +10,7 @@ addEventListener("message", ({ data }) => {
   else goOn();
 });
 
-/** @param {{ wasm: ArrayBuffer, state: object, wishes: object }} task the wasm of the engine, arguments of its Design */
+/** @param {{ wasm: WebAssembly.Module, state: object, wishes: object }} task the compiled wasm of the engine, arguments of its Design */
 async function search({ wasm, state, wishes }) {
   try {
     await load({ module_or_path: wasm });
@@ -23,6 +23,6 @@ async function search({ wasm, state, wishes }) {
     } while (!progress.end);
   } catch (thrown) {
     if (!Array.isArray(thrown)) console.error(thrown);
-    postMessage({ problems: Array.isArray(thrown) ? thrown : [{ code: "not_arrived" }] });
+    postMessage({ problems: Array.isArray(thrown) ? thrown : [{ code: "part_broke" }] });
   }
 }

@@ -5,7 +5,7 @@ import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { fetchWasm } from "assur/engine.js";
+import { compiledWasm } from "assur/engine.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
@@ -199,9 +199,7 @@ export class DesignView {
       if (worker === this.#worker) this.#hear(data);
     });
     worker.addEventListener("error", lost);
-    fetchWasm().then((response) => response.arrayBuffer()).then((wasm) => {
-      worker.postMessage({ wasm, state, wishes }, [wasm]);
-    }).catch(lost);
+    compiledWasm().then((wasm) => worker.postMessage({ wasm, state, wishes })).catch(lost);
     this.#show();
     this.#stop.focus();
     this.#tell();
