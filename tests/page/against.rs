@@ -58,8 +58,8 @@ async fn a_press_on_the_curve_drives_there() {
         let mut found = Vec::new();
         for (place, out) in places.into_iter().zip(["y", "y", "x", "x"]) {
             page.drag_along("charts", &[place, place]).await;
-            let strokes = "d".repeat(order);
-            found.push(page.value(&format!("out-{strokes}F.{out}")).await);
+            let stroke = ["", "′"][order];
+            found.push(page.value(&format!("out-F.{out}{stroke}")).await);
         }
         let [top, bottom, left, right] = places;
         let scale = (right.0 - left.0) / (found[3] - found[2]);
@@ -102,8 +102,8 @@ async fn any_two_quantities_are_chosen() {
         assert!(told, "{title}: {seen:?}");
     }
     let [y, x] = [
-        page.value("out-ddrocker").await,
-        page.value("out-dC.x").await,
+        page.value("out-rocker.angle″").await,
+        page.value("out-C.x′").await,
     ];
     let at = seen.iter().find(|text| text.contains("; ")).unwrap();
     let numbers = at

@@ -149,9 +149,9 @@ async fn a_view_that_breaks_stops_no_other() {
     })
     .await;
     assert!((page.value("out-input").await - 100.0).abs() < 1e-9);
-    let rate = page.value("out-drocker").await;
+    let rate = page.value("out-rocker.angle′").await;
     page.write("angle", "130").await;
-    assert_ne!(page.value("out-drocker").await, rate);
+    assert_ne!(page.value("out-rocker.angle′").await, rate);
     // Of an error on the console the line of Chromium names the kind alone.
     let said = page.said().await;
     let of_the_test = ["broken for the test", "text: Some(\"error\")"];

@@ -17,7 +17,7 @@ async fn opens_from_a_file_and_runs() {
     page.stop_at("0").await;
     page.click("preset-a").await;
     assert_near(
-        page.value("out-drocker").await,
+        page.value("out-rocker.angle′").await,
         -0.770_833_333_333_333_3,
         1e-12,
         "φ₃′ at 0°",

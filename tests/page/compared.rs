@@ -19,7 +19,7 @@ async fn row(page: &Page, of: &str) -> [f64; 3] {
 }
 
 async fn is_there(page: &Page) -> bool {
-    page.count("#a-rocker").await == 1
+    page.count("#a-rocker\\.angle").await == 1
 }
 
 /// Where nothing is changed B is A to the last digit; a length changed, A is what it was, at every input, and the difference that of the

@@ -141,7 +141,7 @@ async fn damaged_addresses_are_sentences() {
     );
     assert_eq!(page.count("#notice img").await, 0);
     assert!(page.ask("return window.hurt ?? null").await.is_null());
-    assert!(page.value("out-rocker").await.is_finite());
+    assert!(page.value("out-rocker.angle").await.is_finite());
     page.close().await;
 }
 

@@ -171,7 +171,7 @@ async fn the_answer_is_withheld() {
     page.click("lesson-on").await;
     page.click("lesson-show-driven").await;
     page.settle().await;
-    for id in ["out-train-carrier", "out-dcarrier"] {
+    for id in ["out-train-carrier", "out-carrier.angle′"] {
         assert!(page.text(id).await.starts_with('?'), "{id}");
     }
     assert!(!page.text("train-follows").await.contains("39"));
@@ -193,13 +193,13 @@ async fn the_observer_on_the_carrier_sees_it_at_rest() {
     }
     page.click("lesson-show-carrier").await;
     // At once: in motion the table may be built anew between finding and reading a value.
-    let speed = "return document.getElementById('out-dcarrier')?.dataset.value ?? null;";
+    let speed = "return document.getElementById('out-carrier.angle′')?.dataset.value ?? null;";
     page.until("the carrier at rest", async || {
         let speed = page.ask(speed).await;
         speed.as_str().and_then(|speed| speed.parse().ok()) == Some(0.0)
     })
     .await;
-    let [sun, ring] = [page.value("out-dsun").await, page.value("out-dring").await];
+    let [sun, ring] = [page.value("out-sun.angle′").await, page.value("out-ring.angle′").await];
     assert!((sun / ring - ratio("1/4(3)")).abs() < 1e-9, "{sun} {ring}");
     page.close().await;
 }

@@ -57,7 +57,7 @@ async fn a_second_crank_has_a_rate() {
         let link = mechanism.link("BC").unwrap();
         let pose = motion.pose::<1>(40.0_f64.to_radians()).unwrap();
         let expected = mechanism.angle(&pose, link).value().to_degrees();
-        let shown = page.value("out-BC").await;
+        let shown = page.value("out-BC.angle").await;
         let off = (shown - expected).rem_euclid(360.0);
         assert!(off.min(360.0 - off) < 0.01, "{rate}: {shown} {expected}");
     };

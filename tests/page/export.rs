@@ -138,7 +138,7 @@ async fn the_table_is_written_as_chosen() {
         assert_eq!(one, other, "{column}");
     }
     // The analogue is the number of the page's own table.
-    let shown = page.value("out-drocker").await;
+    let shown = page.value("out-rocker.angle′").await;
     assert!((degrees.value(75, "rocker.dangle") - shown).abs() < 1e-9);
 
     page.choose("export-angles", "deg").await;

@@ -51,7 +51,7 @@ pub(crate) async fn open(document: &GearTrainDocument, time: f64) -> Page {
 
 pub(crate) async fn there(page: &Page) {
     page.until("what is of a train", async || {
-        page.count("#train-ratios tbody tr").await == 6 && page.count("#out-ring").await == 1
+        page.count("#train-ratios tbody tr").await == 6 && page.count("#out-ring\\.angle").await == 1
     })
     .await;
     page.settle().await;
@@ -67,7 +67,7 @@ async fn read(page: &Page) -> [[f64; 4]; 3] {
     let mut all = [[0.0; 4]; 3];
     for (order, values) in all.iter_mut().enumerate() {
         for (body, value) in ["sun", "satellite", "carrier", "ring"].iter().zip(values) {
-            let id = format!("out-{}{body}", "d".repeat(order));
+            let id = format!("out-{body}.angle{}", ["", "′", "″"][order]);
             *value = page.value(&id).await;
         }
     }

@@ -169,7 +169,7 @@ async fn fingers_do_all() {
     assert_eq!(page.value("out-train-ring").await, 60.0);
     tap("undo").await;
     tap("observer-carrier").await;
-    assert_eq!(page.value("out-carrier").await, 0.0);
+    assert_eq!(page.value("out-carrier.angle").await, 0.0);
     tap("field-loaded").await;
     assert_eq!(page.written("plot").await, "load");
     assert_eq!(page.text("problem").await, "");

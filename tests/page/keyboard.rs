@@ -112,7 +112,7 @@ async fn all_is_done_by_keys() {
     assert_near(page.value("out-ratio").await, 2.0, 1e-15, "mesh");
     tab_to(&page, "assembly-1").await;
     page.keys(Key::Right + "").await;
-    assert!(page.value("out-rocker").await < 0.0);
+    assert!(page.value("out-rocker.angle").await < 0.0);
     for overlay in [
         "traces",
         "centres",

@@ -40,18 +40,18 @@ async fn every_key_does_what_the_help_says() {
     let pressed = page.attribute("reverse", "aria-pressed").await;
     assert_eq!(pressed.as_deref(), Some("true"));
 
-    let first = page.value("out-coupler").await;
+    let first = page.value("out-coupler.angle").await;
     page.keys("2").await;
-    assert_ne!(page.value("out-coupler").await, first);
+    assert_ne!(page.value("out-coupler.angle").await, first);
     page.keys("1").await;
     page.chord(&[Key::Control], 'z').await;
-    assert_ne!(page.value("out-coupler").await, first);
+    assert_ne!(page.value("out-coupler.angle").await, first);
     page.chord(&[Key::Control], 'z').await;
-    assert_eq!(page.value("out-coupler").await, first);
+    assert_eq!(page.value("out-coupler.angle").await, first);
     page.chord(&[Key::Control, Key::Shift], 'z').await;
-    assert_ne!(page.value("out-coupler").await, first);
+    assert_ne!(page.value("out-coupler.angle").await, first);
     page.chord(&[Key::Control], 'y').await;
-    assert_eq!(page.value("out-coupler").await, first);
+    assert_eq!(page.value("out-coupler.angle").await, first);
     assert!(!page.element("redo").await.is_enabled().await.unwrap());
 
     page.keys("?").await;

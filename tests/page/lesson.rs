@@ -25,16 +25,16 @@ async fn check_readouts(page: &Page, lengths: [f64; 4], assembly: Assembly, rati
         ("rocker", pose.rocker, 1.0),
         ("wheel5", pose.rocker, ratio),
     ] {
-        let shown = page.value(&format!("out-{name}")).await.to_radians();
+        let shown = page.value(&format!("out-{name}.angle")).await.to_radians();
         let off = angle_between(shown, factor * angle.value());
         assert!(
             off < 1e-9,
             "{name} at {degrees}°: {shown} against {}",
             factor * angle.value()
         );
-        for (order, prefix) in [(1, "d"), (2, "dd")] {
+        for (order, stroke) in [(1, "′"), (2, "″")] {
             if name != "coupler" {
-                let shown = page.value(&format!("out-{prefix}{name}")).await;
+                let shown = page.value(&format!("out-{name}.angle{stroke}")).await;
                 assert_near(shown, factor * angle.derivative(order), 1e-9, name);
             }
         }
@@ -140,7 +140,7 @@ async fn assembly_and_mesh_change_what_they_say() {
     page.stop_at("75").await;
     page.click("assembly-2").await;
     check_readouts(&page, lengths, Assembly::Second, -2.0).await;
-    assert!(page.value("out-rocker").await < 0.0);
+    assert!(page.value("out-rocker.angle").await < 0.0);
     page.click("assembly-1").await;
 
     for (mesh, id, ratio) in [
@@ -174,9 +174,9 @@ async fn fields_and_sliders_change_the_mechanism() {
     page.write("field-z5", "24").await;
     check_readouts(&page, [0.37, 0.9, 0.6, 0.85], Assembly::First, -1.5).await;
 
-    let before = page.value("out-rocker").await;
+    let before = page.value("out-rocker.angle").await;
     page.press("slider-l1", Key::Right).await;
-    assert_ne!(page.value("out-rocker").await, before);
+    assert_ne!(page.value("out-rocker.angle").await, before);
     let l1: f64 = page.written("field-l1").await.parse().unwrap();
     assert!(l1 > 0.37);
     check_readouts(&page, [l1, 0.9, 0.6, 0.85], Assembly::First, -1.5).await;

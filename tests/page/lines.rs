@@ -43,8 +43,8 @@ async fn polygons_agree_with_the_read_outs() {
     ] {
         page.choose("axes", axes).await;
         page.stop_at(degrees).await;
-        for (order, strokes) in [(1, "d"), (2, "dd")] {
-            let [x, y] = ["x", "y"].map(|way| format!("out-{strokes}F.{way}"));
+        for (order, stroke) in [(1, "′"), (2, "″")] {
+            let [x, y] = ["x", "y"].map(|way| format!("out-F.{way}{stroke}"));
             let expected = page.value(&x).await.hypot(page.value(&y).await);
             let found = of(&page, "F", order).await;
             assert!(
@@ -191,9 +191,9 @@ async fn curvature_is_read_out() {
     for degrees in [20.0_f64, 75.0, 130.0] {
         page.stop_at(&degrees.to_string()).await;
         let t = degrees.to_radians();
-        for (order, expected) in ["", "d", "dd"].into_iter().zip(radius(t)) {
-            let found = page.value(&format!("out-{order}P.radius")).await;
-            assert_near(found, expected, 1e-8, &format!("{order} at {degrees}"));
+        for (stroke, expected) in ["", "′", "″"].into_iter().zip(radius(t)) {
+            let found = page.value(&format!("out-P.radius{stroke}")).await;
+            assert_near(found, expected, 1e-8, &format!("{stroke} at {degrees}"));
         }
         let centre = [
             -(a * a - b * b) / a * t.cos().powi(3),

@@ -28,9 +28,9 @@ async fn agrees(page: &Page, name: &str, degrees: f64) {
     } else {
         value.to_degrees()
     };
-    for (prefix, expected) in [("", value), ("d", first), ("dd", second)] {
-        let found = page.value(&format!("out-{prefix}{name}")).await;
-        assert_near(found, expected, 1e-12, &format!("{prefix} {name}"));
+    for (stroke, expected) in [("", value), ("′", first), ("″", second)] {
+        let found = page.value(&format!("out-{name}{stroke}")).await;
+        assert_near(found, expected, 1e-12, &format!("{name}{stroke}"));
     }
 }
 

@@ -30,9 +30,9 @@ async fn check_point(page: &Page, point: &str, degrees: f64, [speed, acceleratio
         let [value, first, second] = jet(&format!("{point}.{axis}"), degrees);
         for (id, expected) in [
             (format!("out-{point}.{axis}"), value),
-            (format!("out-d{point}.{axis}"), speed * first),
+            (format!("out-{point}.{axis}′"), speed * first),
             (
-                format!("out-dd{point}.{axis}"),
+                format!("out-{point}.{axis}″"),
                 speed * speed * second + acceleration * first,
             ),
         ] {
@@ -112,12 +112,12 @@ async fn axes_are_by_time() {
     let [_, first, second] = jet("rocker.angle", 62.0);
     assert_eq!(page.text("input").await, "");
     page.choose("axes", "physical").await;
-    assert_near(page.value("out-drocker").await, first, 1e-12, "at 1 rad/s");
+    assert_near(page.value("out-rocker.angle′").await, first, 1e-12, "at 1 rad/s");
     page.write("omega", "−2,5").await;
     page.write("epsilon", "4").await;
-    assert_near(page.value("out-drocker").await, -2.5 * first, 1e-12, "ω₃");
+    assert_near(page.value("out-rocker.angle′").await, -2.5 * first, 1e-12, "ω₃");
     let expected = 6.25 * second + 4.0 * first;
-    assert_near(page.value("out-ddrocker").await, expected, 1e-12, "ε₃");
+    assert_near(page.value("out-rocker.angle″").await, expected, 1e-12, "ε₃");
     let seen = texts(&page).await;
     for title in ["φ₃", "ω₃", "ω₅", "ε₃", "ε₅"] {
         assert!(seen.iter().any(|text| text == title), "{title}: {seen:?}");
@@ -136,17 +136,17 @@ async fn axes_are_by_time() {
         (shown + 2.5 * 30.0 / std::f64::consts::PI).abs() < 1e-3,
         "{shown}"
     );
-    assert_near(page.value("out-drocker").await, -2.5 * first, 1e-12, "ω₃");
+    assert_near(page.value("out-rocker.angle′").await, -2.5 * first, 1e-12, "ω₃");
     page.write("omega", "60").await;
     let speed = std::f64::consts::TAU;
-    assert_near(page.value("out-drocker").await, speed * first, 1e-12, "ω₃");
+    assert_near(page.value("out-rocker.angle′").await, speed * first, 1e-12, "ω₃");
     page.choose("plot", "C2").await;
     check_point(&page, "C2", 62.0, [speed, 4.0]).await;
 
     // Back to analogues: nothing is left of it.
     page.choose("axes", "analogues").await;
     check_point(&page, "C2", 62.0, [1.0, 0.0]).await;
-    assert_eq!(page.value("out-drocker").await, first);
+    assert_eq!(page.value("out-rocker.angle′").await, first);
     page.close().await;
 }
 
@@ -164,7 +164,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
     page.keys("3").await;
     page.settle().await;
     let [_, first, _] = jet("rocker.angle", 62.0);
-    assert_near(page.value("out-drocker").await, 3.0 * first, 1e-12, "ω₃");
+    assert_near(page.value("out-rocker.angle′").await, 3.0 * first, 1e-12, "ω₃");
     for (field, bad, says) in [
         ("omega", "fast", "this is not a number"),
         ("omega", "20000", "out of range"),
@@ -187,7 +187,7 @@ async fn bad_inputs_are_named_and_recovered_from() {
     assert!(page.text("problem").await.contains("stand still"));
     page.choose("speed", "1").await;
     assert_eq!(page.text("problem").await, "");
-    assert_eq!(page.value("out-drocker").await, 0.0);
+    assert_eq!(page.value("out-rocker.angle′").await, 0.0);
     page.close().await;
 }
 

@@ -29,7 +29,7 @@ async fn check_changed(page: &Page, rocker: f64) {
         Some("false")
     );
     assert_eq!(page.value("out-input").await, 123.25);
-    assert_eq!(page.value("out-rocker").await, rocker);
+    assert_eq!(page.value("out-rocker.angle").await, rocker);
     assert_eq!(page.value("out-ratio").await, 2.0);
     assert!(!page.element("traces").await.is_selected().await.unwrap());
     assert_eq!(page.written("speed").await, "0.5");
@@ -59,7 +59,7 @@ async fn link(page: &Page) -> String {
 async fn a_link_shows_the_same_page_elsewhere() {
     let page = Page::open().await;
     change(&page).await;
-    let rocker = page.value("out-rocker").await;
+    let rocker = page.value("out-rocker.angle").await;
     page.until("the address to follow", async || {
         page.address().await.contains("v.lang=ru")
     })
@@ -73,9 +73,9 @@ async fn a_link_shows_the_same_page_elsewhere() {
     check_changed(&page, rocker).await;
     // Another link in the same window, and back by undo.
     page.goto(&link.replace("d.l2=0.9", "d.l2=0.85")).await;
-    assert_ne!(page.value("out-rocker").await, rocker);
+    assert_ne!(page.value("out-rocker.angle").await, rocker);
     page.click("undo").await;
-    assert_eq!(page.value("out-rocker").await, rocker);
+    assert_eq!(page.value("out-rocker.angle").await, rocker);
     page.close().await;
 }
 
@@ -83,7 +83,7 @@ async fn a_link_shows_the_same_page_elsewhere() {
 async fn what_was_kept_comes_back() {
     let page = Page::open().await;
     change(&page).await;
-    let rocker = page.value("out-rocker").await;
+    let rocker = page.value("out-rocker.angle").await;
     page.anew(home()).await;
     check_changed(&page, rocker).await;
 
@@ -159,7 +159,7 @@ async fn what_was_changed_a_moment_ago_is_there_anew() {
 async fn a_file_is_saved_and_opened() {
     let page = Page::open().await;
     change(&page).await;
-    let rocker = page.value("out-rocker").await;
+    let rocker = page.value("out-rocker.angle").await;
     page.click("menu").await;
     page.click("save").await;
     let saved = page.downloads().join("mixer.assur.json");

@@ -35,9 +35,9 @@ fn head(s: f64) -> [f64; 3] {
 
 async fn agrees(page: &Page, s: f64) {
     assert_eq!(page.value("out-input").await, s);
-    for (prefix, expected) in ["", "d", "dd"].into_iter().zip(head(s)) {
-        let shown = page.value(&format!("out-{prefix}H.y")).await;
-        assert!((shown - expected).abs() < 1e-9, "{prefix}: {shown}");
+    for (stroke, expected) in ["", "′", "″"].into_iter().zip(head(s)) {
+        let shown = page.value(&format!("out-H.y{stroke}")).await;
+        assert!((shown - expected).abs() < 1e-9, "{stroke}: {shown}");
     }
 }
 
@@ -102,9 +102,9 @@ async fn plots_and_tables_are_in_lengths() {
     page.write("omega", "2").await;
     page.write("epsilon", "3").await;
     let [_, first, second] = head(s);
-    for (prefix, expected) in [("d", 2.0 * first), ("dd", 4.0 * second + 3.0 * first)] {
-        let shown = page.value(&format!("out-{prefix}H.y")).await;
-        assert!((shown - expected).abs() < 1e-9, "{prefix}: {shown}");
+    for (stroke, expected) in [("′", 2.0 * first), ("″", 4.0 * second + 3.0 * first)] {
+        let shown = page.value(&format!("out-H.y{stroke}")).await;
+        assert!((shown - expected).abs() < 1e-9, "{stroke}: {shown}");
     }
 
     crate::export::open_dialog(&page).await;

@@ -179,7 +179,7 @@ async fn what_is_shown() {
     let a = mixer(Case::A);
     let limit = a.linkage.limits(a.assembly)[0].crank.to_degrees();
     assert!((page.value("out-input").await - limit).abs() < 1e-9);
-    assert!(page.value("out-drocker").await.abs() < 1e-9);
+    assert!(page.value("out-rocker.angle′").await.abs() < 1e-9);
     assert!(
         page.element("loop_vectors")
             .await
@@ -544,7 +544,7 @@ async fn a_step_has_what_it_asks_for() {
     page.write("field-z4", "54").await;
     page.click("mesh-internal").await;
     page.settle().await;
-    for name in ["drocker", "dwheel5"] {
+    for name in ["rocker.angle′", "wheel5.angle′"] {
         let shown = page.text(&format!("out-{name}")).await;
         assert_eq!(read(name).await, shown, "{name}");
     }

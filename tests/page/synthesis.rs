@@ -268,7 +268,7 @@ async fn a_solution_is_sent_to_the_simulator() {
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
     assert_near(page.value("out-input").await, 50.0, 1e-9, "the input");
-    let shown = page.value("out-rocker").await - angle.value().to_degrees();
+    let shown = page.value("out-rocker.angle").await - angle.value().to_degrees();
     assert_near((shown + 180.0).rem_euclid(360.0), 180.0, 1e-9, "the rocker");
     page.click("undo").await;
     there(&page).await;

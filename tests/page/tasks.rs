@@ -79,7 +79,7 @@ async fn what_is_told_of_a_motion_is_hidden_too() {
         ),
         ("rocker.angle:time_ratio", &["linkage-time-ratio"]),
         ("C.transmission:worst", &["linkage-transmission"]),
-        ("rocker.angle″", &["ddrocker"]),
+        ("rocker.angle″", &["rocker.angle″"]),
         ("W", &["linkage-w"]),
     ] {
         page.choose("write-quantity", quantity).await;

@@ -75,9 +75,9 @@ async fn controls_are_tapped() {
     tap(&page, "mesh-internal").await;
     assert_near(page.value("out-ratio").await, 2.0, 1e-15, "mesh");
     tap(&page, "assembly-2").await;
-    assert!(page.value("out-rocker").await < 0.0);
+    assert!(page.value("out-rocker.angle").await < 0.0);
     tap(&page, "undo").await;
-    assert!(page.value("out-rocker").await > 0.0);
+    assert!(page.value("out-rocker.angle").await > 0.0);
     tap(&page, "preset-b").await;
     let pressed = page.attribute("preset-b", "aria-pressed").await;
     assert_eq!(pressed.as_deref(), Some("true"));

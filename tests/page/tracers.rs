@@ -42,14 +42,14 @@ async fn check(page: &Page, link: &str, carrier: Carrier, place: Point, slack: f
     let off = (point.place() - place).norm();
     assert!(off < slack, "{link}: off by {off}");
     page.choose("plot", "P1").await;
-    for (order, prefix) in ["", "d", "dd"].into_iter().enumerate() {
+    for (order, stroke) in ["", "′", "″"].into_iter().enumerate() {
         let expected = point.derivative(order);
         for (axis, expected) in [("x", expected.x), ("y", expected.y)] {
-            let shown = page.value(&format!("out-{prefix}P1.{axis}")).await;
+            let shown = page.value(&format!("out-P1.{axis}{stroke}")).await;
             // The fields show six digits.
             assert!(
                 (shown - expected).abs() < 1e-5,
-                "{prefix}{axis}: {shown} {expected}"
+                "{axis}{stroke}: {shown} {expected}"
             );
         }
     }

@@ -15,7 +15,7 @@ async fn every_edit_is_undone_and_redone() {
     let page = Page::open().await;
     page.stop_at("75").await;
     assert_eq!(offered(&page).await, [false, false]);
-    let start = page.value("out-rocker").await;
+    let start = page.value("out-rocker.angle").await;
 
     page.write("field-l2", "0.912").await; // five characters, one step
     page.click("mesh-internal").await;
@@ -36,7 +36,7 @@ async fn every_edit_is_undone_and_redone() {
     assert_eq!(page.written("field-l2").await, "0.912");
     page.click("undo").await; // the field
     assert_eq!(page.written("field-l2").await, "0.85");
-    assert_eq!(page.value("out-rocker").await, start);
+    assert_eq!(page.value("out-rocker.angle").await, start);
     assert_eq!(offered(&page).await, [false, true]);
 
     for _ in 0..5 {

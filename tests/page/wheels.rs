@@ -37,8 +37,8 @@ async fn check(page: &Page, wheels: &[(f64, f64)]) {
     for (index, pair) in mixer.gears.pairs().iter().enumerate() {
         let name = format!("wheel{}", index + 5);
         let driven = pair.driven(pose.rocker);
-        for (order, prefix) in ["", "d", "dd"].into_iter().enumerate() {
-            let shown = page.value(&format!("out-{prefix}{name}")).await;
+        for (order, stroke) in ["", "′", "″"].into_iter().enumerate() {
+            let shown = page.value(&format!("out-{name}.angle{stroke}")).await;
             let expected = driven.derivative(order);
             let shown = if order == 0 {
                 shown.to_radians()

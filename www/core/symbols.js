@@ -62,10 +62,11 @@ export function calledWhole(of, what, words) {
 /**
  * @param {string} name of a quantity
  * @param {number} order of its derivative
- * @returns {string} by what its read-out goes, as lessons name those that they withhold: `ddrocker`, `dC.x`
+ * @returns {string} by what its read-out goes in ids, and as lessons name those that they withhold: `rocker.angle″`, `C.x′`; a name alone could be
+ * that of a link and of a point, or of another read-out
  */
 export function readoutOf(name, order) {
-  return "d".repeat(order) + name.replace(/\.angle$/, "");
+  return name + STROKES[order];
 }
 
 /**

@@ -29,10 +29,12 @@ test("a quantity without letters of its own goes by its name", () => {
   assert.equal(symbol({ name: "dwell" }, 0, true, en), "dwell");
 });
 
-test("read-outs go by the name of their quantity", () => {
-  assert.deepEqual(["rocker.angle", "C.x", "B-D.distance"].map((name) => [0, 1, 2].map((order) => readoutOf(name, order))), [
-    ["rocker", "drocker", "ddrocker"], ["C.x", "dC.x", "ddC.x"], ["B-D.distance", "dB-D.distance", "ddB-D.distance"],
-  ]);
+test("read-outs go by the name of their quantity, and no two by one", () => {
+  assert.deepEqual([0, 1, 2].map((order) => readoutOf("rocker.angle", order)), ["rocker.angle", "rocker.angle′", "rocker.angle″"]);
+  // Links and points may be called like each other, like a derivative, like another read-out.
+  const names = ["C.angle", "dC.angle", "ddC.angle", "C.x", "dC.x", "C.x.angle", "C′.angle", "input.angle", "formula.angle", "C.centre.angle"];
+  const all = ["input", "formula", "C.centre", ...names.flatMap((name) => [0, 1, 2].map((order) => readoutOf(name, order)))];
+  assert.equal(new Set(all).size, all.length);
 });
 
 test("coordinates and distances are lengths, all else is an angle", () => {
@@ -54,6 +56,7 @@ test("units of derivatives are divided as often as they are derived", () => {
 test("links are called by the words of the language, with their numbers, and others by their names", () => {
   assert.equal(called("AB", en), "AB");
   assert.equal(called("", en), "");
+  assert.equal(called("by_hand", en), "by_hand", "another text of the page");
   for (const name of ["crank", "coupler", "rocker"]) {
     assert.equal(called(name, ru), ru.text(`link.${name}`, { n: "" }));
     assert.notEqual(called(name, ru), name);

@@ -92,7 +92,7 @@ function named({ name, quantity }, { moves }, choices, words) {
     const unit = isLength(kind) ? length : angle;
     const power = order > 1 ? "²" : "";
     const per = order > 0 ? `/${moves === "angle" ? angle : length}${power}` : "";
-    const said = kind === "between" ? calledWhole(of, kind, words) : called(of, words);
+    const said = kind.endsWith("angle") ? called(of, words) : kind === "between" ? calledWhole(of, kind, words) : of;
     return words.text(COLUMNS[kind][order], { of: said, unit: `${unit}${per}` });
   }
   const angle = inDegrees ? "deg" : "rad";

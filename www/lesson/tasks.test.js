@@ -185,7 +185,7 @@ test("quantities are named by what their links are called in the reader’s lang
 test("read-outs that tell a quantity are those of its derivative and of the whole motion", () => {
   const all = {
     "rocker.angle:swing": ["course-stroke", "linkage-swing", "swing-rocker"], "slider.x:swing": ["course-stroke", "linkage-stroke"], "rocker.angle:time_ratio": ["linkage-time-ratio", "time-ratio"],
-    "C.transmission:worst": ["linkage-transmission", "transmission"], "rocker.angle″": ["ddrocker"], "C.x′": ["dC.x"], "sun.angle′": ["dsun", "train-sun"], "F.y": ["F.y"], W: ["linkage-w"], input: [],
+    "C.transmission:worst": ["linkage-transmission", "transmission"], "rocker.angle″": ["rocker.angle″"], "C.x′": ["C.x′"], "sun.angle′": ["sun.angle′", "train-sun"], "F.y": ["F.y"], W: ["linkage-w"], input: [],
   };
   for (const [quantity, readouts] of Object.entries(all)) assert.deepEqual(tellers(quantity), readouts, quantity);
 });

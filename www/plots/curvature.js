@@ -6,7 +6,7 @@ import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
-import { subscript } from "assur/core/symbols.js";
+import { readoutOf, subscript } from "assur/core/symbols.js";
 import { row } from "assur/plots/readouts.js";
 import { written } from "assur/plots/values.js";
 
@@ -59,7 +59,7 @@ function rows({ circles, inflection }, words) {
     const of = subscript(point);
     const own = title("R", words.text("curvature.radius", { of }));
     if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
-    const values = ORDERS.map((order) => cell(`out-${"d".repeat(order)}${point}.radius`, radius[order], order, words));
+    const values = ORDERS.map((order) => cell(`out-${readoutOf(`${point}.radius`, order)}`, radius[order], order, words));
     const place = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
     place.append(`(${centre.map((way) => written(way, "x", 0, words).text).join("; ")})`);
     return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [place])];

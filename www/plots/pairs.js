@@ -90,7 +90,9 @@ export class PairChoice {
     const whose = (/** @type {string} */ name) => {
       const of = name.slice(0, name.lastIndexOf("."));
       if (name.endsWith(".load_angle")) return words.text("readouts.load_angle", { name: called(of, words) });
-      return /\.[xy]$/.test(name) ? `${name.slice(-1)} ${subscript(of)}` : called(of, words);
+      if (name.endsWith(".angle")) return called(of, words);
+      const what = name.slice(of.length + 1);
+      return /^[xy]$/.test(what) ? `${what} ${subscript(of)}` : calledWhole(of, what, words);
     };
     return make("optgroup", { label: words.text("plots.against") }, [
       ...points.map((point) => option("plots.path", `${point}.x`, `${point}.y`, subscript(point))),

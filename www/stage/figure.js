@@ -3,7 +3,6 @@ import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
-import { called } from "assur/core/names.js";
 import { readable } from "assur/core/numbers.js";
 import { isLength, readoutOf, subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
@@ -178,13 +177,13 @@ function readPoses(frame) {
 }
 
 /**
- * A name, or a symbol with the value that it has in the very frame that is drawn.
+ * The name of a point, or a symbol with the value that it has in the very frame that is drawn.
  * @param {string} label a name, or a symbol and the read-out it is written with, a tab between them: no name has one
  * @param {Snapshot} snapshot
  */
 function labelText(label, { frameInput, coordinate, readouts, words, state, withheld }) {
   const [symbol, readout] = label.split("\t");
-  if (readout === undefined) return low(called(label, words));
+  if (readout === undefined) return low(label);
   const decimals = readable(1, state?.view.playing ?? false);
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;
   const value = readouts?.[readout];

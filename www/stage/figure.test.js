@@ -6,6 +6,7 @@ import { Transform } from "assur/canvas/transform.js";
 import { Figure } from "assur/stage/figure.js";
 import { withFurther, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
+import { wordsOf } from "assur/tests/words.js";
 
 const SIZE = { width: 1000, height: 700 };
 const HEIGHT = 15;
@@ -121,15 +122,19 @@ test("what is compared is drawn in one colour, without labels", () => {
 test("names are names, whatever they look like", () => {
   const { page, paint } = begin("crank-rocker", { transmission: true });
   const { document } = page.store.get();
-  const rename = (name) => ({ B: "x=input", M: "A=1" })[name] ?? name;
+  const rename = (name) => ({ B: "x=input", M: "A=1", C: "rod", D: "by_hand" })[name] ?? name;
   const named = (points) => points.map((name) => rename(name));
   const other = {
     ...document, points: document.points.map((point) => ({ ...point, name: rename(point.name) })), links: document.links.map((link) => ({ ...link, points: named(link.points) })),
-    traces: [], plots: [],
+    frame: named(document.frame), traces: [], plots: [],
   };
   page.choose("linkage", other);
   assert.deepEqual(page.now().problems, []);
   const written = texts(paint((state) => withView(state, { transmission: true, phi_deg: 62 })));
   assert.ok(written.includes("x=input") && written.includes("A=1"), written.join("|"));
   assert.ok(written.includes("φ₁ = 62.0°") && written.some((text) => /^μ = \d/.test(text)), written.join("|"));
+  // In no language is a point called by the word for a link, or by another text of the page.
+  page.words = wordsOf("ru");
+  const translated = texts(paint());
+  assert.ok(translated.includes("rod") && translated.includes("by_hand"), translated.join("|"));
 });

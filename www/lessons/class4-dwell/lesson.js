@@ -64,7 +64,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "Φ(q, φ₁) = 0\nJ q′ = −∂Φ/∂φ₁",
     shows: [{ preset: PRESET, at: () => Math.PI / 3, overlays: ["traces", "vectors"] }],
     errata: true,
-    readouts: ["CD", "dCD"],
+    readouts: ["CD.angle", "CD.angle′"],
     question: { hides: ["course-stroke", "linkage-swing"], unit: "°", within: 0.05, answer: stroke },
   },
 ] });

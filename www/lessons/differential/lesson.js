@@ -22,7 +22,7 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
     shows: [{ name: "driven", preset: "driven", play: true }, { name: "alike", preset: "alike", play: true }],
     controls: ["drives"],
     readouts: ["train-sun", "train-ring", "train-carrier"],
-    question: { hides: ["train-carrier", "dcarrier"], within: 0.1, answer: ({ speeds }) => speeds.carrier },
+    question: { hides: ["train-carrier", "carrier.angle′"], within: 0.1, answer: ({ speeds }) => speeds.carrier },
   },
   {
     id: "hold",
@@ -43,7 +43,7 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
       { name: "sun", preset: "seen_from_sun", play: true }, { name: "ring", preset: "seen_from_ring", play: true },
     ],
     controls: ["observer"],
-    readouts: ["dsun", "dring", "dcarrier"],
+    readouts: ["sun.angle′", "ring.angle′", "carrier.angle′"],
     question: { hides: ["train-ratios"], within: 0.01, answer: ({ ratios }) => valueOf(ratios, "1/4(3)") },
   },
   {
@@ -76,7 +76,7 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
       { name: "mixer", preset: "mixer", play: true }, { name: "fan", preset: "fan", play: true }, { name: "brushes", preset: "brushes", play: true },
     ],
     controls: ["members"],
-    question: { hides: ["train-satellite", "dsatellite"], within: 0.1, answer: ({ speeds }) => speeds.satellite },
+    question: { hides: ["train-satellite", "satellite.angle′"], within: 0.1, answer: ({ speeds }) => speeds.satellite },
   },
 ] });
 

@@ -72,7 +72,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     formula: "φ(φ₁), φ′, φ″",
     kind: /** @type {const} */ ("linkage"),
     shows: [{ preset: "sent", play: true }],
-    readouts: ["rocker", "drocker"],
+    readouts: ["rocker.angle", "rocker.angle′"],
     question: {
       hides: ["linkage-swing"], unit: "°", within: 0.5,
       answer: (/** @type {import("assur/engine.js").LinkageSummary} */ { outputs: [rocker] }) => {
