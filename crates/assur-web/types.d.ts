@@ -326,7 +326,7 @@ export type LinkHere = { link: string,
  */
 off: number, 
 /**
- * The wheel on whose disc the place is.
+ * The wheel on which the place is, a ring by its rim.
  */
 wheel: string | null, };
 export type SchemeSummary = { 

@@ -199,7 +199,10 @@ async fn the_observer_on_the_carrier_sees_it_at_rest() {
         speed.as_str().and_then(|speed| speed.parse().ok()) == Some(0.0)
     })
     .await;
-    let [sun, ring] = [page.value("out-sun.angle′").await, page.value("out-ring.angle′").await];
+    let [sun, ring] = [
+        page.value("out-sun.angle′").await,
+        page.value("out-ring.angle′").await,
+    ];
     assert!((sun / ring - ratio("1/4(3)")).abs() < 1e-9, "{sun} {ring}");
     page.close().await;
 }

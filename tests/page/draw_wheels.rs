@@ -39,9 +39,9 @@ async fn an_epicyclic_train_is_drawn_by_presses() {
     page.click("draw-internal").await;
     sheet.line(&[[2.0, 0.7], [0.0, 0.0]]).await;
     assert_eq!(page.text("problem").await, "");
-    // The ring stands, by its disc; the sun is driven by its own.
+    // The ring stands, by its rim; the sun is driven by its disc.
     sheet.tool("fix").await;
-    sheet.press(-2.5, 0.5).await;
+    sheet.press(-2.4, 1.8).await;
     sheet.tool("drive").await;
     sheet.press(-0.6, 0.4).await;
     assert_eq!(page.text("problem").await, "");

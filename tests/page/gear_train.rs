@@ -51,7 +51,8 @@ pub(crate) async fn open(document: &GearTrainDocument, time: f64) -> Page {
 
 pub(crate) async fn there(page: &Page) {
     page.until("what is of a train", async || {
-        page.count("#train-ratios tbody tr").await == 6 && page.count("#out-ring\\.angle").await == 1
+        page.count("#train-ratios tbody tr").await == 6
+            && page.count("#out-ring\\.angle").await == 1
     })
     .await;
     page.settle().await;

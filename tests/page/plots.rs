@@ -112,10 +112,20 @@ async fn axes_are_by_time() {
     let [_, first, second] = jet("rocker.angle", 62.0);
     assert_eq!(page.text("input").await, "");
     page.choose("axes", "physical").await;
-    assert_near(page.value("out-rocker.angle′").await, first, 1e-12, "at 1 rad/s");
+    assert_near(
+        page.value("out-rocker.angle′").await,
+        first,
+        1e-12,
+        "at 1 rad/s",
+    );
     page.write("omega", "−2,5").await;
     page.write("epsilon", "4").await;
-    assert_near(page.value("out-rocker.angle′").await, -2.5 * first, 1e-12, "ω₃");
+    assert_near(
+        page.value("out-rocker.angle′").await,
+        -2.5 * first,
+        1e-12,
+        "ω₃",
+    );
     let expected = 6.25 * second + 4.0 * first;
     assert_near(page.value("out-rocker.angle″").await, expected, 1e-12, "ε₃");
     let seen = texts(&page).await;
@@ -136,10 +146,20 @@ async fn axes_are_by_time() {
         (shown + 2.5 * 30.0 / std::f64::consts::PI).abs() < 1e-3,
         "{shown}"
     );
-    assert_near(page.value("out-rocker.angle′").await, -2.5 * first, 1e-12, "ω₃");
+    assert_near(
+        page.value("out-rocker.angle′").await,
+        -2.5 * first,
+        1e-12,
+        "ω₃",
+    );
     page.write("omega", "60").await;
     let speed = std::f64::consts::TAU;
-    assert_near(page.value("out-rocker.angle′").await, speed * first, 1e-12, "ω₃");
+    assert_near(
+        page.value("out-rocker.angle′").await,
+        speed * first,
+        1e-12,
+        "ω₃",
+    );
     page.choose("plot", "C2").await;
     check_point(&page, "C2", 62.0, [speed, 4.0]).await;
 
@@ -164,7 +184,12 @@ async fn bad_inputs_are_named_and_recovered_from() {
     page.keys("3").await;
     page.settle().await;
     let [_, first, _] = jet("rocker.angle", 62.0);
-    assert_near(page.value("out-rocker.angle′").await, 3.0 * first, 1e-12, "ω₃");
+    assert_near(
+        page.value("out-rocker.angle′").await,
+        3.0 * first,
+        1e-12,
+        "ω₃",
+    );
     for (field, bad, says) in [
         ("omega", "fast", "this is not a number"),
         ("omega", "20000", "out of range"),

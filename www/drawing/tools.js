@@ -9,7 +9,7 @@ import { BackPicture } from "assur/drawing/picture.js";
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
  * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target what is pressed: a point, else a link, else paper; `wheel`: the
- * wheel on whose disc that is, whatever lies over it
+ * wheel on which that is, a ring by its rim, whatever lies over it
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: what
  * it waits for in turn, of a dyad by the pair
  */

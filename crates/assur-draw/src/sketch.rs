@@ -61,6 +61,18 @@ pub struct Sketch {
     list: List,
 }
 
+/// A wheel in a mesh, or in none.
+#[derive(Clone, Copy, Debug)]
+struct Wheel {
+    /// The number of its link.
+    link: usize,
+    at: Point,
+    /// Of the pitch circle.
+    radius: f64,
+    /// Whether its teeth are inside.
+    ring: bool,
+}
+
 impl Sketch {
     /// The drawing of a draft. Things that it names and has not are passed over.
     pub fn new(draft: &Draft, view: &SketchView) -> Self {
@@ -124,21 +136,33 @@ impl Sketch {
             Some((link.name.as_str(), off.max(0.0)))
         });
         let wheels = self.wheels();
-        let wheels = wheels.iter().map(|(link, at, radius)| {
-            let off = (place - at).norm() - radius;
-            (self.draft.links[*link].name.as_str(), off.max(0.0))
+        let wheels = wheels.iter().map(|wheel| {
+            let name = self.draft.links[wheel.link].name.as_str();
+            (name, self.off_wheel(wheel, place))
         });
         links
             .chain(wheels)
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
-    /// The smallest wheel on whose disc a place is.
+    /// The smallest wheel that a place is on.
     pub fn wheel_at(&self, place: Point) -> Option<&str> {
         let wheels = self.wheels();
-        let mut wheels = wheels.iter();
-        let (link, ..) = wheels.find(|(_, at, radius)| (place - at).norm() <= *radius)?;
-        Some(&self.draft.links[*link].name)
+        let wheel = wheels
+            .iter()
+            .find(|wheel| self.off_wheel(wheel, place) <= 0.0)?;
+        Some(&self.draft.links[wheel.link].name)
+    }
+
+    /// How far a place is off a wheel: off the disc of a plain one, off the rim of a ring, where its teeth are.
+    fn off_wheel(&self, wheel: &Wheel, place: Point) -> f64 {
+        let beyond = (place - wheel.at).norm() - wheel.radius;
+        let off = if wheel.ring {
+            beyond.abs() - BAR * self.unit
+        } else {
+            beyond
+        };
+        off.max(0.0)
     }
 
     /// Whether a link is a wheel alone, without a bar or a block.
@@ -209,14 +233,14 @@ impl Sketch {
     }
 
     fn draw_wheels(&mut self) {
-        for (link, at, radius) in self.wheels().into_iter().rev() {
-            self.list.circle(self.roles[link], Look::Pale, at, radius);
+        for wheel in self.wheels().into_iter().rev() {
+            let role = self.roles[wheel.link];
+            self.list.circle(role, Look::Pale, wheel.at, wheel.radius);
         }
     }
 
-    /// The wheels, the smallest first: the number of the link, the centre, the radius of the pitch circle in each mesh. One in no mesh
-    /// has a radius of its own.
-    fn wheels(&self) -> Vec<(usize, Point, f64)> {
+    /// The wheels, one for each mesh, the smallest first. One in no mesh has a radius of its own.
+    fn wheels(&self) -> Vec<Wheel> {
         let of = |name: &str| {
             let links = self.draft.links.iter();
             let (at, link) = links.enumerate().find(|(_, link)| link.name == name)?;
@@ -227,24 +251,33 @@ impl Sketch {
             let [one, other] = &gear.links;
             if let (Some((one, a)), Some((other, b))) = (of(one), of(other)) {
                 let [z1, z2] = gear.teeth;
-                let sum = match gear.mesh {
-                    assur::gears::Mesh::Internal => (z1 - z2).abs(),
-                    _ => z1 + z2,
-                };
+                let internal = matches!(gear.mesh, assur::gears::Mesh::Internal);
+                let sum = if internal { (z1 - z2).abs() } else { z1 + z2 };
                 let module = (b - a).norm() / sum;
-                wheels.push((one, a, module * z1));
-                wheels.push((other, b, module * z2));
+                for (link, at, z, mate) in [(one, a, z1, z2), (other, b, z2, z1)] {
+                    wheels.push(Wheel {
+                        link,
+                        at,
+                        radius: module * z,
+                        ring: internal && z > mate,
+                    });
+                }
             }
         }
         for link in self.draft.links.iter().filter(|link| self.is_wheel(link)) {
             let mut gears = self.draft.gears.iter();
             let meshes = gears.any(|gear| gear.links.contains(&link.name));
-            if let (false, Some((number, at))) = (meshes, of(&link.name)) {
-                wheels.push((number, at, WHEEL * self.unit));
+            if let (false, Some((link, at))) = (meshes, of(&link.name)) {
+                wheels.push(Wheel {
+                    link,
+                    at,
+                    radius: WHEEL * self.unit,
+                    ring: false,
+                });
             }
         }
-        wheels.retain(|(_, _, radius)| radius.is_finite());
-        wheels.sort_by(|one, other| one.2.total_cmp(&other.2));
+        wheels.retain(|wheel| wheel.radius.is_finite());
+        wheels.sort_by(|one, other| one.radius.total_cmp(&other.radius));
         wheels
     }
 

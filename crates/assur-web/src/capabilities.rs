@@ -74,7 +74,7 @@ pub(crate) struct LinkHere {
     pub(crate) link: String,
     /// How far off it is drawn, in the unit of the lengths.
     pub(crate) off: f64,
-    /// The wheel on whose disc the place is.
+    /// The wheel on which the place is, a ring by its rim.
     pub(crate) wheel: Option<String>,
 }
 

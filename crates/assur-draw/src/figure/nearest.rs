@@ -30,7 +30,7 @@ impl Figure {
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
-    /// The wheel on whose disc a place is in a pose, of several the smallest.
+    /// The wheel that a place is on in a pose, a ring by its rim alone; of several the smallest.
     pub fn wheel_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
         self.gearing.wheel_at(self.motion.mechanism(), pose, place)
     }

@@ -223,19 +223,17 @@ impl Gearing {
         })
     }
 
-    /// The smallest wheel on whose disc a place is.
+    /// The smallest wheel that a place is on: on the disc of a plain one, on the rim of a ring, where its teeth are.
     pub(super) fn wheel_at<const N: usize>(
         &self,
         mechanism: &Mechanism,
         pose: &Pose<N>,
         place: Point,
     ) -> Option<LinkId> {
-        let on_disc = |drawn: &&Drawn| {
-            let off = (place - mechanism.place(pose, drawn.hinge).place()).norm();
-            off <= drawn.rim()
-        };
-        let discs = self.wheels.iter().filter(on_disc);
-        let smallest = discs.min_by(|one, other| one.rim().total_cmp(&other.rim()))?;
+        let distances = self.distances(mechanism, pose, place);
+        let wheels = self.wheels.iter().zip(distances);
+        let hit = wheels.filter(|(_, (off, _))| *off <= 0.0);
+        let (smallest, _) = hit.min_by(|(one, _), (other, _)| one.rim().total_cmp(&other.rim()))?;
         Some(smallest.link)
     }
 

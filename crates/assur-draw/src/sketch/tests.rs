@@ -58,10 +58,10 @@ fn a_sheet_has_room_for_its_unit() {
     assert_eq!(bounds, [-20.0, -30.0, 220.0, 130.0]);
 }
 
-/// A carrier with a wheel at either end, one of them in a ring: each is found on its disc, the smaller one before that
-/// in which it is, and the bar over both.
+/// A carrier with a wheel at either end, one of them in a ring: each is found on its disc, the ring by its rim alone, and the
+/// bar over all.
 #[test]
-fn wheels_are_found_by_their_discs() {
+fn wheels_are_found_by_their_discs_and_a_ring_by_its_rim() {
     let mut draft = Draft::default()
         .point("A", 0.0, 0.0)
         .point("B", 4.0, 0.0)
@@ -98,7 +98,10 @@ fn wheels_are_found_by_their_discs() {
     for (place, wheel, link) in [
         (above(0.0, 1.5), Some("sun"), Some("sun")),
         (above(4.0, -1.5), Some("planet"), Some("planet")),
-        (above(-5.0, 0.5), Some("ring"), Some("ring")),
+        (above(-5.0, 0.5), None, None),
+        (above(-6.0, 0.0), Some("ring"), Some("ring")),
+        (above(0.0, 6.1), Some("ring"), Some("ring")),
+        (above(0.0, -5.9), Some("ring"), Some("ring")),
         (above(1.0, 0.0), Some("sun"), Some("carrier")),
         (above(6.5, 0.0), None, None),
     ] {
