@@ -163,8 +163,7 @@ traceable: boolean,
  * The other kinds of document that can be made of it.
  */
 becomes: readonly "scheme"[], };
-export type MotionSummary = { equations: Array<EquationSummary>, 
-four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -209,8 +208,7 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /**
  * What can drive it, by the links that are turned or slide.
  */
-drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, 
-four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -252,7 +250,7 @@ passive: Array<string>,
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
-export type DimensionSummary = { field: string, kind: "length" | "x" | "y", index: number, name: string, role: string, value: number, min: number, max: number, step: number, };
+export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**
  * The ratios of the peripheral wheels to the rocker.
@@ -265,8 +263,7 @@ overlaps: Array<[number, number]>,
 /**
  * The direction from wheel 4 in which there is most room.
  */
-free_direction: number, equations: Array<EquationSummary>, 
-four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */
@@ -435,8 +432,7 @@ printed: PrintedSummary | null,
 /**
  * What is drawn, as a linkage for the simulator.
  */
-linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, 
-four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
  * What the input is: `angle`, `length` or `time`.
  */

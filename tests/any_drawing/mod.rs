@@ -19,7 +19,7 @@ use linkage::Linkage;
 /// How many drawings are compared in a quick run.
 const DRAWINGS: u64 = 1_000;
 
-/// A linkage in which a group folds, and with it one that hangs on it.
+/// A linkage in which a group folds just before the one that it hangs on.
 const TWO_FOLDS: u64 = 116_566;
 
 #[test]

@@ -26,7 +26,7 @@ pub use kinds::gear_train::{
 };
 pub use kinds::linkage::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument, TracerDocument, dimension_field, rate_field,
+    PointDocument, SlideDocument, TracerDocument, dimension_field, in_field, of_field, rate_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;

@@ -1,23 +1,24 @@
 //! The dimensions of a linkage, as the page lists them.
 
-use assur::mechanism::Dimension;
+use assur::mechanism::{Dimension, LinkId, PointId};
 use assur_draw::Role;
-use assur_file::{Field, dimension_field};
+use assur_file::{Field, dimension_field, in_field};
 use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// A dimension: its field in the document, what it is of, its value and those it may
-/// have. `kind` is `length`, `x` or `y`; `index` counts the links or points from 0.
+/// A dimension: its field in the document, the points that it is between or of, its value and those it may have. `index`
+/// counts the links or points from 0, `name` is the link's or the point's; a corner is in degrees.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {
     #[cfg_attr(test, ts(type = "string"))]
     field: Field,
-    #[cfg_attr(test, ts(type = "\"length\" | \"x\" | \"y\""))]
+    #[cfg_attr(test, ts(type = "\"length\" | \"side\" | \"corner\" | \"x\" | \"y\""))]
     kind: &'static str,
     index: usize,
     name: &'a str,
+    points: Vec<&'a str>,
     role: &'static str,
     value: f64,
     min: f64,
@@ -41,35 +42,41 @@ fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
 impl<'a> DimensionSummary<'a> {
     pub(crate) fn all(moving: &'a Moving) -> Vec<Self> {
         let mechanism = moving.mechanism();
+        let links = &mechanism.draft().links;
+        let of_link = |kind, link: LinkId, ends: &[usize]| {
+            let points = ends.iter().map(|end| &*links[link.index()].points[*end]);
+            let name = mechanism.link_name(link);
+            let role = moving.figure().role(link).name();
+            (kind, link.index(), name, points.collect(), role)
+        };
+        let of_point = |kind, point: PointId| {
+            let name = mechanism.point_name(point);
+            (
+                kind,
+                point.index(),
+                name,
+                vec![name],
+                Role::Secondary.name(),
+            )
+        };
         let summed = |dimension: Dimension| {
-            let (kind, index, name, role) = match dimension {
-                Dimension::Length(link) => (
-                    "length",
-                    link.index(),
-                    mechanism.link_name(link),
-                    moving.figure().role(link).name(),
-                ),
-                Dimension::X(point) => (
-                    "x",
-                    point.index(),
-                    mechanism.point_name(point),
-                    Role::Secondary.name(),
-                ),
-                Dimension::Y(point) => (
-                    "y",
-                    point.index(),
-                    mechanism.point_name(point),
-                    Role::Secondary.name(),
-                ),
+            let (kind, index, name, points, role) = match dimension {
+                Dimension::Length(link) => of_link("length", link, &[0, 1]),
+                Dimension::Side(link, ends) => of_link("side", link, &ends),
+                Dimension::Corner(link, point) => of_link("corner", link, &[1, 0, point]),
+                Dimension::X(point) => of_point("x", point),
+                Dimension::Y(point) => of_point("y", point),
             };
-            let ([min, max], step) = stepped(mechanism.range(dimension)?);
+            let in_field = |value| in_field(dimension, value);
+            let ([min, max], step) = stepped(mechanism.range(dimension)?.map(in_field));
             Some(Self {
                 field: dimension_field(dimension),
                 kind,
                 index,
                 name,
+                points,
                 role,
-                value: mechanism.value(dimension)?,
+                value: in_field(mechanism.value(dimension)?),
                 min,
                 max,
                 step,

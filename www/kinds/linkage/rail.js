@@ -16,6 +16,8 @@ import { change, inputNow } from "assur/state/change.js";
 /** Of each kind of dimension the words and the symbol. */
 const KINDS = Object.freeze({
   length: Object.freeze({ key: "links.length", symbol: "l" }),
+  side: Object.freeze({ key: "links.side", symbol: "l" }),
+  corner: Object.freeze({ key: "links.corner", symbol: "∠" }),
   x: Object.freeze({ key: "points.x", symbol: "x" }),
   y: Object.freeze({ key: "points.y", symbol: "y" }),
 });
@@ -64,7 +66,7 @@ export class LinkageRail {
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link, role }) => [field, link, role]), dimensions.map(({ field, name, role }) => [field, name, role])]);
     if (built !== this.#built) {
       this.#built = built;
-      this.#build(summary, linkage, words);
+      this.#build(summary, words);
     }
     const source = sourceOf(linkage, this.#page.engine, words);
     // That of a lesson on a linkage of the catalogue is in English.
@@ -86,12 +88,11 @@ export class LinkageRail {
 
   /**
    * @param {Summary} summary
-   * @param {Snapshot["state"]["document"]} linkage
    * @param {Words} words
    */
-  #build({ drivers, dimensions, rates }, linkage, words) {
+  #build({ drivers, dimensions, rates }, words) {
     this.#driver.replaceChildren(...drivers.map((name) => make("option", { value: name }, [called(name, words)])));
-    this.#rows = dimensions.map((dimension) => this.#row(dimension, linkage, words));
+    this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
     this.#further = rates.map(({ field, link, role }, i) => {
       const kind = { field, id: `rate-${i + 2}`, key: "drivers.rate", n: called(link, words), symbol: "u", role };
       return new NumberRow(kind, this.#page.drafts, (value) => this.#change((input) => this.#page.engine.setDimension(field, value, input), field));
@@ -107,16 +108,16 @@ export class LinkageRail {
 
   /**
    * @param {Dimension} dimension
-   * @param {Snapshot["state"]["document"]} linkage that has it
    * @param {Words} words
    */
-  #row({ field, kind, index, name, role, min, max, step }, linkage, words) {
+  #row({ field, kind, index, name, points, role, min, max, step }, words) {
     const { engine, drafts } = this.#page;
-    const id = kind === "length" ? `length-${index}` : `point-${index}-${kind}`;
-    const points = kind === "length" ? linkage.links[index].points : [name];
-    return new NumberRow({ field, id, key: KINDS[kind].key, symbol: lettered(KINDS[kind].symbol, points), n: kind === "length" ? called(name, words) : name, role, slider: { min, max, step } }, drafts, (value) =>
-      this.#change((input) => engine.setDimension(field, value, input), field),
-    );
+    const isPoint = kind === "x" || kind === "y";
+    const id = isPoint ? `point-${index}-${kind}` : `${kind}-${field.match(/\d+/g)?.join("-")}`;
+    const { key, symbol } = KINDS[kind];
+    const n = isPoint ? name : kind === "length" ? called(name, words) : `${called(name, words)}, ${points.join("–")}`;
+    const row = { field, id, key, symbol: lettered(symbol, points), n, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°" } : {}) };
+    return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
 }
 

@@ -13,7 +13,7 @@ use super::draft::DraftDocument;
 use super::numbers::{self, NumberField};
 use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
-pub use problem::{LinkageProblem, dimension_field, rate_field};
+pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
 /// A linkage: things name each other, lengths are in one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.
@@ -240,7 +240,10 @@ impl Kind for LinkageDocument {
         };
         let dimensions = mechanism.dimensions().into_iter();
         let mut all: Vec<NumberField> = dimensions
-            .filter_map(|one| Some(followed(dimension_field(one), mechanism.value(one)?)))
+            .filter_map(|one| {
+                let value = in_field(one, mechanism.value(one)?);
+                Some(followed(dimension_field(one), value))
+            })
             .collect();
         let further = self.drivers.iter().enumerate().skip(1);
         all.extend(further.map(|(k, driver)| followed(rate_field(k), driver.rate.unwrap_or(1.0))));

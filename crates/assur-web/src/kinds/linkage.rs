@@ -6,7 +6,7 @@ use assur::motion::Changed;
 use assur_draw::Annotations;
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
-    TracerDocument, dimension_field, rate_field,
+    TracerDocument, dimension_field, of_field, rate_field,
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
@@ -178,6 +178,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
+        let value = of_field(dimension, value);
         let changed = self.0.motion().changed(dimension, value, input);
         let changed = changed
             .map_err(|refusal| LinkageProblem::unset(refusal, mechanism, dimension, value))?;

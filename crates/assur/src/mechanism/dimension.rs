@@ -3,17 +3,25 @@
 
 use std::collections::BTreeSet;
 
-use super::draft::{Draft, DraftLink, DraftSlide};
+use super::draft::{Draft, DraftLink, DraftSlide, FRAME};
 use super::{Mechanism, Setting};
 use crate::index::{LinkId, PointId};
 use crate::{Point, Vector};
+use nalgebra::Rotation2;
 
 /// A number of a linkage; of use with the mechanism whose link or point it is of.
 /// What else the linkage has stays as it is when it is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// The length of a link with two points.
+    /// The distance of the first two points of a link: of one with two points its length. Its other points stay where they
+    /// are on it.
     Length(LinkId),
+    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The other distance and
+    /// the line of the first two stay.
+    Side(LinkId, [usize; 2]),
+    /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
+    /// The sides beside it stay.
+    Corner(LinkId, usize),
     /// The abscissa of a hinge of the frame; links that are hinged there keep theirs.
     X(PointId),
     /// The ordinate of one.
@@ -22,19 +30,31 @@ pub enum Dimension {
 
 /// A length may be set so many times longer and shorter than it is …
 const LENGTHS: [f64; 2] = [0.05, 2.0];
+/// … a corner opened by so much, radians …
+const OPENED: f64 = 0.5;
 /// … and a hinge moved by this part of the size.
 const ASIDE: f64 = 0.1;
 
 impl Mechanism {
-    /// All dimensions, in the order of the draft: the lengths of links with two points,
-    /// then the coordinates of the hinges of the frame that stand alone: no guide goes
-    /// through them, and no link lies on another there.
+    /// All dimensions, in the order of the draft: the lengths of links with two points and the sides and corners of those
+    /// with more, then the coordinates of the hinges of the frame that stand alone: no guide of the frame goes through
+    /// them, and no link lies on another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let draft = self.draft();
-        let straight = self.link_ids().zip(&draft.links);
-        let straight = straight.filter(|(_, link)| link.is_straight());
-        let lengths = straight.map(|(link, _)| Dimension::Length(link));
-        let bound = bound(draft);
+        let bases = bases(draft);
+        let links = self.link_ids().zip(&draft.links);
+        let shapes = links.flat_map(|(link, own)| {
+            let is_plate = own.points.len() > 2 && !bases.contains(&*own.name);
+            let is_free = own.fixed_to.is_none() && (own.points.len() == 2 || is_plate);
+            let length = is_free.then_some(Dimension::Length(link));
+            let others = if is_free { 2..own.points.len() } else { 0..0 };
+            let others = others.flat_map(move |point| {
+                let [first, second] = [0, 1].map(|end| Dimension::Side(link, [end, point]));
+                [first, second, Dimension::Corner(link, point)]
+            });
+            length.into_iter().chain(others)
+        });
+        let bound = bound(draft, &bases);
         let points = self.point_ids().zip(&draft.points);
         let hinges = points.filter(|(_, point)| {
             let name = &point.name;
@@ -43,7 +63,7 @@ impl Mechanism {
                 && draft.links.iter().any(|link| link.points.contains(name))
         });
         let hinges = hinges.flat_map(|(point, _)| [Dimension::X(point), Dimension::Y(point)]);
-        lengths.chain(hinges).collect()
+        shapes.chain(hinges).collect()
     }
 
     /// The value of a dimension; none of what is none of [`Self::dimensions`].
@@ -52,7 +72,9 @@ impl Mechanism {
         self.dimensions().contains(&dimension).then(|| {
             let at = |point: PointId| draft.points[point.index()].at;
             match dimension {
-                Dimension::Length(link) => draft.length(&draft.links[link.index()]),
+                Dimension::Length(link) => draft.side(link, [0, 1]),
+                Dimension::Side(link, ends) => draft.side(link, ends),
+                Dimension::Corner(link, point) => draft.corner(link, point),
                 Dimension::X(point) => at(point).x,
                 Dimension::Y(point) => at(point).y,
             }
@@ -63,13 +85,23 @@ impl Mechanism {
     /// makes a mechanism. None of what is none of [`Self::dimensions`].
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
+        let around = |aside: f64| [value - aside, value + aside];
         Some(match dimension {
-            Dimension::Length(_) => LENGTHS.map(|times| times * value),
-            Dimension::X(_) | Dimension::Y(_) => {
-                let aside = ASIDE * self.size();
-                [value - aside, value + aside]
-            }
+            Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
+            Dimension::Corner(..) => around(OPENED),
+            Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
         })
+    }
+
+    /// The values that a dimension can have by itself, those of the triangle that it is a side of.
+    pub(crate) fn reach(&self, dimension: Dimension) -> [f64; 2] {
+        match dimension {
+            Dimension::Side(link, [1, point]) => {
+                let [base, side] = [1, point].map(|end| self.draft().side(link, [0, end]));
+                [(base - side).abs(), base + side]
+            }
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
     }
 }
 
@@ -77,8 +109,25 @@ impl Dimension {
     /// What it is to set it to a value in a linkage drawn so.
     pub(crate) fn setting(self, draft: &Draft, value: f64) -> Setting {
         let at = |point: PointId| draft.points[point.index()].at;
+        let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
+            let ray = Rotation2::new(angle) * draft.ray(link, [0, point]).normalize() * side;
+            let first = draft.on_link(&draft.links[link.index()], 0);
+            Setting::Place(link, point, first + ray)
+        };
         match self {
-            Self::Length(link) => Setting::Length(link, value),
+            Self::Length(link) => placed(link, 1, 0.0, value),
+            Self::Side(link, [0, point]) => placed(link, point, 0.0, value),
+            Self::Side(link, [_, point]) => {
+                let [base, side] = [1, point].map(|end| draft.side(link, [0, end]));
+                let cosine = (base * base + side * side - value * value) / (2.0 * base * side);
+                let corner = cosine.clamp(-1.0, 1.0).acos();
+                let is = draft.corner(link, point);
+                placed(link, point, corner.copysign(is) - is, side)
+            }
+            Self::Corner(link, point) => {
+                let turned = value - draft.corner(link, point);
+                placed(link, point, turned, draft.side(link, [0, point]))
+            }
             Self::X(point) => Setting::Hinge(point, Point::new(value, at(point).y)),
             Self::Y(point) => Setting::Hinge(point, Point::new(at(point).x, value)),
         }
@@ -94,54 +143,52 @@ impl Draft {
             if own.shape.is_some() || own.fixed_to.is_some() || own.points.len() < 2 {
                 continue;
             }
-            link.shape = if own.is_straight() {
-                Some(straight(self.length(own)))
-            } else {
-                own.points.iter().map(|name| self.place(name)).collect()
-            };
+            let places = (0..own.points.len()).map(|point| self.on_link(own, point));
+            let places: Vec<Point> = places.collect();
+            link.shape = Some(match places[..] {
+                [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],
+                _ => places,
+            });
         }
         shaped
     }
 
-    /// The distance of the first two points of a link.
-    fn length(&self, link: &DraftLink) -> f64 {
-        let places = match &link.shape {
-            Some(shape) => shape.clone(),
-            None => link
-                .points
-                .iter()
-                .filter_map(|name| self.place(name))
-                .collect(),
-        };
-        match places[..] {
-            [from, to, ..] => (to - from).norm(),
-            _ => 0.0,
-        }
+    /// From one point of a link to another, on the link.
+    fn ray(&self, link: LinkId, [from, to]: [usize; 2]) -> Vector {
+        let link = &self.links[link.index()];
+        self.on_link(link, to) - self.on_link(link, from)
+    }
+
+    /// The distance of two points of a link.
+    fn side(&self, link: LinkId, ends: [usize; 2]) -> f64 {
+        self.ray(link, ends).norm()
+    }
+
+    /// The angle at the first point of a link from the second to a later one.
+    fn corner(&self, link: LinkId, point: usize) -> f64 {
+        let [from, to] = [1, point].map(|end| self.ray(link, [0, end]));
+        from.perp(&to).atan2(from.dot(&to))
+    }
+
+    /// Where a point of a link is on it, by its place among the link's points.
+    fn on_link(&self, link: &DraftLink, point: usize) -> Point {
+        let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
+        let drawn = || self.place(link.points.get(point)?);
+        shape.copied().or_else(drawn).unwrap_or_default()
     }
 }
 
-impl DraftLink {
-    /// Whether one length is all there is of it.
-    fn is_straight(&self) -> bool {
-        self.points.len() == 2 && self.fixed_to.is_none()
-    }
+/// The links on which others lie.
+fn bases(draft: &Draft) -> BTreeSet<&str> {
+    let links = draft.links.iter();
+    links.filter_map(|link| link.fixed_to.as_deref()).collect()
 }
 
-/// The shape of a link with two points.
-pub(super) fn straight(length: f64) -> Vec<Point> {
-    vec![Point::origin(), Point::from(Vector::new(length, 0.0))]
-}
-
-/// The points on which more rests than hinges: guides, and links that are fixed to
-/// others and lie on them as drawn.
-fn bound(draft: &Draft) -> BTreeSet<&str> {
-    let guides = draft.slides.iter();
+/// The points on which more rests than hinges: guides of the frame, and links that are fixed to others and lie on them as
+/// drawn.
+fn bound<'a>(draft: &'a Draft, bases: &BTreeSet<&str>) -> BTreeSet<&'a str> {
+    let guides = draft.slides.iter().filter(|slide| slide.on == FRAME);
     let guides = guides.flat_map(|DraftSlide { point, line, .. }| line.iter().chain([point]));
-    let bases: BTreeSet<&str> = draft
-        .links
-        .iter()
-        .filter_map(|link| link.fixed_to.as_deref())
-        .collect();
     let lying = draft.links.iter();
     let lying = lying.filter(|link| link.fixed_to.is_some() || bases.contains(&*link.name));
     guides

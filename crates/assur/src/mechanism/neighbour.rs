@@ -2,7 +2,6 @@
 //! the same way at an input nearby. A change goes from neighbour to neighbour.
 
 use super::body::Bodies;
-use super::dimension::straight;
 use super::draft::{Defect, Draft};
 use super::plan::Drawn;
 use super::resolved::Resolved;
@@ -14,8 +13,8 @@ use crate::{Point, Vector};
 /// What is set of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// The length of a link with two points.
-    Length(LinkId, f64),
+    /// Where on a link one of its points is, by its place among them.
+    Place(LinkId, usize, Point),
     /// Where a hinge of the frame is.
     Hinge(PointId, Point),
 }
@@ -109,8 +108,11 @@ impl Joined {
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let mut draft = self.mechanism.draft.clone();
         let hinge = match setting {
-            Setting::Length(link, length) => {
-                draft.links[link.index()].shape = Some(straight(length));
+            Setting::Place(link, point, at) => {
+                let shape = draft.links[link.index()].shape.as_mut();
+                if let Some(place) = shape.and_then(|shape| shape.get_mut(point)) {
+                    *place = at;
+                }
                 None
             }
             Setting::Hinge(point, at) => Some((point, at.coords)),

@@ -81,8 +81,23 @@ impl Motion {
         if !value.is_finite() {
             return Err(Refusal::NotFinite);
         }
-        if matches!(dimension, Dimension::Length(_)) && value <= 0.0 {
+        if matches!(dimension, Dimension::Length(_) | Dimension::Side(..)) && value <= 0.0 {
             return Err(Refusal::NotPositive);
+        }
+        let [least, most] = self.mechanism.reach(dimension);
+        let last = value.clamp(least, most);
+        if let Dimension::Side(link, _) = dimension
+            && last != value
+        {
+            // The sides beside it are too short for it, or differ by more.
+            let by = (value - last).abs();
+            self.changed(dimension, last, input)?;
+            return Err(Refusal::Apart {
+                last,
+                by,
+                links: vec![link],
+                cause: Cause::OutOfReach { by },
+            });
         }
         let start = self.at_hand(input)?;
         let frame = start.draft().clone();

@@ -199,7 +199,7 @@ impl Motion {
     /// The last input with a pose before an end at which there is none, and the step that fails there: two groups may come
     /// to their dead points so close to each other that the one looked for is not the first.
     fn end_before(&self, end: f64, other: f64, unit: f64) -> Option<(f64, Option<StepId>)> {
-        let step = self.pose::<1>(end).err()?.step;
+        let mut step = self.pose::<1>(end).err()?.step;
         let sense = (other - end).signum();
         let farther =
             (BACK..FARTHER).map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32));
@@ -208,10 +208,9 @@ impl Motion {
         let mut outside = end;
         for _ in 0..HALVINGS {
             let middle = 0.5 * (inside + outside);
-            if self.pose::<1>(middle).is_ok() {
-                inside = middle;
-            } else {
-                outside = middle;
+            match self.pose::<1>(middle) {
+                Ok(_) => inside = middle,
+                Err(unsolved) => (outside, step) = (middle, unsolved.step),
             }
         }
         Some((inside, Some(step)))

@@ -13,8 +13,6 @@ use crate::position::{State, Step};
 
 /// A singular pose is no farther ahead than this part where steps have become short: about a hundred of them.
 const AHEAD: f64 = 1e-7;
-/// A group that hangs on another one has a fold of its own if that is nearer than this part of the way to the other's.
-const OWN: f64 = 0.9;
 
 impl Continuation<'_> {
     /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
@@ -27,11 +25,7 @@ impl Continuation<'_> {
             let fold = self.fold(step, sense, window)?;
             Some((step, fold)).filter(|(_, input)| ahead(input))
         });
-        // Where a group folds, those that hang on it stand still in their input as well: they come after it.
-        let nearest = folds.reduce(|before, after| {
-            let [a, b] = [before.1, after.1].map(|input| (input - self.input) * sense);
-            if b < OWN * a { after } else { before }
-        });
+        let nearest = folds.min_by(|(_, a), (_, b)| (a * sense).total_cmp(&(b * sense)));
         nearest.map(|(step, input)| DeadPoint {
             input,
             kind: DeadPointKind::Singular,

@@ -144,7 +144,10 @@ impl Search {
             let value = mechanism.value(variable.dimension);
             let value = value.ok_or(SearchError::Dimension(index))?;
             let [from, to] = variable.range;
-            let length = matches!(variable.dimension, Dimension::Length(_));
+            let length = matches!(
+                variable.dimension,
+                Dimension::Length(_) | Dimension::Side(..)
+            );
             let sound = from.is_finite() && to.is_finite() && from < to;
             if !sound || !(from..=to).contains(&value) || length && from <= 0.0 {
                 return Err(SearchError::Range(index));

@@ -212,7 +212,9 @@ impl LinkageProblem {
         let name = |index: usize| {
             let variable = variables.get(index);
             let name = variable.map(|one| match one.dimension {
-                Dimension::Length(link) => mechanism.link_name(link),
+                Dimension::Length(link) | Dimension::Side(link, _) | Dimension::Corner(link, _) => {
+                    mechanism.link_name(link)
+                }
                 Dimension::X(point) | Dimension::Y(point) => mechanism.point_name(point),
             });
             name.unwrap_or_default().to_owned()
@@ -244,10 +246,30 @@ impl LinkageProblem {
 pub fn dimension_field(dimension: Dimension) -> Field {
     match dimension {
         Dimension::Length(link) => format!("links[{}].length", link.index()),
+        Dimension::Side(link, [from, to]) => {
+            format!("links[{}].side[{from}][{to}]", link.index())
+        }
+        Dimension::Corner(link, point) => format!("links[{}].corner_deg[{point}]", link.index()),
         Dimension::X(point) => format!("points[{}].x", point.index()),
         Dimension::Y(point) => format!("points[{}].y", point.index()),
     }
     .into()
+}
+
+/// A value of a dimension as its field has it: angles in degrees.
+pub fn in_field(dimension: Dimension, value: f64) -> f64 {
+    match dimension {
+        Dimension::Corner(..) => value.to_degrees(),
+        _ => value,
+    }
+}
+
+/// A value of a dimension's field as the engine has it: angles in radians.
+pub fn of_field(dimension: Dimension, value: f64) -> f64 {
+    match dimension {
+        Dimension::Corner(..) => value.to_radians(),
+        _ => value,
+    }
 }
 
 /// What the rate of a further driver, by its place, is called.
@@ -273,9 +295,10 @@ impl LinkageProblem {
             Refusal::Apart {
                 last, by, links, ..
             } => {
+                let [last, by] = [last, by].map(|value| in_field(dimension, value));
                 let links = links.into_iter().map(|link| mechanism.link_name(link));
                 let links = links.map(str::to_owned).collect();
-                let problem = if value > last {
+                let problem = if in_field(dimension, value) > last {
                     Self::TooLarge {
                         field,
                         by,
