@@ -162,9 +162,12 @@ fn refusals_name_their_field() {
         assert_eq!(with(|wish, bad| wish.stroke = bad), SearchError::Stroke);
     }
     assert_eq!(refused(WISH, &[]), SearchError::Rigid);
-    // A plate has no one length.
-    let plate = [good[0], length(&start, "EGF", [1.0, 9.0])];
-    assert_eq!(refused(WISH, &plate), SearchError::Dimension(1));
+    // A link with two points has no corner.
+    let corner = DesignVariable {
+        dimension: Dimension::Corner(start.link("FK").unwrap(), 2),
+        range: [1.0, 9.0],
+    };
+    assert_eq!(refused(WISH, &[good[0], corner]), SearchError::Dimension(1));
     let joint = Dimension::Y(start.point("E").unwrap());
     let moving = [DesignVariable {
         dimension: joint,

@@ -6,6 +6,7 @@ import { PARTS, edited, withDocument, withFurther, withMechanism, withView } fro
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
  * with the input where it is drawn; the field where it stands why it is not done
+ * @typedef {Extract<keyof import("assur/state/state.js").Documents, "linkage" | "draft">} TracedKind
  */
 
 /**
@@ -48,11 +49,9 @@ export function change(asked, field, page) {
  * @returns {number} the value, which the document then holds
  */
 export function placeTraced(store, name, axis, value) {
-  for (const kind of /** @type {const} */ (["linkage", "draft"])) {
-    store.update((state) => edited(state, kind, ({ tracers = [] }) => ({
-      tracers: tracers.map((one) => (one.name === name ? { ...one, at: /** @type {[number, number]} */ (one.at.with(axis, value)) } : one)),
-    })));
-  }
+  store.update((state) => edited(state, /** @type {TracedKind} */ (state.kind), ({ tracers = [] }) => ({
+    tracers: tracers.map((one) => (one.name === name ? { ...one, at: /** @type {[number, number]} */ (one.at.with(axis, value)) } : one)),
+  })));
   return value;
 }
 

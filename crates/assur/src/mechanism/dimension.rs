@@ -87,26 +87,39 @@ impl Mechanism {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];
         Some(match dimension {
+            Dimension::Side(link, [1, point]) => {
+                let (_, [least, most]) = self.corner_opposite((link, point), value);
+                LENGTHS.map(|times| (times * value).clamp(least, most))
+            }
             Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
             Dimension::Corner(..) => around(OPENED),
             Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
         })
     }
 
-    /// The values that a dimension can have by itself, those of the triangle that it is a side of.
-    pub(crate) fn reach(&self, dimension: Dimension) -> [f64; 2] {
-        match dimension {
-            Dimension::Side(link, [1, point]) => {
-                let [base, side] = [1, point].map(|end| self.draft().side(link, [0, end]));
-                [(base - side).abs(), base + side]
-            }
-            _ => [f64::NEG_INFINITY, f64::INFINITY],
-        }
+    /// The side opposite to a corner of a link that is so wide.
+    pub(crate) fn side_opposite(&self, (link, point): (LinkId, usize), corner: f64) -> f64 {
+        let [base, side] = [1, point].map(|end| self.draft().side(link, [0, end]));
+        (base * base + side * side - 2.0 * base * side * corner.cos()).sqrt()
+    }
+
+    /// The corner that makes a side of a link what is wanted, with the sides that it can be; the other two sides stay.
+    pub(crate) fn corner_opposite(
+        &self,
+        (link, point): (LinkId, usize),
+        wanted: f64,
+    ) -> (f64, [f64; 2]) {
+        let draft = self.draft();
+        let [base, side] = [1, point].map(|end| draft.side(link, [0, end]));
+        let reach = [(base - side).abs(), base + side];
+        let cosine = (base * base + side * side - wanted * wanted) / (2.0 * base * side);
+        let corner = cosine.clamp(-1.0, 1.0).acos();
+        (corner.copysign(draft.corner(link, point)), reach)
     }
 }
 
 impl Dimension {
-    /// What it is to set it to a value in a linkage drawn so.
+    /// What it is to set it to a value in a linkage drawn so; a side opposite to a corner is set by that.
     pub(crate) fn setting(self, draft: &Draft, value: f64) -> Setting {
         let at = |point: PointId| draft.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
@@ -116,14 +129,7 @@ impl Dimension {
         };
         match self {
             Self::Length(link) => placed(link, 1, 0.0, value),
-            Self::Side(link, [0, point]) => placed(link, point, 0.0, value),
-            Self::Side(link, [_, point]) => {
-                let [base, side] = [1, point].map(|end| draft.side(link, [0, end]));
-                let cosine = (base * base + side * side - value * value) / (2.0 * base * side);
-                let corner = cosine.clamp(-1.0, 1.0).acos();
-                let is = draft.corner(link, point);
-                placed(link, point, corner.copysign(is) - is, side)
-            }
+            Self::Side(link, [_, point]) => placed(link, point, 0.0, value),
             Self::Corner(link, point) => {
                 let turned = value - draft.corner(link, point);
                 placed(link, point, turned, draft.side(link, [0, point]))

@@ -1,6 +1,8 @@
 //! Changing a linkage: its assembly is kept by following it from the pose at hand to
 //! the new value, step by step; the input gives way where it must.
 
+use std::f64::consts::{PI, TAU};
+
 use super::features::turning_points;
 use super::{Motion, TooManyTurns};
 use crate::Point;
@@ -84,23 +86,16 @@ impl Motion {
         if matches!(dimension, Dimension::Length(_) | Dimension::Side(..)) && value <= 0.0 {
             return Err(Refusal::NotPositive);
         }
-        let [least, most] = self.mechanism.reach(dimension);
-        let last = value.clamp(least, most);
-        if let Dimension::Side(link, _) = dimension
-            && last != value
-        {
-            // The sides beside it are too short for it, or differ by more.
-            let by = (value - last).abs();
-            self.changed(dimension, last, input)?;
-            return Err(Refusal::Apart {
-                last,
-                by,
-                links: vec![link],
-                cause: Cause::OutOfReach { by },
-            });
+        if let Dimension::Side(link, [1, point]) = dimension {
+            return self.side_changed((link, point), value, input);
         }
         let start = self.at_hand(input)?;
         let frame = start.draft().clone();
+        // An angle is set the shorter way round.
+        let value = match dimension {
+            Dimension::Corner(..) => from + (value - from + PI).rem_euclid(TAU) - PI,
+            _ => value,
+        };
         let width = range[1] - range[0];
         let sense = (value - from).signum();
         let at = |way: f64| from + way * width * sense;
@@ -139,6 +134,45 @@ impl Motion {
             by: (value - last).abs(),
             links: apart.links,
             cause: apart.cause,
+        })
+    }
+
+    /// The linkage with a side of a link set to a value by the corner that it is opposite to.
+    fn side_changed(
+        &self,
+        (link, point): (LinkId, usize),
+        value: f64,
+        input: f64,
+    ) -> Result<Changed, Refusal> {
+        let (corner, [least, most]) = self.mechanism.corner_opposite((link, point), value);
+        let by = |last: f64| (value - last).abs();
+        let changed = match self.changed(Dimension::Corner(link, point), corner, input) {
+            Err(Refusal::Apart {
+                last, links, cause, ..
+            }) => {
+                let last = self.mechanism.side_opposite((link, point), last);
+                let by = by(last);
+                return Err(Refusal::Apart {
+                    last,
+                    by,
+                    links,
+                    cause,
+                });
+            }
+            changed => changed?,
+        };
+        let last = value.clamp(least, most);
+        if last == value {
+            return Ok(changed);
+        }
+        // The sides beside it are too short for it, or differ by more.
+        let (by, links) = (by(last), vec![link]);
+        let cause = Cause::OutOfReach { by };
+        Err(Refusal::Apart {
+            last,
+            by,
+            links,
+            cause,
         })
     }
 

@@ -56,7 +56,7 @@ use counted::range_between;
 use interpolation::Knots;
 
 /// So often the way back from an end to a pose is doubled, from the rounding of the input on.
-const BACK: u32 = 24;
+const BACK: u32 = 6;
 /// Where there is none that near another group has come to its end before; it is doubled so often at most.
 const FARTHER: u32 = 40;
 /// So often the way between an input with a pose and one without is halved: down to rounding.
