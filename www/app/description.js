@@ -2,7 +2,7 @@
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
-import { calledIn } from "assur/core/names.js";
+import { calledIn, numbered } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
@@ -134,14 +134,15 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
 
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
-  const { summary, words } = snapshot;
+  const { summary, coordinate, words } = snapshot;
   // What is no linkage has a description of its own.
   if (!("formula" in summary)) return pose(snapshot);
-  const { formula, four_bars: bars, assembled } = summary;
+  const assembly = numbered(summary, coordinate, words);
+  if (!assembly) return pose(snapshot);
+  const { formula, four_bars: bars } = summary;
   const types = bars.map(({ grashof }) => words.text(`grashof.${grashof}`));
-  const [number, count] = [assembled?.number ?? 1, assembled?.count ?? 1].map((one) => words.numbers.exact(one));
-  const kind = words.text("told.kind", { type: types.join("; "), assembly: number, count });
-  const structure = words.text("told.structure", { formula: calledIn(formula, words), assembly: number, count });
+  const kind = words.text("told.kind", { type: types.join("; "), assembly });
+  const structure = words.text("told.structure", { formula: calledIn(formula, words), assembly });
   return [pose(snapshot), types.length > 0 ? kind : structure].join(" ");
 }
 

@@ -1,5 +1,5 @@
 // What links are called in the reader's language: by the words of the field, else by the names that they have. How entries of
-// a list are numbered.
+// a list are numbered, and assemblies of a linkage.
 
 /**
  * A number at the end of the name stands where the word has a place {n} for it, else behind the word. Without a number the
@@ -22,6 +22,19 @@ export function called(link, words) {
  */
 export function calledIn(formula, words) {
   return formula.replace(/(?<=[(,+])[^(),+]+(?=[,)+])/g, (link) => called(link, words));
+}
+
+/**
+ * Which of the assemblies at the drawn input moves, and of how many: of those that are known there may be more.
+ * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} empty where that is unknown
+ */
+export function numbered({ assembled, home }, coordinate, words) {
+  if (!assembled) return "";
+  const [number, count] = [assembled.number, assembled.count].map((one) => words.numbers.exact(one));
+  return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
 /** @typedef {(index: number) => string} Numbering of the entries of a list in a document, by their place from 0 */

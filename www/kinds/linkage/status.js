@@ -1,6 +1,6 @@
 // The status line of a linkage: its structure, its assembly, what its crank cannot pass.
 import { StatusLine } from "assur/controls/status.js";
-import { called, calledIn } from "assur/core/names.js";
+import { called, calledIn, numbered } from "assur/core/names.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { subscript } from "assur/core/symbols.js";
@@ -19,11 +19,7 @@ const ENTRIES = Object.freeze({
   passive: ({ passive }, words) => listed(passive, words),
   class: ({ class: highest, order }, words) => `${highest}, ${words.numbers.exact(order)}`,
   formula: ({ formula, groups }, words, { state: { view } }) => (view.groups ? coloured(groups, words) : calledIn(formula, words)),
-  "linkage-assembly": ({ assembled, home }, words, { coordinate }) => {
-    if (!assembled) return "";
-    const [number, count] = [assembled.number, assembled.count].map((one) => words.numbers.exact(one));
-    return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
-  },
+  "linkage-assembly": (summary, words, { coordinate }) => numbered(summary, coordinate, words),
   "linkage-grashof": ({ four_bars: bars }, words) =>
     bars.map(({ grashof, links }) => words.text(`grashof.${grashof}`) + (bars.length > 1 ? ` (${listed(links, words)})` : "")).join("; "),
   "linkage-swing": ({ outputs }, words) => strokes(outputs, true, words),
