@@ -32,6 +32,10 @@ globalThis.HTMLElement = class HTMLElement extends Node {
     return this.attributes[name] ?? null;
   }
 
+  removeAttribute(name) {
+    delete this.attributes[name];
+  }
+
   append(...children) {
     this.children.push(...children);
   }
@@ -50,6 +54,11 @@ globalThis.HTMLElement = class HTMLElement extends Node {
   }
 
   remove() {}
+
+  /** @param {string} tag */
+  querySelector(tag) {
+    return this.all.find(({ tagName }) => tagName === tag.toUpperCase()) ?? null;
+  }
 
   get ownerDocument() {
     return document;

@@ -1,0 +1,36 @@
+// What the status line says of a linkage: nothing that was not looked for is none, and links on the same two points are one body.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import "assur/tests/document.js";
+import { linkageStatus } from "assur/kinds/linkage/status.js";
+import { initialState } from "assur/state/state.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+import { snapshotOf } from "assur/tests/shown.js";
+
+const engine = newEngine();
+
+/**
+ * @param {import("assur/state/state.js").State} state
+ * @returns {(name: string) => string} what its entry says, empty where it is not there
+ */
+function told(state) {
+  const list = globalThis.document.getElementById("status");
+  list.replaceChildren();
+  linkageStatus().render(snapshotOf(engine, state));
+  const outputs = list.all.filter(({ tagName }) => tagName === "DD");
+  const shown = list.children.filter(({ hidden }) => !hidden).flatMap(({ all }) => all);
+  return (name) => {
+    const output = outputs.find(({ attributes }) => attributes.id === `out-${name}`);
+    assert.ok(output, name);
+    return shown.includes(output) ? output.textContent : "";
+  };
+}
+
+test("of a motion of too many turns nothing is said that was not looked for, and why", () => {
+  const document = JSON.parse(readFileSync(new URL("../../../tests/data/drawings/hunting-wheels.json", import.meta.url), "utf8"));
+  const said = told(initialState("linkage", document, { lang: "en" }));
+  for (const name of ["linkage-swing", "linkage-stroke", "linkage-time-ratio", "linkage-transmission"]) assert.equal(said(name), "", name);
+  assert.match(said("linkage-unsearched"), /^not looked for: .*974\D?153 turns/);
+  assert.equal(told(stateOf(engine, "crank-rocker", { lang: "en" }))("linkage-unsearched"), "");
+});
