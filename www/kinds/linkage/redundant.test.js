@@ -1,4 +1,4 @@
-// Two links on the same two points are one body: a four-bar with one of its links doubled is the same four-bar, with one redundant constraint.
+// Linkages with a redundant constraint. Two links on the same two points are one body: a four-bar with one of its links doubled is the same four-bar.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { initialState } from "assur/state/state.js";
@@ -36,3 +36,20 @@ for (const [type, places] of Object.entries(PLACES)) {
     });
   }
 }
+
+test("without its passive links a linkage moves, in whatever order its links are given", () => {
+  const engine = newEngine();
+  // The rocker of a four-bar turns two cranks that are parallel to it.
+  const places = { ...PLACES["crank-rocker"], E: [5, 0], F: [5, 2], G: [7, 0], H: [7, 2] };
+  const { links, frame, ...rest } = four(places, { ...LINKS, middle: "EF", last: "GH" });
+  const all = [...links, { name: "rod", points: ["C", "F", "H"] }];
+  for (let turn = 0; turn < all.length; turn++) {
+    const order = [...all.slice(turn), ...all.slice(0, turn)];
+    const document = { ...rest, frame: [...frame, "E", "G"], links: order };
+    const { formula, cycle } = engine.set(initialState("linkage", document, {}));
+    const passive = [...formula.matchAll(/q₁\((.*?)\)/g)].map(([, link]) => link);
+    assert.equal(passive.length, 1, formula);
+    const without = engine.set(initialState("linkage", { ...document, links: order.filter(({ name }) => !passive.includes(name)) }, {}));
+    assert.deepEqual(without.cycle, cycle, formula);
+  }
+});
