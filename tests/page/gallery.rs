@@ -414,11 +414,11 @@ async fn what_is_no_mechanism_names_links_and_points() {
                 brace.points = ["G", "B"].map(str::to_owned).to_vec();
                 one.links.push(brace);
             }),
-            "There are too many pairs or drivers (W = 0); these links are locked: frame, crank, brace.",
+            "There are too many pairs or drivers (W = 0); these links are locked: frame, crank, brace. Remove one of them, or a driver.",
         ),
         (
             broken(|one| one.slides.clear()),
-            "There are fewer drivers than degrees of freedom (W = 3); these links stay free: rod, slider.",
+            "There are fewer drivers than degrees of freedom (W = 3); these links stay free: rod, slider. Drive one of them, or join it to another link.",
         ),
         (
             broken(|one| {
@@ -437,7 +437,8 @@ async fn what_is_no_mechanism_names_links_and_points() {
         ),
         (
             broken(|one| one.links[1].length = Some(0.5)),
-            "As drawn, rod, slider cannot be joined: they miss each other by 0.366.",
+            "As drawn, rod, slider cannot be joined: they miss each other by 0.366. Change one of their lengths, or draw the driver in \
+             another position.",
         ),
     ]
     .into_iter()

@@ -210,7 +210,7 @@ mod tests {
         let words = Words::english().unwrap();
         assert_eq!(
             words.sentence(&Problem::from(locked)).unwrap(),
-            "There are too many pairs or drivers (W = -1); these links are locked: crank, third rocker."
+            "There are too many pairs or drivers (W = -1); these links are locked: crank, third rocker. Remove one of them, or a driver."
         );
         let form = Problem::BadState {
             path: ".".to_owned(),
