@@ -216,6 +216,21 @@ fn reasons_of_dead_points() {
     }
 }
 
+/// At a dead point that is asked for by its digits there are no derivatives either: radians of these digits may be off by
+/// rounding.
+#[test]
+fn dead_points_by_their_digits() {
+    for name in ["two-folds", "false-dead-2-1469"] {
+        let file = data(&format!("drawings/{name}.json"));
+        let told: Value = serde_json::from_str(&said(&["structure", &file, "--json"])).unwrap();
+        for dead in told["dead_points"].as_array().unwrap() {
+            let at = dead["phi_deg"].to_string();
+            let text = said(&["sweep", &file, "--at", &at]);
+            assert!(text.contains("Dead point: "), "{name} at {at}: {text}");
+        }
+    }
+}
+
 /// A slider-crank whose rod is shorter than the crank.
 fn short_rod() -> Value {
     let mut linkage: Value =

@@ -1,7 +1,10 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::{DeadPointKind, Input, Motion};
+use super::{DeadPoint, DeadPointKind, Input, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
+
+/// Relative rounding of an input that was given in degrees.
+const UNITS: f64 = 4.0 * f64::EPSILON;
 
 /// A column: a quantity or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +100,8 @@ impl Motion {
     pub fn row_by_time(&self, columns: &[Column], input: f64, driven: Input) -> Row {
         // A higher group comes so near to its dead point that there seem to be derivatives.
         let at = self.cycle.wrap(input);
-        let dead = self.dead_points.iter().find(|dead| dead.input == at);
+        let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= UNITS * at.abs();
+        let dead = self.dead_points.iter().find(is_at);
         let dead = dead.filter(|dead| dead.kind.is_dead_point());
         let dead = dead.map(|dead| Unsolved {
             input,
