@@ -67,8 +67,8 @@ fn drawn_rods(
     draft.crank("c0")
 }
 
-/// A four-bar with its coupler doubled.
-fn doubled(random: &mut Random) -> Draft {
+/// A four-bar of which the link on two of its joints is doubled.
+fn doubled(random: &mut Random, joints: [&str; 2]) -> Draft {
     let draft = Draft::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.5, random.within(0.6, 1.0))
@@ -78,7 +78,7 @@ fn doubled(random: &mut Random) -> Draft {
         .fixed(&["A", "D"])
         .bar("crank", &["A", "B"])
         .bar("coupler", &["B", "C"])
-        .bar("double", &["C", "B"])
+        .bar("double", &joints)
         .bar("rocker", &["D", "C"])
         .crank("crank")
 }
@@ -213,7 +213,16 @@ fn families() -> Vec<Family> {
             true,
             Some("B3"),
         ),
+        family("4 cranks", |r| rods(r, false, 4), -1, true, Some("B3")),
+        family(
+            "5 cranks in line",
+            |r| rods(r, true, 5),
+            -2,
+            true,
+            Some("B4"),
+        ),
         family("5 cranks", |r| rods(r, false, 5), -2, true, Some("B4")),
+        family("6 cranks", |r| rods(r, false, 6), -3, true, Some("B5")),
         family(
             "6 cranks in line",
             |r| rods(r, true, 6),
@@ -231,7 +240,10 @@ fn families() -> Vec<Family> {
             true,
             None,
         ),
-        family("doubled coupler", doubled, 0, true, None),
+        family("doubled crank", |r| doubled(r, ["A", "B"]), 0, true, None),
+        family("doubled coupler", |r| doubled(r, ["C", "B"]), 0, true, None),
+        family("doubled rocker", |r| doubled(r, ["D", "C"]), 0, true, None),
+        family("doubled frame", |r| doubled(r, ["A", "D"]), 0, true, None),
         family("trammel", trammel, 0, true, Some("M")),
         family(
             "double parallelogram",
@@ -332,6 +344,35 @@ fn they_move_and_all_constraints_hold() {
             "{}: {moved}",
             family.name
         );
+    }
+}
+
+/// A parallelogram of which a link is doubled passes through the antiparallelogram where the parallelogram does.
+#[test]
+fn change_points_are_those_of_the_whole_set() {
+    let mut random = Random::new(38);
+    for joints in [["A", "B"], ["B", "C"], ["D", "C"], ["A", "D"]] {
+        for seed in 0..scaled(EACH) {
+            let base = turned(random.within(0.0, TAU), random.within(1.5, 3.0));
+            let arm = turned(random.within(0.0, TAU), random.within(0.4, 1.2));
+            let draft = Draft::default().point("A", 0.0, 0.0);
+            let draft = with(draft, "D", base);
+            let draft = with(draft, "B", arm);
+            let draft = with(draft, "C", base + arm);
+            let plain = draft
+                .fixed(&["A", "D"])
+                .bar("crank", &["A", "B"])
+                .bar("coupler", &["B", "C"])
+                .bar("rocker", &["D", "C"])
+                .crank("crank");
+            let doubled = plain.clone().bar("double", &joints);
+            let moved = [plain, doubled].map(|draft| Motion::new(Mechanism::new(&draft).unwrap()));
+            let [plain, doubled] = moved.each_ref().map(Motion::change_points);
+            assert_eq!((plain.len(), doubled.len()), (2, 2), "{joints:?} {seed}");
+            for (one, other) in plain.iter().zip(doubled) {
+                assert!((one - other).abs() < 1e-9, "{joints:?} {seed}: {one} {other}");
+            }
+        }
     }
 }
 

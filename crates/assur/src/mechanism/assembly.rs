@@ -268,3 +268,42 @@ impl Mechanism {
         [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gears::Mesh;
+    use crate::mechanism::DraftGear;
+
+    /// Where the links do not close at an input the wheels that were mounted for it before stay as they were.
+    #[test]
+    fn turns_that_do_not_close_change_nothing() {
+        let mut draft = Draft::default()
+            .point("A", 0.0, 0.0)
+            .point("D", 4.0, 0.0)
+            .point("B", 1.5, 2.598)
+            .point("C", 3.468, 2.953)
+            .point("S", 0.0, 1.0)
+            .point("P", 2.5, 2.598)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("sun", &["A", "S"])
+            .bar("planet", &["B", "P"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank");
+        draft.links[1].fixed_to = Some("frame".to_owned());
+        draft.gears.push(DraftGear {
+            links: ["sun", "planet"].map(str::to_owned),
+            carrier: "crank".to_owned(),
+            teeth: [20.0, 11.0],
+            mesh: Mesh::External,
+        });
+        let mut mechanism = Mechanism::new(&draft).unwrap();
+        let (home, steps) = (mechanism.home, mechanism.steps.clone());
+        // The crank goes from −90° to 90° of the frame.
+        assert!(!mechanism.rebase_turns(home + 0.5 * TAU));
+        assert!(mechanism.steps == steps);
+        assert!(mechanism.rebase_turns(home + TAU));
+    }
+}
