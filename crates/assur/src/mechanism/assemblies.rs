@@ -166,7 +166,9 @@ impl<const N: usize> Search<'_, N> {
             self.found.ways.push((pose, self.signs.clone()));
             return;
         };
-        if let Step::Group(group) = &self.mechanism.steps[*step] {
+        if let Step::Group(group) = &self.mechanism.steps[*step]
+            && group.has_unknowns()
+        {
             let (mut left, mut following) = (self.work, self.following.take());
             let followed = following.as_deref_mut();
             let followed = followed.map(|groups| &mut groups[*step]);

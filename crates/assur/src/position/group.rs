@@ -179,6 +179,11 @@ impl Group {
         !self.meshes.is_empty()
     }
 
+    /// Whether anything is unknown of it. If not, its bodies follow from what is solved, and its equations are only checked.
+    pub(crate) fn has_unknowns(&self) -> bool {
+        self.unknowns > 0
+    }
+
     /// Whether it has more equations than unknowns.
     pub(crate) fn is_redundant(&self) -> bool {
         self.equations.len() > 2 * self.unknowns

@@ -257,7 +257,8 @@ fn taken_apart(
         blocks = depends.blocks();
     }
     let surplus_of = |block: &[usize]| {
-        let inside = |part: &&Surplus| part.nodes.binary_search(&block[0]).is_ok();
+        let holds = |part: &Surplus, link: &usize| part.nodes.binary_search(link).is_ok();
+        let inside = |part: &&Surplus| block.iter().any(|link| holds(part, link));
         surplus.iter().filter(inside).map(|part| part.excess).sum()
     };
 
